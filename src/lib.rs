@@ -9,7 +9,7 @@
 //! Design via Time-Scale Transformation*; unless you give another, with g = 1 and a linear law in
 //! stretched time: u = kappa'^n (pi0 - b_n^T x), pi0 = -k^T BB_n x. Choose the gains k so that the roots of
 //! s^n + k_n s^(n-1) + ... + k_1 lie left of -n rho, where rho is the decay rate of the mapping
-//! (a for `exp`, 2a for `tanh`, the least rate for `exp_sum`, else 0): then u vanishes at the
+//! (a for `exp` and `soft`, 2a for `tanh`, the least rate for `exp_sum`, else 0): then u vanishes at the
 //! deadline. The macro refuses fixed gains that do not. `docs/checks` in the repository documents the
 //! other checks, `docs/expressions.md` user-defined mappings and laws.
 //!
@@ -43,7 +43,7 @@
 //!
 //! | family | calls |
 //! | --- | --- |
-//! | `exp`, `rational`, `tan`, `tanh`, `power` with an integer `m` fixed | nothing: compiles without either feature |
+//! | `exp`, `rational`, `tan`, `tanh`, `soft`, `power` with an integer `m` fixed | nothing: compiles without either feature |
 //! | `algebraic`, `power` with half an odd integer `m` fixed | `sqrt`, which every library rounds alike |
 //! | `power` otherwise | `pow` |
 //! | `exp_sum` | `exp`, `ln` |
@@ -92,9 +92,10 @@ pub use error::Error;
 /// | `n` | order of the chain of integrators | an integer 1..=16 | must be given, but beside a model |
 /// | `axes` | number of chains with one deadline that each call gives u for | an integer 1..=16 | one chain |
 /// | `limits` | bounds of \|u\| of each axis, in place of `u_max` | a number > 0 for each axis | `u_max` for all |
-/// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
+/// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`, `soft`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
+/// | `units` | unit of x1, from which the docs give those of x2..xn and u | a word of at most 16 letters, `rad` | any |
 /// | `what` | what is generated | `controller`; `associated`: the infinite-time system on which pi0 is designed; `observer`: the observer in samples alone | `controller` |
 /// | `clock` | what a call is given | `time`: t; `samples`: the number of the sample, for the exact law in samples | `time` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
@@ -160,7 +161,7 @@ pub use error::Error;
 ///     pub t0: f64,
 ///     pub eps: f64,
 ///     pub u_max: f64,
-///     pub a: f64,      // `m` follows under `power`; `rates: [f64; N]` in its place under `exp_sum`
+///     pub a: f64,      // `m` follows under `power`, `start` under `soft`; `rates: [f64; N]` in its place under `exp_sum`
 ///     pub k: [f64; 3],
 /// }
 ///

@@ -144,7 +144,10 @@ fn goldens_without_a_function_compile_without_std() {
     let folder = folder("golden_rust");
     let mut modules = "#![no_std]\n".to_owned();
     for spec in controllers().into_iter().chain(of_axes()) {
-        let bare = matches!(spec.family(), Some(Family::Exp | Family::Rational | Family::Tanh));
+        let bare = matches!(
+            spec.family(),
+            Some(Family::Exp | Family::Rational | Family::Tanh | Family::Soft)
+        );
         if bare && spec.feedback == Feedback::Linear {
             write(&folder, &spec, Language::Rust);
             modules += &format!("pub mod {};\n", spec.name());
@@ -183,6 +186,7 @@ fn every_golden_runs() {
             u_max: 1e30,
             a: 1.0,
             m: 1.5,
+            start: 0.25,
             rates: &[0.5, 1.5, 2.5][..spec.rates()],
             k: &gains,
         };

@@ -32,7 +32,7 @@ const fn plain(name: &'static str, family: Family) -> Variant {
     Variant { name, family, fixed: None }
 }
 
-/// Every family, and power with m = 2 fixed as well.
+/// Every family but soft, and power with m = 2 fixed as well.
 pub(crate) const VARIANTS: [Variant; 8] = [
     plain("exp", Family::Exp),
     plain("rational", Family::Rational),
@@ -111,6 +111,7 @@ impl Case {
                 Parameter::UMax => 1e37,
                 Parameter::A => 8.0,
                 Parameter::M => 1.5,
+                Parameter::Start => 0.25,
                 Parameter::Rate(i) => [0.75, 1.75][i % 2],
                 Parameter::Named(_) => 1.0,
                 Parameter::Samples => 1000.0,

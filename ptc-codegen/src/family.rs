@@ -17,6 +17,8 @@ pub enum Family {
     Algebraic,
     /// mu = tau mean_i (1 - e^{-a_i t}).
     ExpSum,
+    /// kappa = -ln(1 - r s - (1 - r) s^2)/a with s = Dt/tau: kappa'(0) = r/(a tau).
+    Soft,
 }
 
 /// What help and docs say about a family.
@@ -43,7 +45,7 @@ pub struct FamilyInfo {
 }
 
 /// The families, in the order in which they are listed.
-pub static FAMILIES: [FamilyInfo; 7] = [
+pub static FAMILIES: [FamilyInfo; 8] = [
     FamilyInfo {
         family: Family::Exp,
         name: "exp",
@@ -120,6 +122,17 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         atoms: "e_i = exp(-a_i*t)",
         decay_rate: "min_i a_i",
         parameters: &["rates"],
+    },
+    FamilyInfo {
+        family: Family::Soft,
+        name: "soft",
+        mu: "tau*(1 - 2*exp(-a*t)/(2 - start + sqrt(start^2 + 4*(1 - start)*(1 - exp(-a*t)))))",
+        kappa: "-ln(E)/a, E = w*(1 + (1 - start)*(1 - w)), w = T/tau",
+        kappa_in_time_to_go: "-ln((T/tau)*(1 + (1 - start)*(1 - T/tau)))/a",
+        r: "a^k H p_k(y), p_1 = 1, p_{k+1} = -(1 + 2*y) p_k - y (1 + 4*y) p_k'",
+        atoms: "E = exp(-a*t), S = tau*dE/dT, H = tau*E/S, y = (1 - start)*E/S^2",
+        decay_rate: "a",
+        parameters: &["a", "start"],
     },
 ];
 

@@ -16,7 +16,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 47] = [
+pub static KEYS: [KeyInfo; 48] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -38,7 +38,7 @@ pub static KEYS: [KeyInfo; 47] = [
     KeyInfo {
         key: "mu",
         meaning: "time mapping, with its parameters where they are fixed",
-        legal: "a family (exp, rational, power, tan, tanh, algebraic, exp_sum) or an expression in t",
+        legal: "a family (exp, rational, power, tan, tanh, algebraic, exp_sum, soft) or an expression in t",
         example: "exp(a=1)",
     },
     KeyInfo {
@@ -52,6 +52,12 @@ pub static KEYS: [KeyInfo; 47] = [
         meaning: "name of the controller: prefix of every emitted symbol, stem of the files",
         legal: "an identifier of at most 48 letters, digits and _, no word of C or Rust",
         example: "roll",
+    },
+    KeyInfo {
+        key: "units",
+        meaning: "unit of x1, from which comments give those of x2..xn and u",
+        legal: "a word of at most 16 letters",
+        example: "rad",
     },
     KeyInfo {
         key: "what",

@@ -13,7 +13,7 @@ use ptc_codegen::request::Spec;
 use support::design;
 
 /// Each mapping, with orders that reach every branch of its closed forms.
-const MAPPINGS: [(&str, &str, &[usize]); 24] = [
+const MAPPINGS: [(&str, &str, &[usize]); 26] = [
     ("mu", "exp", &[1, 2, 3, 7]),
     ("mu", "exp(a=2)", &[4]),
     ("mu", "rational", &[1, 2, 3, 7]),
@@ -25,6 +25,8 @@ const MAPPINGS: [(&str, &str, &[usize]); 24] = [
     ("mu", "algebraic", &[1, 2, 3, 7]),
     ("mu", "exp_sum", &[1, 2, 3, 6]),
     ("mu", "exp_sum(rates=[1, 2, 5])", &[3, 9]),
+    ("mu", "soft", &[1, 2, 3, 7]),
+    ("mu", "soft(start=0.02)", &[2, 5]),
     ("mu", "tau*(1 - (exp(-a*t) + 2*exp(-3*t))/3)", &[1, 3, 5]),
     ("mu", "mean(rational(a=a), tanh(a=b))", &[2, 4]),
     ("mu", "2*tau*atan(a*t)/pi", &[3, 5]),
@@ -60,6 +62,7 @@ fn value(parameter: Parameter) -> f64 {
         Parameter::Eps => 1e-3,
         Parameter::UMax => 1e30,
         Parameter::M => 0.75,
+        Parameter::Start => 0.125,
         Parameter::Rate(i) => [0.5, 1.5, 2.25][i - 1],
         Parameter::Gain(i) => [3.0, 0.5, 1.25][i % 3],
         Parameter::Named(name) if name.text() == "b" => 2.5,

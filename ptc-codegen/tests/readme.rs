@@ -325,6 +325,7 @@ fn families_show_the_eps_that_the_check_sets() {
         let arguments = match family.name {
             "power" => "a=1,m=2",
             "exp_sum" => "rates=[0.5,1.5]",
+            "soft" => "a=1,start=0.5",
             _ => "a=1",
         };
         let found =

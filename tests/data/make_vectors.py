@@ -33,8 +33,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 DPS = (160, 280)
 MATCH = mpf(10) ** -25  # vectors.jsonl against this script
 SELF = mpf(10) ** -40  # DPS[0] against DPS[1]
-FAMILIES = ("exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum")
+FAMILIES = ("exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum", "soft")
 POWERS = (0.5, 1.0, 2.0, 3.0, None)  # None: drawn from 0.3..3
+STARTS = (1e-6, 0.01, 0.1, 0.5, 1.0, None)  # None: drawn from 0.05..1
+STARTS_SINGLE = (0.05, 0.2, 0.5, 1.0, None)
 
 
 # ---- truncated power series in h: lists [c_0, ..., c_N] -------------------------------------------------------------
@@ -104,6 +106,11 @@ def mu_series(mu, par, tau, t, order):
         f = s_div(s_const(-1, e), s_const(1, e))
     elif mu == "algebraic":
         f = s_mul(y, s_pow(s_const(1, s_mul(y, y)), mpf(-1) / 2))
+    elif mu == "soft":  # the root w of w (2 - r - (1 - r) w) = e^(-a t); f = 1 - w
+        r = mpf(par["start"])
+        e = s_exp([-c for c in y])
+        root = s_pow(s_const((2 - r) ** 2, [-4 * (1 - r) * c for c in e]), mpf(1) / 2)
+        f = s_const(1, [-2 * c for c in s_div(e, s_const(2 - r, root))])
     else:
         raise ValueError(mu)
     return [tau * c for c in f]
@@ -127,6 +134,9 @@ def kappa(mu, par, tau, dt):
         return mp.atanh(s) / a
     if mu == "algebraic":
         return s / (a * mp.sqrt(1 - s * s))
+    if mu == "soft":
+        r = mpf(par["start"])
+        return -mp.log(1 - r * s - (1 - r) * s * s) / a
     raise ValueError(mu)
 
 
@@ -230,6 +240,10 @@ def draw(rng, cast, mu, n, index, t0_class, ratio):
     if mu == "power":
         m = POWERS[index % len(POWERS)]
         params["m"] = cast(round(rng.uniform(0.3, 3), 3) if m is None else m)
+    if mu == "soft":
+        starts = STARTS if cast is float else STARTS_SINGLE
+        start = starts[index % len(starts)]
+        params["start"] = cast(round(rng.uniform(0.05, 1), 3) if start is None else start)
     tau = number(0.5, 10)
     t0 = (cast(0.0), number(0.1, 30), number(1e2, 1e4), -number(0.1, 30))[t0_class]
     t = cast(float(Fraction(t0) + Fraction(tau) * (1 - Fraction(ratio))))
@@ -249,7 +263,7 @@ def points(seed, cast, orders, decades, limits, resolved):
     for family, mu in enumerate(FAMILIES):
         for n in orders:
             rng = random.Random(f"{seed}/{mu}/{n}")
-            count = {"power": 20, "exp_sum": 16}.get(mu, 14)
+            count = {"power": 20, "exp_sum": 16, "soft": 24}.get(mu, 14)
             for index in range(count):
                 exponent = decades * index / (count - 1)
                 if 0 < index < count - 1:

@@ -9,6 +9,7 @@ use std::process::Command;
 use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler, in_cpp_from};
 use ptc_assure::harness::records::records;
 use ptc_codegen::emit::Language;
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::request::Spec;
 use support::program::in_c;
 use support::random::Random;
@@ -88,9 +89,11 @@ fn cpp_is_constexpr_where_no_library_is_called() {
         }
         let type_name = spec.type_name();
         let program = folder.join(format!("{}.cpp", spec.name()));
+        let soft = spec.run_time_parameters().any(|p| p == Parameter::Start);
+        let own = if soft { "1.0, 0.25" } else { "1.0" };
         let text = format!(
             "#include \"{}.hpp\"\nconstexpr ptc::{type_name} self() {{ ptc::{type_name} s{{}}; return \
-             s.init({{2.0, 0.0, 0.0078125, 50.0, 1.0, {{{{6.0, 5.0}}}}}}) == ptc::Status::Ok ? s : \
+             s.init({{2.0, 0.0, 0.0078125, 50.0, {own}, {{{{6.0, 5.0}}}}}}) == ptc::Status::Ok ? s : \
              ptc::{type_name}{{}}; }}\n\
              static_assert(self().step(1.0, {{{{0.25, -0.5}}}}).status == ptc::Status::Ok, \"ok\");\n\
              static_assert(self().tick(2.0).status == ptc::Status::Hold, \"hold\");\n\

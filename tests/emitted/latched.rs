@@ -13,7 +13,8 @@ use ptc_codegen::request::Spec;
 use support::random::Random;
 use support::specs::{rounded, spec};
 
-const FAMILIES: [&str; 7] = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum"];
+const FAMILIES: [&str; 8] =
+    ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum", "soft"];
 
 /// The worst error of u with pi0 = -xi_n at the start, as a part of what is allowed.
 fn worst(spec: &Spec, random: &mut Random) -> f64 {
@@ -27,6 +28,7 @@ fn worst(spec: &Spec, random: &mut Random) -> f64 {
         Parameter::Eps => settle(1e-6 * tau),
         Parameter::UMax => f64::INFINITY,
         Parameter::M => settle(m),
+        Parameter::Start => settle(0.2),
         Parameter::Rate(i) => settle(a * i as f64),
         _ => settle(a),
     };

@@ -28,6 +28,7 @@ fn outcome(spec: &Spec, vector: &Vector, law: Option<&Expression>) -> Outcome {
         Parameter::Named(name) => match name.text() {
             "a" => vector.a,
             "m" => vector.m,
+            "start" => vector.start,
             "a1" => vector.rates[0],
             "a2" => vector.rates[1],
             other => panic!("{other}"),

@@ -13,6 +13,7 @@ pub(crate) struct Vector {
     pub(crate) n: usize,
     pub(crate) a: f64,
     pub(crate) m: f64,
+    pub(crate) start: f64,
     pub(crate) rates: Vec<f64>,
     pub(crate) tau: f64,
     pub(crate) t0: f64,
@@ -44,6 +45,7 @@ impl Vector {
             u_max: f64::INFINITY,
             a: self.a,
             m: self.m,
+            start: self.start,
             rates: &self.rates,
             k: &self.k,
         }
@@ -78,6 +80,7 @@ fn vector(line: &str) -> Vector {
         n: numbers(&line["x"]).len(),
         a: params["a"].as_f64().unwrap_or(f64::NAN),
         m: params["m"].as_f64().unwrap_or(f64::NAN),
+        start: params["start"].as_f64().unwrap_or(f64::NAN),
         rates: numbers(&params["rates"]),
         tau: number(&line["tau"]),
         t0: number(&line["t0"]),

@@ -38,6 +38,8 @@ pub struct Values<'a> {
     pub a: f64,
     /// Exponent of `power`.
     pub m: f64,
+    /// Rate at the start of `soft`.
+    pub start: f64,
     /// Rates of `exp_sum`, 1/s.
     pub rates: &'a [f64],
     /// Gains.
@@ -54,6 +56,7 @@ impl Values<'_> {
             Parameter::UMax => self.u_max,
             Parameter::A => self.a,
             Parameter::M => self.m,
+            Parameter::Start => self.start,
             Parameter::Rate(i) => self.rates[i - 1],
             Parameter::Gain(i) => self.k[i - 1],
             Parameter::Named(name) => panic!("{name} belongs to no family"),
@@ -94,7 +97,7 @@ fn without_comments(text: &str) -> String {
 }
 
 /// Mappings of random controllers: families with and without what can be fixed, and expressions.
-const MAPPINGS: [(&str, &str); 17] = [
+const MAPPINGS: [(&str, &str); 19] = [
     ("mu", "exp"),
     ("mu", "exp(a=0.7)"),
     ("mu", "rational"),
@@ -108,6 +111,8 @@ const MAPPINGS: [(&str, &str); 17] = [
     ("mu", "algebraic"),
     ("mu", "exp_sum"),
     ("mu", "exp_sum(rates=[0.5,1.5,4])"),
+    ("mu", "soft"),
+    ("mu", "soft(start=0.1)"),
     ("mu", "mean(rational(a=1), rational(a=b))"),
     ("mu", "tau*(1 - exp(-a*t))"),
     ("kappa", "dt/(a*(tau - dt))"),

@@ -51,6 +51,12 @@ pub enum Kind {
     CotangentRate,
     /// (pi/(2 tau)) (1 + y^2) = kappa'/a of the tan family.
     Slope,
+    /// H = r_1/a of the soft family.
+    Lag,
+    /// 1/H = a kappa' of the soft family.
+    InverseLag,
+    /// y = (1 - start) E/S^2 of the soft family.
+    Bend,
     /// A part of a user's expression that no polynomial holds: a name, or a call.
     Kernel,
 }
@@ -110,6 +116,9 @@ impl Symbol {
             Kind::Secant => "sec",
             Kind::CotangentRate => "cot_rate",
             Kind::Slope => "slope",
+            Kind::Lag => "H",
+            Kind::InverseLag => "inv_H",
+            Kind::Bend => "y",
             Kind::Kernel => "z",
         };
         if self.index == 0 { stem.to_owned() } else { format!("{stem}{}", self.index) }
@@ -127,6 +136,7 @@ impl Symbol {
                 _ => format!("s^{{({index})}}"),
             },
             Kind::InverseTimeToGo => "T^{-1}".to_owned(),
+            Kind::InverseLag => "H^{-1}".to_owned(),
             Kind::OnePlusDecay => "(1+E)".to_owned(),
             Kind::OnePlusSquare => "(1+y^2)".to_owned(),
             Kind::Secant => r"h^{-1}".to_owned(),
@@ -144,6 +154,7 @@ impl Symbol {
     pub fn definition(self) -> Option<&'static str> {
         match self.kind {
             Kind::InverseTimeToGo => Some("1/T"),
+            Kind::InverseLag => Some("1/H = a*kappa'"),
             Kind::InversePowerRatio => Some("(T/tau)^-m"),
             Kind::OnePlusDecay => Some("1 + E"),
             Kind::OnePlusSquare => Some("1 + y^2"),

@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn near_misses() {
-        let families = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum"];
+        let families = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum", "soft"];
         for (given, meant) in [
             ("exponential", Some("exp")),
             ("EXP", Some("exp")),

@@ -12,7 +12,7 @@ pub(super) fn declared(spec: &Spec, language: Language) -> Vec<Variable> {
     let declare = |group: &[Parameter]| {
         let first = *group.first()?;
         let (meaning, domain) = (meaning(spec, first), domain(spec, first));
-        let unit = first.unit_for(spec.n);
+        let unit = spec.unit(first);
         let about = match first {
             Parameter::Gain(_) | Parameter::Rate(_) => {
                 format!("{meaning}, {domain}; {}", elements(spec, group, language))

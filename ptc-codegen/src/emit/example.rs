@@ -110,6 +110,7 @@ fn default(spec: &Spec, parameter: Parameter) -> Option<Fixed> {
         Parameter::StartTime => Some(0.into()),
         Parameter::UMax => fixed(UNBOUNDED),
         Parameter::A | Parameter::M | Parameter::Named(_) => Some(1.into()),
+        Parameter::Start => fixed("0.1"),
         Parameter::Rate(i) => exact(&integer(i64::try_from(i).unwrap_or(1))),
         Parameter::Samples => Some(1000.into()),
         Parameter::SampleTime => fixed("1e-3"),

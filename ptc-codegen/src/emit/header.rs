@@ -63,15 +63,8 @@ fn purpose(spec: &Spec) -> Vec<String> {
     let n = spec.n;
     let input = if spec.input_gain.is_some() { "g u" } else { "u" };
     let chain = plant::chain(n, &format!("f + {input}"));
-    let rate = if n == 1 { "s".to_owned() } else { format!("s^{n}") };
-    let states = match n {
-        1 => String::new(),
-        2 => ", x2 in U/s".to_owned(),
-        3 => ", x2 in U/s, x3 in U/s^2".to_owned(),
-        _ => format!(", x2 in U/s, ..., x{n} in U/s^{}", n - 1),
-    };
     vec![
-        format!("Plant: {chain}. Time in s, x1 in any unit U{states}, {input} in U/{rate}."),
+        format!("Plant: {chain}. {}", plant::units(spec, input)),
         format!(
             "Goal: {} at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, f and clipping leave. The checks below say what is known of this design.",
             goal(spec)
@@ -161,7 +154,7 @@ fn parameters(controller: &Controller<'_>, language: Language) -> Vec<String> {
         };
         let unit = match parameter {
             Parameter::Named(_) => String::new(),
-            _ => format!(" [{}]", parameter.unit_for(spec.n)),
+            _ => format!(" [{}]", spec.unit(parameter)),
         };
         lines.push(format!("  {} = {value}{unit}, fixed: {meaning}", parameter.symbol()));
     }

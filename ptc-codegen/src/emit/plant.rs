@@ -22,3 +22,17 @@ pub(super) fn in_samples(spec: &Spec, sampled: &Sampled) -> String {
     let gain = if sampled.gain == integer(1) { "" } else { "g " };
     chain(spec.n, &format!("{force}{gain}{input}"))
 }
+
+/// The units of time, of the states of a chain, and of `input`, what acts on the last of them.
+pub(super) fn units(spec: &Spec, input: &str) -> String {
+    let n = spec.n;
+    let any = if spec.units.is_none() { "any unit " } else { "" };
+    let state = |j: usize| format!(", x{j} in {}", spec.chain_unit(j));
+    let states = match n {
+        1 => String::new(),
+        2 | 3 => (2..=n).map(state).collect(),
+        _ => format!("{}, ...{}", state(2), state(n)),
+    };
+    let (unit, rate) = (spec.chain_unit(1), spec.chain_unit(n + 1));
+    format!("Time in s, x1 in {any}{unit}{states}, {input} in {rate}.")
+}

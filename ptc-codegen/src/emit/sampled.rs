@@ -1,6 +1,7 @@
 //! The program of a controller in samples, with its head.
 
 use super::{Language, code, header, observed, plant};
+use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::internal::fault;
@@ -55,6 +56,10 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
     let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
     rest.push(format!("Plant: {plant}{disturbance}{given}; {late}."));
+    rest.extend(spec.units.as_ref().map(|_| {
+        let input = if sampled.gain == integer(1) { "u" } else { "g u" };
+        plant::units(spec, input)
+    }));
     match alone {
         Some(observer) => rest.extend(observed::purpose(sampled, observer)),
         None => rest.extend(purpose(sampled, order)),
@@ -62,7 +67,7 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     rest.push(String::new());
     rest.push("Parameters:".to_owned());
     for parameter in spec.parameters() {
-        let unit = parameter.unit_for(order);
+        let unit = spec.unit(parameter);
         let (symbol, meaning) = (parameter.symbol(), parameter.meaning());
         rest.push(match spec.fixed.get(&parameter) {
             Some(value) => format!("  {symbol} = {value} [{unit}], fixed: {meaning}"),

@@ -330,6 +330,8 @@ mod tests {
                     "power" => ((tau / to_go).sqrt() - 1.0) / (a * 0.5),
                     "tan" => 1.0 / (a * (pi * to_go / (2.0 * tau)).tan()),
                     "tanh" => ((2.0 * tau - to_go) / to_go).ln() / (2.0 * a),
+                    // start = 3/4.
+                    "soft" => -(to_go / tau * (1.0 + 0.25 * (1.0 - to_go / tau))).ln() / a,
                     _ => (tau - to_go) / (a * v.sqrt()),
                 };
                 near(evaluate(&form, to_go), truth, info.name);

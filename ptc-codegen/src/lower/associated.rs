@@ -23,8 +23,15 @@ pub(super) fn lower(spec: &Spec, law: &Law) -> Option<Program> {
     let last = b.add(drift, law);
     let start_time = Some(b.push(Op::Input(Input::StartTime)));
     let zero = b.integer(0);
-    let limits =
-        Limits { start_time, u_max: None, past: None, late: zero, hold_from: zero, eps: zero };
+    let limits = Limits {
+        start_time,
+        u_max: None,
+        past: None,
+        late: zero,
+        hold_from: zero,
+        eps: zero,
+        elapsed: None,
+    };
     Some(b.finish(last, limits))
 }
 
@@ -51,6 +58,7 @@ mod tests {
         let input = |input| match input {
             Input::Parameter(Parameter::Tau) => 2.0,
             Input::Parameter(Parameter::M) => 1.5,
+            Input::Parameter(Parameter::Start) => 0.25,
             Input::Parameter(Parameter::Rate(2)) => 2.0,
             Input::Parameter(Parameter::Gain(i)) => [20.0, 9.0][i - 1],
             Input::Parameter(_) => 0.75,
@@ -75,6 +83,10 @@ mod tests {
             (("mu", "tan"), 2.0 * tau * a / std::f64::consts::PI / (1.0 + y * y)),
             (("mu", "tanh"), tau * a / y.cosh().powi(2)),
             (("mu", "algebraic"), tau * a * (1.0 + y * y).powf(-1.5)),
+            (("mu", "soft"), {
+                let root = (0.25f64.powi(2) + 3.0 * (1.0 - decay)).sqrt();
+                tau * a * decay / root
+            }),
             (("mu", "exp_sum"), tau * (a * decay + 2.0 * (-1.4f64).exp()) / 2.0),
             (("mu", "tau*(1 - exp(-a*t))"), tau * a * decay),
             (("kappa", "-ln(1 - dt/tau)/a"), tau * a * decay),

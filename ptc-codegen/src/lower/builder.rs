@@ -24,6 +24,8 @@ pub(super) struct Builder<'a> {
     /// The Taylor series of mu and the states xi, at the current time and at the start.
     pub(super) taylors: [Option<Taylor>; 2],
     pub(super) states: [Vec<Value>; 2],
+    /// Elapsed time held with the time-to-go, and tau.
+    pub(super) elapsed: Option<(Value, Value)>,
     at_start: bool,
     /// tau - mu(t), where time is the stretched one and the time-to-go follows from it.
     complement: Option<Expression>,
@@ -55,6 +57,7 @@ impl<'a> Builder<'a> {
                 late: nothing,
                 hold_from: nothing,
                 eps: nothing,
+                elapsed: None,
             },
             step: nothing,
             gains: Vec::new(),
@@ -71,6 +74,7 @@ impl<'a> Builder<'a> {
             known: HashMap::new(),
             taylors: [None, None],
             states: [Vec::new(), Vec::new()],
+            elapsed: None,
             at_start: false,
             complement: None,
             plant: None,

@@ -188,5 +188,13 @@ fn gained(b: &mut Builder<'_>, gain: Option<&Expression>, value: Value) -> Value
 
 fn no_limits(b: &mut Builder<'_>) -> Limits {
     let zero = b.integer(0);
-    Limits { start_time: None, u_max: None, past: None, late: zero, hold_from: zero, eps: zero }
+    Limits {
+        start_time: None,
+        u_max: None,
+        past: None,
+        late: zero,
+        hold_from: zero,
+        eps: zero,
+        elapsed: None,
+    }
 }

@@ -3,6 +3,7 @@
 use super::builder::Builder;
 use super::coefficients::Coefficient;
 use super::exp_sum;
+use super::soft;
 use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
 use crate::expansion::Expanded;
@@ -38,6 +39,7 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     let spec = b.spec;
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
+        TimeMapping::Family { family: Family::Soft, .. } => soft::taylor(b),
         // At the start every other term of an odd mu is 0: its own series has exact zeros there,
         // where kappa's leaves roundings.
         TimeMapping::Family { family, .. } => match time::form(*family, Subject::Mu) {

@@ -17,6 +17,7 @@ mod quantity;
 mod rows;
 mod scalar;
 mod series;
+mod soft;
 mod state;
 mod taylor;
 mod time;
@@ -69,7 +70,9 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
     // Several axes have no step of one.
     let step = shared.axis.filter(|_| spec.axes.is_some()).unwrap_or(step);
-    let program = b.finish(step, Limits { start_time, u_max, past, late, hold_from, eps });
+    let elapsed = b.elapsed;
+    let limits = Limits { start_time, u_max, past, late, hold_from, eps, elapsed };
+    let program = b.finish(step, limits);
     let Shared { gains, divisors, bounds, axis } = shared;
     Program { gains, divisors, bounds, axis, ..program }
 }

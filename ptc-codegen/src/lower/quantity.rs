@@ -30,6 +30,8 @@ impl Builder<'_> {
             Kind::StretchedAngle => self.algebraic_angle(),
             Kind::OnePlusDecay => self.one_plus_decay(),
             Kind::OnePlusSquare => self.one_plus_square(),
+            Kind::InverseLag => self.inverse_lag(),
+            Kind::Bend => self.bend(),
             other => {
                 debug_assert_eq!(other, Kind::TimeToGo, "the law leaves no other in its rows");
                 self.time_to_go()
@@ -37,6 +39,7 @@ impl Builder<'_> {
         };
         let meaning = symbol.definition().unwrap_or(match symbol.kind {
             Kind::Decay => "exp(-2*a*t) = T/(2*tau - T)",
+            Kind::Bend => "(1 - start)*E/S^2, E = exp(-a*t), S = tau*dE/dT",
             _ => "a*t, t the stretched time since t0",
         });
         let value = self.name(value, &symbol.text(), meaning);

@@ -15,6 +15,7 @@ impl Mapping {
             Family::Tanh => tanh(),
             Family::Algebraic => algebraic(),
             Family::ExpSum => exp_sum(rates),
+            Family::Soft => soft(),
         }
     }
 }
@@ -190,5 +191,32 @@ fn exp_sum(rates: usize) -> Mapping {
         reciprocals: Vec::new(),
         evaluated: Vec::new(),
         rate: Poly::one(),
+    }
+}
+
+/// With E = e^{-a t} = w (1 + c (1 - w)), w = T/tau and c = 1 - start, the slope S = dE/dw has
+/// S^2 = (1 + c)^2 - 4 c E. So H = tau E/S and y = c E/S^2 are closed under D: r_1 = a H,
+/// D H = -a H (1 + 2 y) and D y = -a y (1 + 4 y).
+///
+/// For 0 < start <= 1 the mapping is of class K: E is 1 at w = 1 and 0 at w = 0, and
+/// S = 1 + c - 2 c w >= start > 0 between, so that kappa = -ln(E)/a is 0 at the start, has
+/// kappa' = S/(a tau E) > 0 and derivatives of every order, and tends to infinity.
+fn soft() -> Mapping {
+    let of = |kind| Poly::symbol(plain(kind));
+    let minus_a = of(Kind::A).scaled(&integer(-1));
+    let rate = |weight| Poly::one().plus(&of(Kind::Bend).scaled(&integer(weight)));
+    let derived = |kind, weight| (plain(kind), minus_a.times(&of(kind)).times(&rate(weight)));
+    Mapping {
+        r1: term(1, &[(Kind::A, 1), (Kind::Lag, 1)]),
+        derivations: vec![derived(Kind::Lag, 2), derived(Kind::Bend, 4)],
+        reciprocals: vec![Reciprocal {
+            atom: plain(Kind::Lag),
+            power: 1,
+            by: of(Kind::InverseLag),
+            expansion: None,
+        }],
+        evaluated: Vec::new(),
+        rate: term(1, &[(Kind::A, 1)]),
+        base: Some((of(Kind::Lag), plain(Kind::InverseLag))),
     }
 }

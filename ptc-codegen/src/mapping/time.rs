@@ -30,6 +30,7 @@ impl TimeMapping {
                 (1..=*rates).map(Parameter::Rate).collect()
             }
             Self::Family { family: Family::Power, .. } => vec![Parameter::A, Parameter::M],
+            Self::Family { family: Family::Soft, .. } => vec![Parameter::A, Parameter::Start],
             Self::Family { .. } => vec![Parameter::A],
             Self::Custom(_) => Vec::new(),
         }
@@ -92,6 +93,7 @@ pub(crate) fn form(family: Family, subject: Subject) -> Option<Expression> {
         Node::Parameter(Parameter::Named(name)) => match name.text() {
             "a" => Some(Parameter::A.into()),
             "m" => Some(Parameter::M.into()),
+            "start" => Some(Parameter::Start.into()),
             _ => None,
         },
         _ => None,

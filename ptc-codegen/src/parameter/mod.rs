@@ -46,6 +46,8 @@ pub enum Parameter {
     A,
     /// Exponent m of the power family.
     M,
+    /// Rate of stretched time at the start of the soft family, in units of 1/(a tau).
+    Start,
     /// Rate a_i of one term of `exp_sum`, from 1.
     Rate(usize),
     /// Gain k_i, from 1.
@@ -121,6 +123,7 @@ impl Parameter {
             Self::UMax => "u_max",
             Self::A => "a",
             Self::M => "m",
+            Self::Start => "start",
             Self::Rate(_) => "rates",
             Self::Gain(_) => "k",
             Self::Samples => "samples",
@@ -163,7 +166,7 @@ impl Parameter {
             Self::Samples | Self::Deadbeat => "samples",
             Self::UMax => "unit of u",
             Self::A | Self::Rate(_) => "1/s",
-            Self::M => "1",
+            Self::M | Self::Start => "1",
             Self::Gain(_) => "1/s^(n+1-i)",
             Self::Named(_) => "as in its expression",
         }
@@ -187,6 +190,7 @@ impl Parameter {
             Self::UMax => "bound of |u|",
             Self::A => "rate of stretched time",
             Self::M => "exponent of the power mapping",
+            Self::Start => "a tau kappa' at the start, of the soft mapping",
             Self::Rate(_) => "rates a_i of stretched time",
             Self::Gain(_) => "gains k_i of pi0 = -sum k_i xi_i",
             Self::Samples => "samples N from the start to rest",
@@ -199,9 +203,13 @@ impl Parameter {
     /// Legal values.
     pub fn domain(self) -> Domain {
         match self {
-            Self::Tau | Self::A | Self::M | Self::Rate(_) | Self::SampleTime | Self::Samples => {
-                Domain::Positive
-            }
+            Self::Tau
+            | Self::A
+            | Self::M
+            | Self::Start
+            | Self::Rate(_)
+            | Self::SampleTime
+            | Self::Samples => Domain::Positive,
             Self::StartTime | Self::Deadbeat | Self::Gain(_) | Self::Named(_) => Domain::Finite,
             Self::Eps => Domain::BelowTau,
             Self::UMax => Domain::PositiveOrInfinite,

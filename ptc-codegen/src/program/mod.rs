@@ -302,6 +302,9 @@ pub struct Limits {
     pub hold_from: Value,
     /// Time-to-go at which the gains are held.
     pub eps: Value,
+    /// Elapsed time tau less the time-to-go, held with it, and tau; where it is computed from the
+    /// start, which keeps its digits there.
+    pub elapsed: Option<(Value, Value)>,
 }
 
 impl Program {
@@ -331,6 +334,7 @@ impl Program {
         outputs.extend(self.limits.past);
         outputs.extend(self.limits.start_time);
         outputs.extend(self.limits.u_max);
+        outputs.extend(self.limits.elapsed.map(|(elapsed, _)| elapsed));
         outputs
     }
 

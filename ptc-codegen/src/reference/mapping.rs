@@ -73,6 +73,15 @@ fn definition(family: Family, rates: usize) -> Expression {
             let sum = (1..=rates).map(term).reduce(Expression::add);
             sum.unwrap_or(number(0)).div(number(i64::try_from(rates).unwrap_or(1)))
         }
+        // The root w of w (2 - start - (1 - start) w) = e^{-a t}.
+        Family::Soft => {
+            let (start, e) = (Expression::from(Parameter::Start), decay(Parameter::A.into()));
+            let slope = number(2).sub(start.clone());
+            let product = number(4).mul(number(1).sub(start)).mul(e.clone());
+            let root = slope.clone().power(number(2)).sub(product);
+            let root = Expression::call(Function::Sqrt, root);
+            number(1).sub(number(2).mul(e).div(slope.add(root)))
+        }
     };
     tau.mul(share)
 }
@@ -248,6 +257,7 @@ mod tests {
                 Parameter::Tau => 2.0,
                 Parameter::Rate(2) => 1.5,
                 Parameter::M => 1.25,
+                Parameter::Start => 0.0625,
                 _ => 0.75,
             };
             for to_go in [1.999, 1.0, 0.8, 0.02, 2e-6, 1.9999002454085257e-12] {

@@ -11,7 +11,12 @@ pub fn control(family: Family, precision: Precision) -> f64 {
         // Some 45 roundings of 1.1e-16, in quotients, products and sums without cancellation.
         (
             Precision::F64,
-            Family::Exp | Family::Rational | Family::Tan | Family::Tanh | Family::Algebraic,
+            Family::Exp
+            | Family::Rational
+            | Family::Tan
+            | Family::Tanh
+            | Family::Algebraic
+            | Family::Soft,
         ) => 1e-14,
         // They raise rounded arguments: (T/tau)^m, and e^(-a_i t) at a root found by iteration.
         (Precision::F64, Family::Power | Family::ExpSum) => 5e-14,

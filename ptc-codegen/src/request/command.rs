@@ -17,6 +17,7 @@ impl Spec {
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));
         }
+        words.extend(self.units.iter().map(|unit| format!("--units {unit}")));
         match self.what {
             What::Controller => {}
             What::Associated => words.push("--what associated".to_owned()),
@@ -210,7 +211,9 @@ impl Spec {
         };
         let name = family.name();
         let mut arguments = Vec::new();
-        for (parameter, key) in [(Parameter::A, "a"), (Parameter::M, "m")] {
+        for (parameter, key) in
+            [(Parameter::A, "a"), (Parameter::M, "m"), (Parameter::Start, "start")]
+        {
             if let Some(value) = self.fixed.get(&parameter) {
                 arguments.push(format!("{key}={value}"));
             }

@@ -2,11 +2,13 @@
 
 mod axes;
 mod command;
+mod legal;
 mod needs;
 mod poles;
 mod promises;
 mod read;
 mod sampled;
+mod units;
 
 pub use axes::Axes;
 pub use poles::{Pole, PoleError, gains};
@@ -22,7 +24,7 @@ use crate::expression::{Expression, Variable};
 use crate::family::Family;
 use crate::mapping::{Custom, Mapping, TimeMapping};
 use crate::model::Model;
-use crate::parameter::{Domain, Fixed, Parameter, Precision, type_name};
+use crate::parameter::{Fixed, Parameter, Precision, type_name};
 
 /// Largest order that is generated. The expansions are exact for any order; beyond this one the
 /// rounding of the law in double precision (growing with n) leaves the accuracy that is promised.
@@ -115,6 +117,8 @@ pub struct Spec {
     pub time_mapping: TimeMapping,
     /// Name of the controller: prefix of every emitted symbol, stem of the files.
     pub name: Option<String>,
+    /// Unit of x1, where the design names it.
+    pub units: Option<String>,
     /// What is generated.
     pub what: What,
     /// What a call is given beside the state.
@@ -163,6 +167,7 @@ impl Spec {
             n,
             time_mapping,
             name: None,
+            units: None,
             what: What::Controller,
             clock: Clock::Time,
             precision: Precision::F64,
@@ -277,71 +282,6 @@ impl Spec {
                 matches!(e.variable(), Some(Variable::StateAtStart(_) | Variable::XiAtStart(_)))
             })
         })
-    }
-
-    /// Legal values of a parameter: the bounds that the user gave, else those of its kind. A
-    /// parameter of a mapping is positive, as a rate or an exponent is.
-    pub fn domain(&self, parameter: Parameter) -> Domain {
-        if self.bounds.contains_key(&parameter) { Domain::Within } else { self.kind(parameter) }
-    }
-
-    /// Legal values of a parameter of its kind, whatever bounds the user gave.
-    fn kind(&self, parameter: Parameter) -> Domain {
-        let maps = self.custom().is_some_and(|custom| custom.parameters.contains(&parameter));
-        match parameter {
-            Parameter::Named(_) if maps => Domain::Positive,
-            parameter => parameter.domain(),
-        }
-    }
-
-    /// The least and the greatest value of a parameter with which the code keeps its digits; none
-    /// where 0 or infinity is legal, or the user gave bounds. The exponent of the power mapping
-    /// raises a rounded T/tau to the n m, which leaves n m times its rounding error.
-    pub fn ends(&self, parameter: Parameter) -> Option<(f64, f64)> {
-        if self.bounds.contains_key(&parameter) { None } else { self.ends_of_kind(parameter) }
-    }
-
-    /// Those ends, whatever bounds the user gave.
-    pub(crate) fn ends_of_kind(&self, parameter: Parameter) -> Option<(f64, f64)> {
-        // A count, and a hold of 0 samples.
-        if self.sampled().is_some() && matches!(parameter, Parameter::Samples | Parameter::Eps) {
-            return None;
-        }
-        let (least, greatest) = self.kind(parameter).ends(self.precision)?;
-        let roundings = match self.precision {
-            Precision::F64 => 450.0,
-            Precision::F32 => 32.0,
-        };
-        #[allow(clippy::cast_precision_loss)]
-        match parameter {
-            Parameter::M => Some((least, (roundings / self.n as f64).floor())),
-            _ => Some((least, greatest)),
-        }
-    }
-
-    /// Whether `value`, a number of the precision, lies between those ends.
-    pub fn keeps_digits(&self, parameter: Parameter, value: f64) -> bool {
-        self.ends(parameter).is_none_or(|(least, greatest)| value >= least && value <= greatest)
-    }
-
-    /// The legal values of a parameter in words.
-    pub fn legal(&self, parameter: Parameter) -> String {
-        #[allow(clippy::cast_possible_truncation)]
-        let text = |end: f64| match self.precision {
-            Precision::F64 => format!("{end:e}"),
-            Precision::F32 => format!("{:e}", end as f32),
-        };
-        if let Some((least, greatest)) = self.bounds.get(&parameter) {
-            return format!("from {least} to {greatest}");
-        }
-        match (self.ends(parameter), self.domain(parameter)) {
-            (Some((least, _)), Domain::BelowTau) => format!(">= {}, < tau", text(least)),
-            (Some((least, greatest)), _) if parameter == Parameter::M => {
-                format!("from {} to {greatest}", text(least))
-            }
-            (Some((least, greatest)), _) => format!("from {} to {}", text(least), text(greatest)),
-            (None, domain) => domain.text().to_owned(),
-        }
     }
 
     /// Name of what is generated: for a controller the given one, else `ptc_<family><n>`; with a

@@ -18,7 +18,7 @@ impl Builder<'_> {
                 }
                 parameter => self.spec.legal(parameter),
             };
-            let unit = parameter.unit_for(self.spec.loop_order());
+            let unit = self.spec.unit(parameter);
             let about = format!("{} [{unit}], {domain}", parameter.meaning());
             let shape = match parameter {
                 Parameter::Samples => Shape::Count,

@@ -80,6 +80,7 @@ impl<'a> Chosen<'a> {
             Parameter::UMax => f64::INFINITY,
             Parameter::A => 0.75,
             Parameter::M => 1.5,
+            Parameter::Start => 0.25,
             Parameter::Samples => 1000.0,
             Parameter::SampleTime => 1e-3,
             Parameter::Deadbeat => 0.0,

@@ -156,7 +156,7 @@ fn list_tells_every_family_with_its_parameters() {
     let text = stdout(&["list"]);
     let listed = json(&["list", "--format", "json"]);
     let families = listed["families"].as_array().expect("a list");
-    assert_eq!(families.len(), 7);
+    assert_eq!(families.len(), 8);
     for family in families {
         let name = family["name"].as_str().expect("a name");
         assert!(text.contains(&format!("\n{name}\n")), "{name}: {text}");

@@ -78,7 +78,7 @@ fn text_is_readable_and_holds_the_corrected_entries() {
 
 #[test]
 fn latex_is_balanced() {
-    let families = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum(3)"];
+    let families = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum(3)", "soft"];
     let flags = families.iter().map(|f| format!("--mu={f}")).collect::<Vec<_>>();
     for n in ["--n=1", "--n=4", "--n=11"] {
         for subject in ["r", "R", "bell", "matrix", "law", "tables"] {

@@ -59,6 +59,7 @@ fn judge(spec: &Spec, wanted: usize) -> Seen {
                 Parameter::A => a,
                 Parameter::Rate(i) => a * f64::from(u32::try_from(i).expect("few rates")),
                 Parameter::M => draw.size(1.0),
+                Parameter::Start => draw.size(2.0),
                 // Around those of poles near -a, and now and then of any size.
                 Parameter::Gain(i) if draw.between(0.0, 1.0) < 0.8 => {
                     draw.size(4.0) * (0..=spec.n - i).fold(1.0, |power, _| power * a)
@@ -102,7 +103,7 @@ fn judge(spec: &Spec, wanted: usize) -> Seen {
 /// Every family, in either precision, over all sizes that a number can have.
 #[test]
 fn what_is_accepted_keeps_its_digits() {
-    for family in ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum"] {
+    for family in ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum", "soft"] {
         let (mut refused, mut judged) = (0, 0);
         for (n, precision) in [(1, "f64"), (2, "f64"), (4, "f64"), (2, "f32"), (3, "f32")] {
             let seen = judge(&spec(family, n, precision), 3);
@@ -139,6 +140,9 @@ fn what_step_cannot_compute_is_refused() {
     assert!(refused("rational", 2, &[(Parameter::A, 1e100), (Parameter::Tau, 1e-100)]));
     assert!(refused("algebraic", 3, &[(Parameter::Tau, 1e120)]));
     assert!(refused("power", 2, &[(Parameter::M, 1e4)]));
+    assert!(refused("soft", 2, &[(Parameter::Start, 1.01)]));
+    assert!(refused("soft", 2, &[(Parameter::Start, 1e-13)]));
+    assert!(!refused("soft", 2, &[(Parameter::Start, 1e-12)]));
     // Gains of 0 lose nothing.
     assert!(!refused("exp", 3, &[(Parameter::Gain(1), 0.0), (Parameter::Gain(2), 0.0)]));
 }

@@ -104,3 +104,33 @@ fn what_follows_the_deadline_and_the_bound_is_told_as_it_is() {
     holds(&with(""), Language::C, &["no pointer is NULL"], &[]);
     holds(&with(""), Language::Python, &["t >= t0"], &["pointer"]);
 }
+
+#[test]
+fn units_follow_from_that_of_x1() {
+    let cases: [(&str, &[&str], &[&str]); 4] = [
+        (
+            "n = 3\nmu = \"exp\"",
+            &["x1 in rad, x2 in rad/s, x3 in rad/s^2, u in rad/s^3.", "bound of |u| [rad/s^3]"],
+            &["any unit", "unit of u"],
+        ),
+        (
+            "n = 5\nmu = \"exp\"",
+            &["x1 in rad, x2 in rad/s, ..., x5 in rad/s^4, u in rad/s^5."],
+            &["U/s"],
+        ),
+        ("n = 1\nmu = \"exp\"\ng = 2", &["x1 in rad, g u in rad/s.", "[unit of u]"], &["U/s"]),
+        (
+            "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -5]",
+            &["x1 in rad, x2 in rad/s, u in rad/s^2.", "[rad/s^2]"],
+            &["any unit", "unit of u"],
+        ),
+    ];
+    for (text, present, absent) in cases {
+        let text = format!("units = \"rad\"\n{text}\n");
+        let in_samples = text.contains("samples");
+        let has = |language| !in_samples || !matches!(language, Language::Matlab);
+        for language in LANGUAGES.into_iter().filter(|language| has(*language)) {
+            holds(&text, language, present, absent);
+        }
+    }
+}

@@ -28,6 +28,7 @@ fn designs_read_back_as_they_were() {
         // One rate of two is a parameter beside the mapping.
         ("--n 2 --mu exp_sum --param a1=2", "--n 2 --mu \"exp_sum(2)\" --param a1=2"),
         ("--n 1 --mu \"exp_sum(rates=[1,2])\"", "--n 1 --mu \"exp_sum(rates=[1,2])\""),
+        ("--units rad --n 2 --mu exp", "--n 2 --mu exp --units rad"),
         // A shell would look for files called a=1 or a=2.
         ("--n 1 --mu exp --param \"a=[1,2]\"", "--n 1 --mu exp --param \"a=[1,2]\""),
         ("--n 3 --mu exp --poles=-1,-2+3i/2,-2-1.5i", "--n 3 --mu exp --poles=-1,-2+3i/2,-2-3i/2"),
@@ -38,6 +39,21 @@ fn designs_read_back_as_they_were() {
         let spec = spec(given);
         assert_eq!(spec.command(), told);
         assert_eq!(spec_of(told), Ok(spec), "{told}");
+    }
+}
+
+#[test]
+fn a_unit_is_a_word_of_a_chain() {
+    for (given, told) in [
+        ("--n 2 --mu exp --units m/s", "an expression is no unit of x1"),
+        ("--n 2 --mu exp --units 5", "`5` is no unit of x1"),
+        ("--n 2 --mu exp --units abcdefghijklmnopq", "`abcdefghijklmnopq` is no unit of x1"),
+        (
+            "--mu \"exp(a=1)\" --clock samples --poles=-4,-5 --A \"[[0,1],[0,0]]\" --B \"[0,1]\" --units m",
+            "the units of a chain follow from that of x1, and the states of this plant have their own",
+        ),
+    ] {
+        assert_eq!(mistake(given), told, "{given}");
     }
 }
 

@@ -33,8 +33,8 @@ fn vectors() -> BTreeMap<(Family, usize, usize), Vec<Value>> {
             }
         }
     }
-    // Seven families, one of them with two and with three rates.
-    assert_eq!(groups.len(), 8 * ORDERS.count());
+    // Eight families, one of them with two and with three rates.
+    assert_eq!(groups.len(), 9 * ORDERS.count());
     groups
 }
 
@@ -60,7 +60,7 @@ fn list(value: &Value) -> String {
 fn own(vector: &Value) -> String {
     let params = &vector["params"];
     let mut fields = String::new();
-    for key in ["a", "m"] {
+    for key in ["a", "m", "start"] {
         if let Some(value) = params[key].as_f64() {
             let _ = write!(fields, ".{key} = {value:?}, ");
         }

@@ -342,6 +342,7 @@ fn is_usual(spec: &Spec, record: &Record) -> bool {
             Parameter::A | Parameter::Rate(_) | Parameter::M | Parameter::Named(_) => {
                 within(value, 0.1, 4.0)
             }
+            Parameter::Start => within(value, 0.05, 1.5),
             Parameter::Gain(_) => within(value, 1e-3, 1e3),
             Parameter::StartTime
             | Parameter::Eps

@@ -17,7 +17,7 @@ pub(super) struct Kind {
     precision: &'static str,
 }
 
-const FAMILIES: [&str; 11] = [
+const FAMILIES: [&str; 12] = [
     "exp",
     "rational",
     "power",
@@ -25,6 +25,7 @@ const FAMILIES: [&str; 11] = [
     "tanh",
     "algebraic",
     "exp_sum",
+    "soft",
     "mu",
     "mu",
     "kappa",
@@ -65,6 +66,10 @@ fn family(random: &mut Random, name: &str) -> String {
         "power" => {
             let m = of(random, &["", "m=1", "m=2", "m=3", "m=0.5", "m=1.5", "m=0.8"]);
             own.extend((!m.is_empty()).then(|| m.to_owned()));
+        }
+        "soft" => {
+            let start = of(random, &["", "start=0.1", "start=0.37", "start=1"]);
+            own.extend((!start.is_empty()).then(|| start.to_owned()));
         }
         _ => {}
     }

@@ -36,13 +36,27 @@ impl<'a> Bounds<'a> {
     }
 
     /// The bounds for time-to-go from `low` to `high`. Time itself is not needed: `late` is set, as
-    /// the digits it has left near the deadline would be lost in an interval of t - deadline.
+    /// the digits it has left near the deadline would be lost in an interval of t - deadline, and the
+    /// elapsed time that goes with it.
     pub(crate) fn at(&self, low: f64, high: f64) -> Self {
         let mut bounds = self.clone();
         for held in &self.held {
             bounds.known[held.0] = Some(outward(-high, -low, self.program.precision));
         }
+        if let Some((elapsed, tau)) = self.program.limits.elapsed {
+            let tau = self.get(tau);
+            // Time-to-go is known up to its own roundings, which near the deadline are those of tau.
+            let slack = 4.0 * super::epsilon(self.program.precision) * tau.high;
+            let (least, most) = ((tau.low - high - slack).max(0.0), tau.high - low + slack);
+            bounds.known[elapsed.0] = Some(outward(least, most, self.program.precision));
+        }
         bounds
+    }
+
+    /// Whether a value is set with the time-to-go.
+    fn is_set(&self, value: Value) -> bool {
+        let elapsed = self.program.limits.elapsed;
+        self.held.contains(&value) || elapsed.is_some_and(|(elapsed, _)| elapsed == value)
     }
 
     /// What stands for a stretch of time-to-go.
@@ -89,7 +103,7 @@ impl<'a> Bounds<'a> {
             wanted[root.0] = true;
         }
         for index in (0..wanted.len()).rev() {
-            if wanted[index] && !self.held.contains(&Value(index)) {
+            if wanted[index] && !self.is_set(Value(index)) {
                 for operand in self.program.values[index].op.operands() {
                     wanted[operand.0] = true;
                 }

@@ -200,6 +200,7 @@ mod tests {
         move |input| match input {
             Input::Parameter(Parameter::Eps) => Interval::point(eps),
             Input::Parameter(Parameter::M) => Interval::point(1.5),
+            Input::Parameter(Parameter::Start) => Interval::point(0.125),
             Input::Parameter(Parameter::Rate(i)) => Interval::point(if i == 1 { 1.0 } else { 2.0 }),
             Input::Parameter(Parameter::Gain(_)) => gain,
             Input::Parameter(_) => Interval::point(1.0),
@@ -216,7 +217,7 @@ mod tests {
         }
     }
 
-    const FAMILIES: [Family; 7] = [
+    const FAMILIES: [Family; 8] = [
         Family::Exp,
         Family::Rational,
         Family::Power,
@@ -224,6 +225,7 @@ mod tests {
         Family::Tanh,
         Family::Algebraic,
         Family::ExpSum,
+        Family::Soft,
     ];
 
     #[test]

@@ -49,7 +49,7 @@ pub(super) fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>)
             };
             let text = digits(limit);
             let share = match spec.family() {
-                Some(Family::Exp) => Some(1.0),
+                Some(Family::Exp | Family::Soft) => Some(1.0),
                 Some(Family::Tanh) => Some(0.5),
                 _ => None,
             };

@@ -78,6 +78,12 @@ pub(crate) fn decay(spec: &Spec) -> Decay {
         TimeMapping::Family { family: Family::Exp, .. } => {
             Decay::of_family(greatest(spec, Parameter::A), Modes::Polynomial)
         }
+        TimeMapping::Family { family: Family::Soft, .. } => {
+            let start = exact(spec, Parameter::Start);
+            let is_exp = start.is_some_and(|start| start == integer(1));
+            let modes = if is_exp { Modes::Polynomial } else { Modes::Quadratic };
+            Decay::of_family(greatest(spec, Parameter::A), modes)
+        }
         TimeMapping::Family { family: Family::Tanh, .. } => {
             let rate = greatest(spec, Parameter::A).map(|a| a * integer(2));
             Decay::of_family(rate, Modes::Analytic)

@@ -17,6 +17,8 @@
 //! - `Polynomial` (exp): the mode is T^m, whose later derivatives are 0;
 //! - `Analytic` (tanh): it is E^m with E = T/(2 tau - T), whose later derivatives are finite at T = 0;
 //!   for m >= 1 they are not 0, as E is a series in T with positive coefficients;
+//! - `Quadratic` (soft): the mode is E^m with E = w (1 + c (1 - w)), w = T/tau: a polynomial in T of
+//!   degree at most 2m, whose later derivatives are finite, and 0 from the one of order 2m + 1 on;
 //! - `Other` (sums of exponentials): T^m is followed by other, real powers of T. Undecided
 //!   except for m = 0, where x_1 is constant for every mapping.
 //!
@@ -43,6 +45,8 @@ pub enum Modes {
     Polynomial,
     /// A power series in T that begins with T^m, as for `tanh`, where rho = 2a.
     Analytic,
+    /// A polynomial in T of degree at most 2m that begins with T^m, as for `soft`, where rho = a.
+    Quadratic,
     /// Anything else, as for `exp_sum`, where rho = min a_i.
     Other,
     /// Unknown, as T e^(rho t) is not known to tend to a constant other than 0, as it does in all
@@ -108,6 +112,7 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
     let excepted_to_zero = match modes {
         Modes::Polynomial => Some(true),
         Modes::Analytic => Some(only_constant),
+        Modes::Quadratic => excepted.iter().all(|m| 2 * m < n).then_some(true),
         Modes::Other | Modes::Open => only_constant.then_some(true),
     };
     let open_or = |decided: Option<bool>| if open { None } else { decided };
@@ -116,7 +121,7 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
         rho: rho.to_f64().unwrap_or(f64::NAN),
         spelling: None,
         rate: match modes {
-            Modes::Polynomial => "a",
+            Modes::Polynomial | Modes::Quadratic => "a",
             Modes::Analytic => "2 a",
             Modes::Other | Modes::Open => "a least rate",
         },
@@ -210,7 +215,7 @@ mod tests {
     #[test]
     fn strictly_left_and_on_the_line() {
         use Modes::{Analytic, Other, Polynomial};
-        for modes in [Polynomial, Analytic, Other] {
+        for modes in [Polynomial, Analytic, Modes::Quadratic, Other] {
             assert_eq!(verdicts(&[-3, -4], modes), (true, Some(true), Some(true)));
             // The letter's own case, u = 3 - 6T: bounded, not to 0.
             assert_eq!(verdicts(&[-2, -3], modes), (true, Some(true), Some(false)));
@@ -223,6 +228,9 @@ mod tests {
         assert_eq!(verdicts(&[-1, -3], Polynomial), (false, Some(true), Some(true)));
         assert_eq!(verdicts(&[-1, -3], Analytic), (false, Some(true), Some(false)));
         assert_eq!(verdicts(&[-1, -3], Other), (false, None, None));
+        // With E a quadratic in T, E^1 adds to u for n = 2 and nothing for n = 3.
+        assert_eq!(verdicts(&[-1, -3], Modes::Quadratic), (false, Some(true), None));
+        assert_eq!(verdicts(&[-1, -4, -5], Modes::Quadratic), (false, Some(true), Some(true)));
         assert_eq!(verdicts(&[-1, 1], Polynomial), (false, Some(false), Some(false)));
         assert_eq!(verdicts(&[0, -1, -2], Polynomial), (false, Some(true), Some(true)));
     }

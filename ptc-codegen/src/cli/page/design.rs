@@ -89,7 +89,7 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
         name: parameter.spelling(),
         meaning: parameter.meaning(),
         value: told(spec.fixed.get(&parameter), spec.bounds.get(&parameter)),
-        unit: parameter.unit_for(spec.n),
+        unit: spec.unit(parameter),
     });
     let symbols = plant.symbols(spec).into_iter().map(|symbol| (symbol, "symbol of the plant"));
     let others = spec.parameters().into_iter().filter(|parameter| plant.gives(*parameter));

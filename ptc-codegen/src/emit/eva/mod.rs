@@ -150,6 +150,7 @@ fn ranges(controller: &Controller<'_>, prefix: &str) -> Vec<Range> {
         }
         Parameter::UMax => (10.0, 10.0),
         Parameter::M => (1.5, 1.5),
+        Parameter::Start => (0.25, 0.25),
         #[allow(clippy::cast_precision_loss)]
         Parameter::Rate(i) => (i as f64 - 0.5, i as f64 - 0.5),
         Parameter::Gain(_) => (-100.0, 100.0),

@@ -163,7 +163,7 @@ fn with_token(
             .collect(),
         conditions: domain(program)
             .iter()
-            .filter_map(|condition| Judged::of(condition, &variables, spec.loop_order()))
+            .filter_map(|condition| Judged::of(condition, &variables, spec))
             .collect(),
         kept: variables.iter().filter(|v| !is_count(v)).filter_map(place).collect(),
         constants: constants.collect(),

@@ -5,6 +5,7 @@ use askama::Template;
 use super::super::code::Condition;
 use super::super::outline::Outline;
 use super::variables::{Unit, Variable};
+use crate::request::Spec;
 
 /// The start value of a run-time parameter.
 pub(super) struct Start {
@@ -33,7 +34,7 @@ pub(super) struct Judged {
 }
 
 impl Judged {
-    pub(super) fn of(condition: &Condition, variables: &[Variable], n: usize) -> Option<Self> {
+    pub(super) fn of(condition: &Condition, variables: &[Variable], spec: &Spec) -> Option<Self> {
         let Condition { test, parameter, legal } = condition;
         let place = format!("params.{parameter}");
         let variable = variables.iter().find(|v| v.place.as_ref() == Some(&place))?;
@@ -42,7 +43,7 @@ impl Judged {
             name: variable.name.clone(),
             place,
             test: test.clone(),
-            legal: format!("{} [{}], {legal}", about.meaning(), about.unit_for(n)),
+            legal: format!("{} [{}], {legal}", about.meaning(), spec.unit(about)),
         })
     }
 }

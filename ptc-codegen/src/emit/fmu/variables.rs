@@ -78,7 +78,7 @@ fn exponent(parameter: Parameter, n: usize) -> Option<i64> {
     match parameter {
         Parameter::Tau | Parameter::StartTime | Parameter::Eps | Parameter::SampleTime => Some(1),
         Parameter::A | Parameter::Rate(_) => Some(-1),
-        Parameter::M | Parameter::Samples | Parameter::Deadbeat => Some(0),
+        Parameter::M | Parameter::Start | Parameter::Samples | Parameter::Deadbeat => Some(0),
         Parameter::Gain(i) => Some(order(i)? - 1 - order(n)?),
         Parameter::UMax | Parameter::Named(_) => None,
     }
@@ -201,7 +201,7 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
     let (free, fixed): (Vec<_>, Vec<_>) =
         spec.parameters().into_iter().partition(|p| !spec.fixed.contains_key(p));
     let of_parameter = |parameter: Parameter, range: &str| {
-        let (meaning, unit) = (parameter.meaning(), parameter.unit_for(order));
+        let (meaning, unit) = (parameter.meaning(), spec.unit(parameter));
         let count = parameter == Parameter::Samples;
         let value = example.value(parameter);
         let shown = if count { value.to_string() } else { example.literal(parameter) };

@@ -67,6 +67,7 @@ fn rebuild(
     new.limits.late = to(program.limits.late);
     new.limits.hold_from = to(program.limits.hold_from);
     new.limits.eps = to(program.limits.eps);
+    new.limits.elapsed = program.limits.elapsed.map(|(elapsed, tau)| (to(elapsed), to(tau)));
     new
 }
 

@@ -116,8 +116,9 @@ impl Reader<'_> {
             self.wrong("mu", Some(argument.value.place), message, help);
             return None;
         };
-        let legal = [Parameter::A, Parameter::M].into_iter().filter(|p| names.contains(&p.key()));
-        let Some(parameter) = legal.into_iter().find(|p| p.key() == name) else {
+        let legal = [Parameter::A, Parameter::M, Parameter::Start].into_iter();
+        let own = |p: &Parameter| p.key() == name && names.contains(&p.key());
+        let Some(parameter) = legal.into_iter().find(own) else {
             self.found.push(
                 "unknown-parameter",
                 format!("mu.{name}"),

@@ -10,6 +10,7 @@ mod parameters;
 mod promises;
 mod reference;
 mod sampled;
+mod units;
 
 use std::collections::BTreeMap;
 
@@ -129,6 +130,7 @@ impl<'a> Reader<'a> {
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
         let known = parameters::known(own);
         let name = self.name();
+        let units = self.units();
         let what = self.choice(
             "what",
             &[
@@ -171,6 +173,7 @@ impl<'a> Reader<'a> {
             n: order,
             time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
             name,
+            units,
             what: what.unwrap_or(What::Controller),
             clock: Clock::Time,
             precision,
@@ -197,6 +200,7 @@ impl<'a> Reader<'a> {
         self.fits_axes(&spec, samples);
         self.fits_model(&spec, samples);
         self.fits_reference(&spec, samples);
+        self.fits_units(&spec);
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);

@@ -222,11 +222,18 @@ impl Reader<'_> {
             } else if let Some(legal) = spec.ends_of_kind(*parameter)
                 && value.rounded(spec.precision).is_some_and(|v| !(legal.0..=legal.1).contains(&v))
             {
-                let message =
-                    format!("{shown} = {value}: the emitted {name} code would lose digits of u");
+                let message = match parameter {
+                    Parameter::Start => {
+                        format!("{shown} = {value} is out of range for n = {} in {name}", spec.n)
+                    }
+                    _ => {
+                        format!("{shown} = {value}: the emitted {name} code would lose digits of u")
+                    }
+                };
                 let legal = Spec { bounds: BTreeMap::new(), ..spec.clone() }.legal(*parameter);
                 let help = match parameter {
                     Parameter::M => "; the exponent multiplies the rounding error of T/tau",
+                    Parameter::Start => "; 1 is `exp`",
                     _ => "; take other units, of time for example",
                 };
                 (message, format!("{shown} ({}) is {legal}{help}", parameter.meaning()))
@@ -238,7 +245,7 @@ impl Reader<'_> {
                 Parameter::Gain(_) if self.keys.contains_key("poles") => "poles",
                 Parameter::Gain(_) => "gains",
                 Parameter::Named(_) => &own,
-                Parameter::A | Parameter::M | Parameter::Rate(_) => "mu",
+                Parameter::A | Parameter::M | Parameter::Start | Parameter::Rate(_) => "mu",
                 _ => parameter.key(),
             };
             let place = self.keys.get(key).map(|node| node.place);

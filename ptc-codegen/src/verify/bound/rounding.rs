@@ -78,6 +78,7 @@ pub(super) fn error(
     };
     let mut known: Vec<Option<Rounded>> = vec![None; program.values.len()];
     let mut arrays: BTreeMap<Value, Vec<Rounded>> = BTreeMap::new();
+    let elapsed = program.limits.elapsed.map(|(elapsed, _)| elapsed);
     for value in bounds.needed(&[root]) {
         let op = &program.get(value).op;
         let of = |v: &Value| known[v.0];
@@ -86,6 +87,8 @@ pub(super) fn error(
             // T = (hi - t) + lo: hi - t is exact where t is within a factor of 2 of hi, and else |lo|
             // is at most 2 u of it. Either way two roundings of about T are left.
             _ if held.contains(&value) => 3.0 * units.roundoff * to_go,
+            // t - t0, or tau - eps in its place: one rounding.
+            _ if elapsed == Some(value) => 2.0 * units.roundoff * own.high,
             Op::Rows { tail, weights } => {
                 let all = |values: &[Value]| values.iter().map(of).collect::<Option<Vec<_>>>();
                 let precision = program.precision;
@@ -197,6 +200,7 @@ mod tests {
         match input {
             Input::Parameter(Parameter::Eps) => 2f64.powi(-10),
             Input::Parameter(Parameter::M) => 0.5,
+            Input::Parameter(Parameter::Start) => 0.125,
             Input::Parameter(Parameter::Gain(i)) => 3.0 + number(i) * f64::from(0.7f32),
             Input::Parameter(_) => 1.0,
             Input::Time => t,
@@ -214,6 +218,7 @@ mod tests {
             Family::Tan,
             Family::Tanh,
             Family::Algebraic,
+            Family::Soft,
         ];
         for family in families {
             for n in [1, 2, 4, 6] {

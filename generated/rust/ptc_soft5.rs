@@ -1,0 +1,549 @@
+//! Prescribed-time controller ptc_soft5: order n = 5, mapping soft.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 5 --mu soft
+//! Version 0.1.0.
+//!
+//! Plant: x1' = x2, ..., x5' = f + u. Time in s, x1 in any unit U, x2 in U/s, ..., x5 in
+//!       U/s^4, u in U/s^5.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
+//! f is not part of the law: cancel its known terms before the call.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
+//!   start: a tau kappa' at the start, of the soft mapping [1], from 1e-12 to 1
+//!   k: gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is
+//!       k_5 [1/s]
+//!
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
+//!   mu(t)     = tau*(1 - 2*exp(-a*t)/(2 - start + sqrt(start^2 + 4*(1 - start)*(1 -
+//!       exp(-a*t)))))
+//!   kappa(Dt) = -ln(E)/a, E = w*(1 + (1 - start)*(1 - w)), w = T/tau
+//!   in terms of E = exp(-a*t), S = tau*dE/dT, H = tau*E/S, y = (1 - start)*E/S^2
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = a^k H p_k(y), p_1 = 1, p_{k+1} = -(1 + 2*y) p_k - y (1 + 4*y) p_k'
+//!   r_1 = a*H
+//!   r_2 = -a^2*H - 2*a^2*H*y
+//!   r_3 = a^3*H + 6*a^3*H*y + 12*a^3*H*y^2
+//!   r_4 = -a^4*H - 14*a^4*H*y - 72*a^4*H*y^2 - 120*a^4*H*y^3
+//!   r_5 = a^5*H + 30*a^5*H*y + 300*a^5*H*y^2 + 1200*a^5*H*y^3 + 1680*a^5*H*y^4
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+//!   B_{0,0} = 1
+//!   B_{1,1} = a*H
+//!   B_{2,1} = -a^2*H - 2*a^2*H*y
+//!   B_{2,2} = a^2*H^2
+//!   B_{3,1} = a^3*H + 6*a^3*H*y + 12*a^3*H*y^2
+//!   B_{3,2} = -3*a^3*H^2 - 6*a^3*H^2*y
+//!   B_{3,3} = a^3*H^3
+//!   B_{4,1} = -a^4*H - 14*a^4*H*y - 72*a^4*H*y^2 - 120*a^4*H*y^3
+//!   B_{4,2} = 7*a^4*H^2 + 36*a^4*H^2*y + 60*a^4*H^2*y^2
+//!   B_{4,3} = -6*a^4*H^3 - 12*a^4*H^3*y
+//!   B_{4,4} = a^4*H^4
+//!   B_{5,1} = a^5*H + 30*a^5*H*y + 300*a^5*H*y^2 + 1200*a^5*H*y^3 + 1680*a^5*H*y^4
+//!   B_{5,2} = -15*a^5*H^2 - 150*a^5*H^2*y - 600*a^5*H^2*y^2 - 840*a^5*H^2*y^3
+//!   B_{5,3} = 25*a^5*H^3 + 120*a^5*H^3*y + 180*a^5*H^3*y^2
+//!   B_{5,4} = -10*a^5*H^4 - 20*a^5*H^4*y
+//!
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_5 xi_5)
+//!   u = sum_j gain_j x_j
+//!   gain_j = inv_H^(n+1-j) row_j
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
+//!   row_1 = -K1
+//!   row_2 = -1 - K2 + K3 + 2*K3*y - K4 - 6*K4*y - 12*K4*y^2 + K5 + 14*K5*y + 72*K5*y^2 +
+//!       120*K5*y^3 - 30*y - 300*y^2 - 1200*y^3 - 1680*y^4
+//!   row_3 = 15 - K3 + 3*K4 + 6*K4*y - 7*K5 - 36*K5*y - 60*K5*y^2 + 150*y + 600*y^2 + 840*y^3
+//!   row_4 = -25 - K4 + 6*K5 + 12*K5*y - 120*y - 180*y^2
+//!   row_5 = 10 - K5 + 20*y
+//!   inv_H = 1/H = a*kappa'
+//!
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: soft is of class M for all its parameters.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   loop: not checked: it needs a value of `tau`.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step, without input checks and clipping: 22 additions or comparisons, 24
+//!       multiplications, 2 divisions.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`PtcSoft5`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcSoft5Params {
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
+    pub tau: f64,
+    /// start time \[s\], finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
+    pub eps: f64,
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
+    pub u_max: f64,
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
+    pub a: f64,
+    /// a tau kappa' at the start, of the soft mapping \[1\], from 1e-12 to 1.
+    pub start: f64,
+    /// gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k\[0\] is k_1 \[1/s^5\], ..., k\[4\] is k_5 \[1/s\].
+    pub k: [f64; 5],
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcSoft5 {
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of y^0 in the gain of x2.
+    c2_0: f64,
+    /// coefficient of y^1 in the gain of x2.
+    c2_1: f64,
+    /// coefficient of y^2 in the gain of x2.
+    c2_2: f64,
+    /// coefficient of y^3 in the gain of x2.
+    c2_3: f64,
+    /// prescribed settling time.
+    tau: f64,
+    /// start*tau.
+    first_slope: f64,
+    /// 1 - start.
+    softness: f64,
+    /// start time.
+    t0: f64,
+    /// time-to-go at which the gains are held.
+    eps: f64,
+    /// tau - eps: the gains are held from there on.
+    hold_after: f64,
+    /// t0 + tau, rounded.
+    deadline: f64,
+    /// low part of t0 + tau (compensated sum).
+    correction: f64,
+    /// -eps: later than this the gains are held.
+    hold_from: f64,
+    /// coefficient of y^0 in the gain of x3.
+    c3_0: f64,
+    /// coefficient of y^1 in the gain of x3.
+    c3_1: f64,
+    /// coefficient of y^2 in the gain of x3.
+    c3_2: f64,
+    /// coefficient of y^0 in the gain of x4.
+    c4_0: f64,
+    /// coefficient of y^1 in the gain of x4.
+    c4_1: f64,
+    /// coefficient of y^0 in the gain of x5.
+    c5_0: f64,
+    /// bound of |u|.
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcSoft5`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcSoft5Gains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[4\] x\[4\].
+    pub gain: [f64; 5],
+    /// bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl PtcSoft5 {
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: PtcSoft5Params) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a = params.a;
+        let start = params.start;
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        let k3 = params.k[2];
+        let k4 = params.k[3];
+        let k5 = params.k[4];
+        if !(tau.is_finite()
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && t0.is_finite()
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && a.is_finite()
+            && (1e-150 <= a)
+            && (a <= 1e150)
+            && start.is_finite()
+            && (1e-12 <= start)
+            && (start <= 1.0)
+            && k1.is_finite()
+            && k2.is_finite()
+            && k3.is_finite()
+            && k4.is_finite()
+            && k5.is_finite()
+            && (eps < tau))
+        {
+            return Err(Error::Param);
+        }
+        let v1 = a * a;
+        let v2 = v1 * v1;
+        let v3 = a * v2;
+        let K1 = k1 / v3;
+        let K2 = k2 / v2;
+        let v4 = a * v1;
+        let K3 = k3 / v4;
+        let K4 = k4 / v1;
+        let K5 = k5 / a;
+        let c1 = -K1;
+        let c2_0 = ((((-K2) + K3) - K4) + K5) - 1.0;
+        let v5 = 6.0 * K4;
+        let c2_1 = (((2.0 * K3) - v5) + (14.0 * K5)) - 30.0;
+        let c2_2 = ((-(12.0 * K4)) + (72.0 * K5)) - 300.0;
+        let c2_3 = (120.0 * K5) - 1200.0;
+        let first_slope = start * tau;
+        let softness = 1.0 - start;
+        let hold_after = tau - eps;
+        let hold_from = -eps;
+        let c3_0 = (((-K3) + (3.0 * K4)) - (7.0 * K5)) + 15.0;
+        let c3_1 = (v5 - (36.0 * K5)) + 150.0;
+        let c3_2 = (-(60.0 * K5)) + 600.0;
+        let c4_0 = ((-K4) + (6.0 * K5)) - 25.0;
+        let c4_1 = (12.0 * K5) - 120.0;
+        let c5_0 = (-K5) + 10.0;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
+        let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
+        let size_K5 = if k5.abs() <= 0.0 { 1e-200 } else { K5.abs() };
+        if !((1e-200 <= v2)
+            && (1e-200 <= v3)
+            && (1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && (1e-200 <= v4)
+            && (1e-200 <= size_K3)
+            && (1e-200 <= size_K4)
+            && (1e-200 <= size_K5)
+            && c1.is_finite()
+            && c2_0.is_finite()
+            && c2_1.is_finite()
+            && c2_2.is_finite()
+            && c2_3.is_finite()
+            && first_slope.is_finite()
+            && softness.is_finite()
+            && hold_after.is_finite()
+            && hold_from.is_finite()
+            && c3_0.is_finite()
+            && c3_1.is_finite()
+            && c3_2.is_finite()
+            && c4_0.is_finite()
+            && c4_1.is_finite()
+            && c5_0.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        let mut built = Self {
+            c1,
+            c2_0,
+            c2_1,
+            c2_2,
+            c2_3,
+            tau,
+            first_slope,
+            softness,
+            eps,
+            hold_after,
+            hold_from,
+            c3_0,
+            c3_1,
+            c3_2,
+            c4_0,
+            c4_1,
+            c5_0,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at t0 \[s\].
+    ///
+    /// # Errors
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time t \[s\] and state x = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return Err(Error::Input);
+        }
+        let v1 = t - self.t0;
+        let elapsed = if v1 < self.hold_after {
+            v1
+        } else {
+            self.hold_after
+        };
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
+        let T = -late;
+        let v2 = self.softness * elapsed;
+        let decay = T * (self.tau + v2);
+        let fall = self.first_slope + (2.0 * v2);
+        let inv_H = fall / decay;
+        let y = self.softness / (fall * inv_H);
+        let s1 = (((((-1680.0) * y) + self.c2_3) * y) + self.c2_2) * y;
+        let row2 = ((s1 + self.c2_1) * y) + self.c2_0;
+        let s2 = ((((840.0 * y) + self.c3_2) * y) + self.c3_1) * y;
+        let row3 = s2 + self.c3_0;
+        let row4 = ((((-180.0) * y) + self.c4_1) * y) + self.c4_0;
+        let row5 = (20.0 * y) + self.c5_0;
+        let s3 = ((self.c1 * x[0] * inv_H) + (row2 * x[1])) * inv_H;
+        let s4 = (((s3 + (row3 * x[2])) * inv_H) + (row4 * x[3])) * inv_H;
+        let v = (s4 + (row5 * x[4])) * inv_H;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+            && x[4].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
+                (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcSoft5Gains, Error> {
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return Err(Error::Input);
+        }
+        let v1 = t - self.t0;
+        let elapsed = if v1 < self.hold_after {
+            v1
+        } else {
+            self.hold_after
+        };
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
+        let T = -late;
+        let v2 = self.softness * elapsed;
+        let decay = T * (self.tau + v2);
+        let fall = self.first_slope + (2.0 * v2);
+        let inv_H = fall / decay;
+        let y = self.softness / (fall * inv_H);
+        let s1 = (((((-1680.0) * y) + self.c2_3) * y) + self.c2_2) * y;
+        let row2 = ((s1 + self.c2_1) * y) + self.c2_0;
+        let s2 = ((((840.0 * y) + self.c3_2) * y) + self.c3_1) * y;
+        let row3 = s2 + self.c3_0;
+        let row4 = ((((-180.0) * y) + self.c4_1) * y) + self.c4_0;
+        let row5 = (20.0 * y) + self.c5_0;
+        let v3 = inv_H * inv_H;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
+        Ok(PtcSoft5Gains {
+            gain: [
+                self.c1 * (v3 * inv_H) * v3,
+                row2 * v3 * v3,
+                row3 * v3 * inv_H,
+                row4 * inv_H * inv_H,
+                row5 * inv_H,
+            ],
+            u_max: self.u_max,
+            status,
+        })
+    }
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl PtcSoft5Gains {
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let s2 = s1 + (self.gain[2] * x[2]) + (self.gain[3] * x[3]);
+        let v = s2 + (self.gain[4] * x[4]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
+            (v, self.status)
+        } else if x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+            && x[4].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<5> for PtcSoft5 {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

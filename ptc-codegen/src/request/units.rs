@@ -1,0 +1,28 @@
+//! Units of a chain, where the design names that of x1.
+
+use super::Spec;
+use crate::algebra::integer;
+use crate::parameter::Parameter;
+
+impl Spec {
+    /// Unit of x_1, ..., x_n and of f + g u, which is the (n+1)-th: U, U/s, U/s^2, ...
+    pub fn chain_unit(&self, place: usize) -> String {
+        let unit = self.units.as_deref().unwrap_or("U");
+        match place {
+            0 | 1 => unit.to_owned(),
+            2 => format!("{unit}/s"),
+            place => format!("{unit}/s^{}", place - 1),
+        }
+    }
+
+    /// Unit of a parameter.
+    pub fn unit(&self, parameter: Parameter) -> String {
+        let one = self.input_gain.is_none()
+            && self.sampled().is_none_or(|sampled| sampled.gain == integer(1));
+        let known = self.units.is_some() && one;
+        match parameter {
+            Parameter::UMax if known => self.chain_unit(self.n + 1),
+            parameter => parameter.unit_for(self.loop_order()),
+        }
+    }
+}
