@@ -134,7 +134,9 @@ impl Method {
     fn go_on(&mut self, lane: usize, (moved, cut): (bool, bool), error: f64, end: f64) {
         let length = self.last.length.0[lane];
         // By the eighth root.
-        let factor = (SAFETY / error.sqrt().sqrt().sqrt()).max(FACTORS[0]).min(FACTORS[1]);
+        let wanted = SAFETY / error.sqrt().sqrt().sqrt();
+        let [least, most] = FACTORS;
+        let factor = if wanted.is_nan() { least } else { wanted.clamp(least, most) };
         let next = length * if moved { factor } else { factor.min(1.0) };
         // What was cut says only that the next step may be as long.
         if !(moved && cut && next < self.step.0[lane]) {
