@@ -75,13 +75,13 @@ extern "C" {
 #define PTC_STATUS_DEFINED
 /* Outcome of a call; a negative one leaves *u = 0. */
 typedef enum ptc_status {
-    PTC_OK = 0,        /* tracking */
-    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
-    PTC_AFTER = 3,     /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients outside the range */
-    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
-    PTC_E_RANGE = -3   /* u not finite */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
 } ptc_status;
 #endif
 
