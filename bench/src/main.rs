@@ -6,6 +6,7 @@ mod builds;
 mod c;
 mod callgrind;
 mod calls;
+mod campaigns;
 mod case;
 mod counts;
 mod equality;
@@ -59,6 +60,8 @@ enum Command {
     Egg,
     /// Print the instructions a step with a clock in samples, the table in docs/samples.md
     Samples,
+    /// Processor time and instructions a scenario of `verify`, threads and memory; builds the laboratory
+    Campaigns,
     /// Write docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last
     Report,
     /// Expand the Bell polynomials and end, for the profiler
@@ -95,6 +98,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Generator) => generator(line),
         Some(Command::Egg) => report::keep("egg", &equality::measure()?),
         Some(Command::Samples) => samples::table(),
+        Some(Command::Campaigns) => report::keep("campaigns", &campaigns::measure()?),
         Some(Command::Report) => report::write(),
         None => {
             report::keep("counts", &counts::measure()?)?;

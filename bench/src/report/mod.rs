@@ -10,6 +10,7 @@ use serde::de::DeserializeOwned;
 
 use crate::accuracy::Accuracy;
 use crate::builds::Builds;
+use crate::campaigns::Campaign;
 use crate::counts::Count;
 use crate::equality::Found;
 use crate::failure::Result;
@@ -67,6 +68,9 @@ pub(crate) fn write() -> Result<()> {
     beside::peers(&mut text, peers.as_deref().unwrap_or(&[]));
     if let Some(speeds) = kept::<Vec<Speed>>("generator")? {
         tables::generator(&mut text, &speeds);
+    }
+    if let Some(campaigns) = kept::<Vec<Campaign>>("campaigns")? {
+        tables::campaigns(&mut text, &campaigns);
     }
     if let Some(bells) = kept::<Vec<Bell>>("bell")? {
         beside::bells(&mut text, &bells);

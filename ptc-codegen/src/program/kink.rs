@@ -4,8 +4,9 @@
 //! integration needs, which finds those surfaces by the distances from them.
 
 use super::arithmetic::Arithmetic;
+use super::lanes::{Lanes, Pack};
 use super::machine::Machine;
-use super::{Stage, Value};
+use super::{Input, Op, Program, Stage, Value};
 use crate::expression::Function;
 
 /// An operation with a kink or a jump where its distance is 0.
@@ -25,6 +26,18 @@ impl Kink {
         std::iter::once(self.left).chain(self.right)
     }
 
+    /// The distances from it in each lane, signed.
+    pub fn distances(&self, lanes: &Lanes) -> Pack {
+        let left = lanes.get(self.left);
+        match self.right {
+            Some(right) => {
+                let right = lanes.get(right);
+                Pack::of(|lane| left.0[lane] - right.0[lane])
+            }
+            None => *left,
+        }
+    }
+
     /// The operation where the distance is above 0, or below.
     fn branch(&self, above: bool) -> Arithmetic {
         match (self.operation, above) {
@@ -37,6 +50,26 @@ impl Kink {
             (operation, _) => operation,
         }
     }
+}
+
+/// Of each value whether it goes with time in one direction, at one pace: it has its greatest and its
+/// least number at the ends of any time.
+pub fn steady(program: &Program) -> Vec<bool> {
+    let mut steady: Vec<bool> = Vec::with_capacity(program.values.len());
+    for definition in &program.values {
+        let is_constant = |value: Value| program.get(value).stage <= Stage::Arm;
+        let both = |a: Value, b: Value| steady[a.0] && steady[b.0];
+        steady.push(match definition.op {
+            _ if definition.stage <= Stage::Arm => true,
+            Op::Input(input) => input == Input::Time,
+            Op::Neg(a) => steady[a.0],
+            Op::Add(a, b) | Op::Sub(a, b) => both(a, b),
+            Op::Mul(a, b) => both(a, b) && (is_constant(a) || is_constant(b)),
+            Op::Div(a, b) => both(a, b) && is_constant(b),
+            _ => false,
+        });
+    }
+    steady
 }
 
 impl Machine {

@@ -16,6 +16,7 @@ pub mod digits;
 pub mod dump;
 pub mod interpret;
 pub mod kink;
+pub mod lanes;
 pub mod machine;
 pub mod number;
 pub mod passes;

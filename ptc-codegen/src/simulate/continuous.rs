@@ -1,9 +1,12 @@
 //! The law of Theorem 1 with its plant: the associated infinite-time system where the law holds,
 //! mapped back, and the plant itself where u is clipped.
 
+use super::lanes::StretchedLanes;
 use super::side::{At, Run, Side};
 use super::solver::State;
 use super::{Failure, Sample, Values, controller};
+use std::sync::Arc;
+
 use crate::lower::{ClosedLoop, closed_loop, mapped_back};
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::plant::Plant;
@@ -22,7 +25,7 @@ use crate::request::Spec;
 #[derive(Clone, Debug)]
 pub struct Continuous {
     n: usize,
-    closed: ClosedLoop,
+    closed: Arc<ClosedLoop>,
     kinks: Vec<Kink>,
     /// Sides on which the kinks are held.
     above: Vec<bool>,
@@ -32,6 +35,7 @@ pub struct Continuous {
     outputs: Point,
     /// From xi to x.
     back: Point,
+    back_program: Arc<Program>,
     states: Vec<Value>,
     /// Whether xi is integrated, not x.
     infinite: bool,
@@ -77,12 +81,13 @@ impl Continuous {
             outputs,
             back: Point::new(&spec, &back, &back.watched),
             states: back.watched.clone(),
+            back_program: Arc::new(back),
             above: vec![true; kinks.len()],
             kinks,
             infinite: false,
             u_max: f64::INFINITY,
             x: vec![0.0; spec.n],
-            closed,
+            closed: Arc::new(closed),
         }))
     }
 
@@ -121,6 +126,14 @@ impl Continuous {
             *xi = self.outputs.machine.get(*value);
         }
         state
+    }
+}
+
+impl Run<Continuous> {
+    /// The same for many scenarios at once, where the loop is smooth and u has no bound.
+    pub fn in_lanes(&self) -> Option<StretchedLanes> {
+        let Continuous { n, closed, kinks, back_program, .. } = self.side();
+        StretchedLanes::of(*n, closed, kinks, back_program)
     }
 }
 

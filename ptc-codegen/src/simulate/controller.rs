@@ -1,5 +1,7 @@
 //! The emitted controller: its own program with the frame around it, bit for bit what the C computes.
 
+use std::sync::Arc;
+
 use super::{Failure, Values};
 use crate::controller::plan::Plan;
 use crate::law::Law;
@@ -8,7 +10,7 @@ use crate::parameter::{Domain, Parameter};
 use crate::program::digits::{self, Condition};
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
-use crate::program::{Input, Limits, Stage, Value, passes};
+use crate::program::{Input, Limits, Program, Stage, Value, passes};
 use crate::reference::Status;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
@@ -19,6 +21,7 @@ pub struct Controller {
     /// The same with its kinks held, and these.
     smooth: Machine,
     kinks: Vec<Kink>,
+    program: Arc<Program>,
     /// Whether u is held above and below its limits -u_max and u_max.
     within: [bool; 2],
     limits: Limits,
@@ -69,9 +72,15 @@ impl Controller {
             step: program.step,
             guard: spec.guard,
             after: spec.after,
+            program: Arc::new(program),
             spec,
             start: f64::NAN,
         })
+    }
+
+    /// The program and its kinks before the deadline, without those of a bound of u.
+    pub(super) fn program(&self) -> (&Program, &[Kink]) {
+        (&self.program, &self.kinks)
     }
 
     /// `init`: gives the parameters and starts at the t0 of the values, from `x0`.

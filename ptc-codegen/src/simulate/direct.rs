@@ -1,5 +1,6 @@
 //! The plant itself, with the emitted program in the loop: the other side of Theorem 1.
 
+use super::lanes::DirectLanes;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
 use super::solver::State;
@@ -29,6 +30,14 @@ impl Direct {
         spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
         let controller = Controller::new(&spec)?;
         Ok(Run::of(Self { controller, motion: Motion::new(&spec, plant) }))
+    }
+}
+
+impl Run<Direct> {
+    /// The same for many scenarios at once, where the loop is smooth and u has no bound.
+    pub fn in_lanes(&self) -> Option<DirectLanes> {
+        let Direct { controller, motion } = self.side();
+        DirectLanes::of(controller, controller.program(), motion.program())
     }
 }
 

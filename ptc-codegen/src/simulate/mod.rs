@@ -16,6 +16,7 @@ mod controller;
 mod crossing;
 mod direct;
 mod failure;
+pub mod lanes;
 mod linear;
 mod mode;
 mod pass;

@@ -1,12 +1,14 @@
 //! The plant by itself: the rates of its states from time, state and control.
 
+use std::sync::Arc;
+
 use super::solver::State;
 use super::{Along, Failure, Values};
 use crate::lower;
 use crate::parameter::Precision;
 use crate::plant::Plant;
 use crate::program::kink::Kink;
-use crate::program::{Value, passes};
+use crate::program::{Program, Value, passes};
 use crate::request::Spec;
 
 /// The rates of all states, compiled.
@@ -15,6 +17,7 @@ pub(super) struct Motion {
     along: Along,
     kinks: Vec<Kink>,
     rates: Vec<Value>,
+    program: Arc<Program>,
 }
 
 impl Motion {
@@ -25,7 +28,17 @@ impl Motion {
         let program = lower::plant(&spec, &plant.rates(&spec));
         let program = passes::optimise(program, &mut |_, _| {});
         let along = Along::new(&program, &program.watched, spec.states());
-        Self { kinks: along.machine.kinks(), rates: program.watched, along }
+        Self {
+            kinks: along.machine.kinks(),
+            rates: program.watched.clone(),
+            program: Arc::new(program),
+            along,
+        }
+    }
+
+    /// The program and its kinks.
+    pub(super) fn program(&self) -> (&Program, &[Kink]) {
+        (&self.program, &self.kinks)
     }
 
     pub(super) fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {

@@ -75,6 +75,10 @@ impl<S: Side> Run<S> {
         Self { side, sigma: 0.0, state: State::zeros(), walk: Walk::default() }
     }
 
+    pub(super) fn side(&self) -> &S {
+        &self.side
+    }
+
     /// Runs from `x0` at t0 and hands over the state at each time-to-go `shares` tau, which descend
     /// from at most 1 and end above 0.
     ///

@@ -61,21 +61,31 @@ impl Values {
     pub(crate) fn give(&self, machine: &mut Machine) -> Result<(), Failure> {
         let inputs: Vec<_> = machine.inputs().collect();
         for (input, slot) in inputs {
-            let parameter = match input {
-                Input::Parameter(parameter) => parameter,
-                Input::StartTime => Parameter::StartTime,
-                _ => continue,
-            };
-            let Some(value) = self.0.get(&parameter) else {
-                let name = parameter.spelling();
-                return Err(Failure::input(
-                    format!("{name} ({}) has no value", parameter.meaning()),
-                    format!("give {name} a value for this run"),
-                ));
-            };
-            machine.set(Some(slot), *value);
+            if let Some(value) = self.of_input(input)? {
+                machine.set(Some(slot), value);
+            }
         }
         Ok(())
+    }
+
+    /// The value of an input that is a parameter.
+    ///
+    /// # Errors
+    /// It has no value.
+    pub(crate) fn of_input(&self, input: Input) -> Result<Option<f64>, Failure> {
+        let parameter = match input {
+            Input::Parameter(parameter) => parameter,
+            Input::StartTime => Parameter::StartTime,
+            _ => return Ok(None),
+        };
+        let value = self.0.get(&parameter).copied();
+        value.map(Some).ok_or_else(|| {
+            let name = parameter.spelling();
+            Failure::input(
+                format!("{name} ({}) has no value", parameter.meaning()),
+                format!("give {name} a value for this run"),
+            )
+        })
     }
 }
 

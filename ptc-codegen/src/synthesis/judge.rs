@@ -3,13 +3,11 @@
 
 use std::sync::Mutex;
 
-use rayon::prelude::*;
-
 use crate::simulate::Failure;
 use crate::verify::bound::Proof;
 use crate::verify::{
-    self, Campaign, Corners, Evidence, Kind, Scenario, Status, Tally, Trial, bound, chunks, sample,
-    search,
+    self, Campaign, Corners, Evidence, Kind, Outcome, Scenario, Status, Tally, Trial, bound,
+    chunks, sample, search,
 };
 
 /// Draws for the first look at a loop, and most corners beside them.
@@ -65,14 +63,13 @@ pub(super) type Look = (Vec<f64>, f64, Option<Failure>);
 
 /// The scenarios, run.
 pub(super) fn run(campaign: &Campaign, trial: &Trial, scenarios: &[Scenario]) -> Vec<Look> {
-    let one = |trial: &mut Trial, scenario: &Scenario| {
-        let outcome = trial.run(&campaign.setting(scenario));
+    let look = |outcome: Outcome| {
         let excess = (0..campaign.objectives.len()).map(|objective| outcome.worst(objective));
         let excess = excess.collect();
         let unfinished = outcome.status() == Status::Unfinished;
         (excess, outcome.difference(), outcome.ended.filter(|_| unfinished))
     };
-    scenarios.par_iter().map_init(|| trial.clone(), one).collect()
+    campaign.outcomes(trial, scenarios, &|| ()).into_iter().map(look).collect()
 }
 
 /// For each objective by how much the worst signals of the loop that runs exceed it, where they do.

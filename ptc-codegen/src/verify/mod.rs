@@ -9,12 +9,14 @@
 //! signals that `kernel` makes of a run. A [`Verdict`] is all that is known of an objective, and
 //! [`record`] keeps one row per draw.
 
+mod batch;
 pub mod bound;
 mod corner;
 mod course;
 mod envelope;
 mod kernel;
 pub mod objective;
+mod observer;
 mod outcome;
 mod read;
 pub mod record;

@@ -1,14 +1,8 @@
 //! What has to hold along a run, and by how much it does not.
 
-use std::fmt;
-
 use crate::expression::Expression;
 use crate::expression::existence::{self, Condition};
-use crate::lower;
-use crate::parameter::{Parameter, Precision};
-use crate::program::{Value, passes};
-use crate::request::Spec;
-use crate::simulate::{Along, Failure, Values};
+use std::fmt;
 
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +76,7 @@ impl Kind {
     }
 
     /// The parts of its expressions that have to be something for it to have a value.
-    fn needs(&self) -> Vec<(Expression, Condition)> {
+    pub(super) fn needs(&self) -> Vec<(Expression, Condition)> {
         self.expressions().into_iter().flat_map(|(_, e)| existence::needs(e)).collect()
     }
 
@@ -146,116 +140,12 @@ pub struct Level {
     pub high: Option<f64>,
 }
 
-/// The objectives of a campaign, compiled.
-#[derive(Clone, Debug)]
-pub(super) struct Observer {
-    kinds: Vec<Kind>,
-    /// What parts of each kind's expressions have to be for these to have a value.
-    conditions: Vec<Vec<Condition>>,
-    along: Along,
-    watched: Vec<Value>,
-    /// The chain's x as functions of the states of a model.
-    coordinates: Vec<Value>,
-    size_at_start: f64,
-}
-
-impl Observer {
-    pub(super) fn new(spec: &Spec, objectives: &[Objective]) -> Self {
-        let spec = Spec { precision: Precision::F64, ..spec.clone() };
-        let kinds: Vec<_> = objectives.iter().map(|objective| objective.kind.clone()).collect();
-        let needs: Vec<_> = kinds.iter().map(Kind::needs).collect();
-        let parts = needs.iter().flatten().map(|(part, _)| part);
-        let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
-        let of_model = spec.model.iter().flat_map(|model| &model.coordinates);
-        let expressions: Vec<_> = own.chain(parts).chain(of_model).collect();
-        let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
-        let along = Along::new(&program, &program.watched, spec.states());
-        let mut watched = program.watched;
-        let of_model = spec.model.as_ref().map_or(0, |model| model.coordinates.len());
-        let coordinates = watched.split_off(watched.len() - of_model);
-        Self {
-            along,
-            watched,
-            coordinates,
-            conditions: needs.iter().map(|own| own.iter().map(|(_, one)| *one).collect()).collect(),
-            kinds,
-            size_at_start: f64::NAN,
-        }
-    }
-
-    pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        values.give(&mut self.along.machine)?;
-        self.along.start(x0);
-        self.along.settle();
-        if !self.coordinates.is_empty() {
-            self.along.at(values.get(Parameter::Tau), x0, 0.0);
-        }
-        self.size_at_start = self.size(x0);
-        Ok(())
-    }
-
-    /// |x| of the chain, in the state that was looked at last.
-    fn size(&self, x: &[f64]) -> f64 {
-        if self.coordinates.is_empty() {
-            return norm(x);
-        }
-        let chain = self.coordinates.iter().map(|value| self.along.machine.get(*value));
-        norm(&chain.collect::<Vec<_>>())
-    }
-
-    /// By how much each objective is exceeded here: above 0 it fails. Bounds of x and u are exceeded
-    /// as a part of the bound, h in its own unit. `last` where the run ends.
-    pub(super) fn excess(
-        &mut self,
-        here: (f64, &[f64], f64),
-        last: bool,
-        visit: &mut dyn FnMut(usize, f64),
-    ) {
-        self.levels(here, last, &mut |index, kind, level| visit(index, level.excess(kind)));
-    }
-
-    /// What each objective bounds here, and its bounds. `last` where the run ends.
-    pub(super) fn levels(
-        &mut self,
-        (time_to_go, x, u): (f64, &[f64], f64),
-        last: bool,
-        visit: &mut dyn FnMut(usize, &Kind, Level),
-    ) {
-        self.along.at(time_to_go, x, u);
-        let size = self.size(x);
-        let mut values = self.watched.iter().map(|value| self.along.machine.get(*value));
-        let mut next = || values.next().unwrap_or(f64::NAN);
-        let mut levels = Vec::with_capacity(self.kinds.len());
-        for kind in &self.kinds {
-            levels.push(match kind {
-                Kind::State { sigma, .. } => {
-                    Level::below(size, Some(sigma * self.size_at_start * next()))
-                }
-                Kind::Input { .. } => Level::below(u.abs(), Some(next())),
-                Kind::Attractive { error } => Level::below(size, last.then_some(*error)),
-                Kind::Within { low, high, .. } => Level {
-                    value: next(),
-                    low: low.as_ref().map(|_| next()),
-                    high: high.as_ref().map(|_| next()),
-                },
-            });
-        }
-        for (index, (kind, mut level)) in self.kinds.iter().zip(levels).enumerate() {
-            let conditions = self.conditions[index].iter();
-            if conditions.filter(|condition| !condition.holds(next())).count() > 0 {
-                level.value = f64::NAN;
-            }
-            visit(index, kind, level);
-        }
-    }
-}
-
 impl Level {
-    fn below(value: f64, high: Option<f64>) -> Self {
+    pub(super) fn below(value: f64, high: Option<f64>) -> Self {
         Self { value, low: None, high }
     }
 
-    fn excess(self, kind: &Kind) -> f64 {
+    pub(super) fn excess(self, kind: &Kind) -> f64 {
         // A value or a bound that does not exist holds nothing.
         if ![Some(self.value), self.low, self.high].into_iter().flatten().all(f64::is_finite) {
             return f64::INFINITY;
@@ -281,6 +171,6 @@ pub(super) fn over(value: f64, bound: f64) -> f64 {
     }
 }
 
-pub(super) fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+pub(super) fn norm(x: impl Iterator<Item = f64>) -> f64 {
+    x.map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use super::batch::HELD;
 use super::record::Row;
-use super::{Campaign, Scenario, Trial};
+use super::{Campaign, Outcome, Scenario, Trial};
 
 /// Fewest scenarios of a chunk, which one core runs at a time and an interruption loses at most.
 const CHUNK: u64 = 64;
@@ -36,8 +37,14 @@ pub fn sample<E: Send>(
     chunks.par_iter().try_for_each_init(
         || trial.clone(),
         |trial, chunk| {
-            let row = |index| campaign.row(trial, index);
-            done(chunk, chunk.clone().map(row).collect())
+            let indices: Vec<_> = chunk.clone().collect();
+            let rows = indices.chunks(HELD).flat_map(|part| {
+                let scenarios: Vec<_> = part.iter().map(|i| campaign.scenario(*i)).collect();
+                let settings: Vec<_> = scenarios.iter().map(|one| campaign.setting(one)).collect();
+                let rows = part.iter().zip(&scenarios).zip(trial.run_all(&settings));
+                rows.map(|((index, own), outcome)| row(*index, own, outcome)).collect::<Vec<_>>()
+            });
+            done(chunk, rows.collect())
         },
     )
 }
@@ -45,21 +52,8 @@ pub fn sample<E: Send>(
 impl Campaign {
     /// The row of a draw.
     pub fn row(&self, trial: &mut Trial, index: u64) -> Row {
-        self.row_of(trial, index, &self.scenario(index))
-    }
-
-    /// The row of any scenario, as that of an index.
-    fn row_of(&self, trial: &mut Trial, index: u64, scenario: &Scenario) -> Row {
-        let outcome = trial.run(&self.setting(scenario));
-        let mut numbers = scenario.point.clone();
-        let status = outcome.status().code();
-        numbers.extend(outcome.excess);
-        if let Some(direct) = outcome.direct {
-            numbers.extend(direct.excess);
-            numbers.push(direct.difference);
-        }
-        numbers.push(status);
-        Row { index, numbers }
+        let scenario = self.scenario(index);
+        row(index, &scenario, trial.run_one(&self.setting(&scenario)))
     }
 
     /// The rows of scenarios that are no draws, by their place. `done` is called after each.
@@ -69,12 +63,21 @@ impl Campaign {
         scenarios: &[Scenario],
         done: &(dyn Fn() + Sync),
     ) -> Vec<Row> {
-        let one = |trial: &mut Trial, (index, scenario): (u64, &Scenario)| {
-            let row = self.row_of(trial, index, scenario);
-            done();
-            row
-        };
-        let all: Vec<_> = (0..).zip(scenarios).collect();
-        all.into_par_iter().map_init(|| trial.clone(), one).collect()
+        let outcomes = self.outcomes(trial, scenarios, done);
+        let all = (0..).zip(scenarios).zip(outcomes);
+        all.map(|((index, scenario), outcome)| row(index, scenario, outcome)).collect()
     }
+}
+
+/// The row of any scenario, as that of an index.
+fn row(index: u64, scenario: &Scenario, outcome: Outcome) -> Row {
+    let mut numbers = scenario.point.clone();
+    let status = outcome.status().code();
+    numbers.extend(outcome.excess);
+    if let Some(direct) = outcome.direct {
+        numbers.extend(direct.excess);
+        numbers.push(direct.difference);
+    }
+    numbers.push(status);
+    Row { index, numbers }
 }

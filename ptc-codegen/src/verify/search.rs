@@ -6,8 +6,6 @@
 //! The two take turns until neither finds more. All moves of a round are run at once, and the first of
 //! equals is taken, so that the number of cores decides nothing.
 
-use rayon::prelude::*;
-
 use super::kernel::{self, Rates};
 use super::scenario::SEEDS;
 use super::{Campaign, Judgement, Outcome, Scenario, Signal, Status, Trial};
@@ -91,9 +89,7 @@ impl Search<'_> {
     fn take(&mut self, scenarios: &[Scenario]) -> bool {
         let scenarios = &scenarios[..scenarios.len().min(self.left)];
         self.left -= scenarios.len();
-        let one =
-            |trial: &mut Trial, scenario: &Scenario| trial.run(&self.campaign.setting(scenario));
-        let outcomes: Vec<_> = scenarios.par_iter().map_init(|| self.trial.clone(), one).collect();
+        let outcomes = self.campaign.outcomes(self.trial, scenarios, &|| ());
         let mut better = false;
         for (scenario, outcome) in scenarios.iter().zip(outcomes) {
             better |= self.note(scenario, outcome);

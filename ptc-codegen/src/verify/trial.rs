@@ -1,6 +1,7 @@
 //! One scenario: on both sides of Theorem 1, or in the loop of the emitted program alone.
 
-use super::objective::Observer;
+use super::batch::InLanes;
+use super::observer::Observer;
 use super::{Campaign, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
@@ -13,8 +14,12 @@ use crate::simulate::{
 #[derive(Clone, Debug)]
 pub struct Trial {
     closed: Closed,
+    /// The same for many scenarios at once, where both sides are smooth.
+    pub(super) lanes: Option<Box<InLanes>>,
     observer: Observer,
     objectives: usize,
+    /// Difference of the sides above which their integration may show: see [`is_blurred`].
+    pub(super) blur: f64,
 }
 
 /// What a scenario is run in.
@@ -46,7 +51,13 @@ pub struct Instant {
 }
 
 /// Far below the tolerance of the sides, and an order above what would cost time.
-const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
+pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
+
+/// That of a run of which the first accuracy says too little.
+const CLOSER: Accuracy = Accuracy { relative: 1e-11, ..ACCURACY };
+
+/// Part of the tolerance of the sides up to which their difference is taken as it is.
+const BLUR: f64 = 0.1;
 
 impl Trial {
     /// The loops of a campaign. Both sides of Theorem 1 compute in f64: what f32 makes of the law is no
@@ -69,13 +80,23 @@ impl Trial {
             }
         };
         let observer = Observer::new(&spec, &campaign.objectives);
-        Ok(Self { closed, observer, objectives: campaign.objectives.len() })
+        let lanes = match &closed {
+            Closed::Theorem(sides) => InLanes::of((&sides.0, &sides.1), &observer),
+            _ => None,
+        };
+        let lanes = lanes.map(Box::new);
+        let blur = BLUR * campaign.tolerance;
+        Ok(Self { closed, lanes, observer, objectives: campaign.objectives.len(), blur })
     }
 
     /// Runs a scenario.
     pub fn run(&mut self, setting: &Setting) -> Outcome {
         if let Closed::Theorem(sides) = &mut self.closed {
-            return both(sides, (&mut self.observer, self.objectives), setting);
+            let mut run = |accuracy: Accuracy| {
+                both(sides, (&mut self.observer, self.objectives), setting, accuracy)
+            };
+            let outcome = run(ACCURACY);
+            return if is_blurred(&outcome, self.blur) { run(CLOSER) } else { outcome };
         }
         // Of many instants the worst is kept alone.
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
@@ -97,10 +118,11 @@ impl Trial {
         setting: &Setting,
         visit: &mut dyn FnMut(Instant),
     ) -> Result<(), Failure> {
-        let Self { closed, observer, objectives } = self;
+        let Self { closed, observer, objectives, .. } = self;
+        let how = (setting, ACCURACY);
         match closed {
-            Closed::Theorem(sides) => along(&mut sides.0, (observer, *objectives), setting, visit),
-            Closed::Direct(direct) => along(direct, (observer, *objectives), setting, visit),
+            Closed::Theorem(sides) => along(&mut sides.0, (observer, *objectives), how, visit),
+            Closed::Direct(direct) => along(direct, (observer, *objectives), how, visit),
             Closed::Running(sampled) => running(sampled, (observer, *objectives), setting, visit),
         }
     }
@@ -179,33 +201,50 @@ fn is_range(end: &Result<(), Failure>) -> bool {
     end.as_ref().is_err_and(|failure| failure.cause == Cause::Range)
 }
 
+/// Whether the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel,
+/// the error of a step counts many times, and falls with the accuracy; a difference in what is
+/// integrated does not.
+pub(super) fn is_blurred(outcome: &Outcome, blur: f64) -> bool {
+    outcome.ended.is_none() && outcome.difference() > blur
+}
+
 /// Both sides of Theorem 1.
 fn both(
     (infinite, direct): &mut (Run<Continuous>, Run<Direct>),
     (observer, objectives): (&mut Observer, usize),
     setting: &Setting,
+    accuracy: Accuracy,
 ) -> Outcome {
-    let (mut first, mut second) = (Vec::new(), Vec::new());
+    let (mut first, mut second) =
+        (Track::new(setting, objectives), Track::new(setting, objectives));
     let watched = (&mut *observer, objectives);
-    let infinite = along(infinite, watched, setting, &mut |instant| first.push(instant));
-    let direct = along(direct, (observer, objectives), setting, &mut |i| second.push(i));
-    let excess = |side: &[Instant], end: &Result<(), Failure>| {
+    let how = (setting, accuracy);
+    let infinite = along(infinite, watched, how, &mut |instant| first.take(&instant));
+    let direct = along(direct, (observer, objectives), how, &mut |i| second.take(&i));
+    compared((&first, &infinite), (&second, direct))
+}
+
+/// What both sides say, with how each ended.
+pub(super) fn compared(
+    (first, infinite): (&Track, &Result<(), Failure>),
+    (second, direct): (&Track, Result<(), Failure>),
+) -> Outcome {
+    let excess = |side: &Track, end: &Result<(), Failure>| -> Vec<f64> {
         let start = if is_range(end) { f64::INFINITY } else { f64::NEG_INFINITY };
-        let worst = |i: usize| side.iter().map(|instant| instant.excess[i]).fold(start, f64::max);
-        (0..objectives).map(worst).collect()
+        side.excess.iter().map(|excess| excess.max(start)).collect()
     };
-    let difference = match (is_range(&infinite), is_range(&direct)) {
+    let difference = match (is_range(infinite), is_range(&direct)) {
         // As far as both came.
-        (false, false) => difference(&first, &second),
+        (false, false) => first.difference(second),
         (true, true) => 0.0,
         _ if infinite.is_err() && direct.is_err() => 0.0,
         _ => f64::INFINITY,
     };
     Outcome {
-        excess: excess(&first, &infinite),
-        direct: Some(Other { excess: excess(&second, &direct), difference }),
+        excess: excess(first, infinite),
+        direct: Some(Other { excess: excess(second, &direct), difference }),
         // What could not be finished says more than what left the range of numbers elsewhere.
-        ended: match (infinite.err(), direct.err()) {
+        ended: match (infinite.clone().err(), direct.err()) {
             (Some(first), Some(second)) if first.cause == Cause::Range => Some(second),
             (first, second) => first.or(second),
         },
@@ -216,7 +255,7 @@ fn both(
 fn along<S: Side>(
     run: &mut Run<S>,
     (observer, objectives): (&mut Observer, usize),
-    setting: &Setting,
+    (setting, accuracy): (&Setting, Accuracy),
     visit: &mut dyn FnMut(Instant),
 ) -> Result<(), Failure> {
     run.start(&setting.values, &setting.x0)?;
@@ -227,7 +266,7 @@ fn along<S: Side>(
             left -= 1;
             visit(watch.instant(sample, left == 0));
         };
-        run.advance(values, shares, ACCURACY, seen)
+        run.advance(values, shares, accuracy, seen)
     })
 }
 
@@ -286,17 +325,50 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// Largest difference of two sides, each component as a part of its largest value.
-fn difference(first: &[Instant], second: &[Instant]) -> f64 {
-    let n = first.first().map_or(0, |instant| instant.x.len());
-    let component = |i: usize| {
-        let get = |instant: &Instant| if i < n { instant.x[i] } else { instant.u };
-        let size = first.iter().chain(second).map(|one| get(one).abs()).fold(0.0, f64::max);
-        let pairs = first.iter().zip(second);
-        let apart = pairs.map(|(a, b)| (get(a) - get(b)).abs());
-        // No number differs from everything.
-        let apart = apart.fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) });
-        if apart == 0.0 { 0.0 } else { apart / size }
-    };
-    (0..=n).map(component).fold(0.0, f64::max)
+/// What is kept of one side of a run: x_1..x_n and u at each instant, and the worst of each objective.
+#[derive(Clone, Debug)]
+pub(super) struct Track {
+    width: usize,
+    numbers: Vec<f64>,
+    excess: Vec<f64>,
+}
+
+impl Track {
+    pub(super) fn new(setting: &Setting, objectives: usize) -> Self {
+        let width = setting.x0.len() + 1;
+        let count: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
+        let excess = vec![f64::NEG_INFINITY; objectives];
+        Self { width, numbers: Vec::with_capacity(count * width), excess }
+    }
+
+    fn take(&mut self, instant: &Instant) {
+        self.push(instant.x.iter().copied(), instant.u);
+        (0..).zip(&instant.excess).for_each(|(objective, excess)| self.exceed(objective, *excess));
+    }
+
+    pub(super) fn push(&mut self, x: impl Iterator<Item = f64>, u: f64) {
+        self.numbers.extend(x.chain([u]));
+    }
+
+    pub(super) fn exceed(&mut self, objective: usize, excess: f64) {
+        self.excess[objective] = self.excess[objective].max(excess);
+    }
+
+    fn component(&self, i: usize) -> impl Iterator<Item = f64> {
+        self.numbers.iter().skip(i).step_by(self.width).copied()
+    }
+
+    /// Largest difference from another side, each component as a part of its largest value.
+    fn difference(&self, other: &Self) -> f64 {
+        let component = |i: usize| {
+            let size = self.component(i).chain(other.component(i)).map(f64::abs);
+            let size = size.fold(0.0, f64::max);
+            let apart = self.component(i).zip(other.component(i)).map(|(a, b)| (a - b).abs());
+            // No number differs from everything.
+            let more = |a: f64, b: f64| if b.is_nan() { f64::INFINITY } else { a.max(b) };
+            let apart = apart.fold(0.0, more);
+            if apart == 0.0 { 0.0 } else { apart / size }
+        };
+        (0..self.width).map(component).fold(0.0, f64::max)
+    }
 }

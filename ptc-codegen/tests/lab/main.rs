@@ -14,6 +14,7 @@ mod simulate_command;
 mod support;
 mod verify_command;
 mod verify_draws;
+mod verify_lanes;
 mod verify_proofs;
 mod verify_running;
 mod verify_scenarios;

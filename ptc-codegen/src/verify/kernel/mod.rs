@@ -322,7 +322,7 @@ fn slopes(x: &[f64], time_to_go: f64, here: f64, value: &mut dyn FnMut(&[f64]) -
     // T^(j-1) x_j are of one size.
     let powers: Vec<_> = (0..).take(x.len()).map(|j| time_to_go.powi(j)).collect();
     let scaled: Vec<_> = x.iter().zip(&powers).map(|(x, power)| x * power).collect();
-    let size = norm(&scaled).max(1e-6 * powers[x.len() - 1]);
+    let size = norm(scaled.iter().copied()).max(1e-6 * powers[x.len() - 1]);
     let mut moved = x.to_vec();
     let slope = |j: usize| {
         let step = 1e-6 * x[j].abs().max(1e-3 * size / powers[j]);

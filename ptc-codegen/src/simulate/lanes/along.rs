@@ -1,0 +1,119 @@
+//! A compiled program that is looked at along the runs of all lanes.
+
+// Lanes are counted, which compilers make vectors of.
+#![allow(clippy::needless_range_loop)]
+
+use crate::program::kink::{Kink, steady};
+use crate::program::lanes::{LANES, Lanes, Pack, Register};
+use crate::program::{Input, Program, Stage, Value};
+use crate::simulate::{Failure, Values};
+
+use super::method::Which;
+
+/// A program in lanes with the registers of what changes along a run.
+#[derive(Clone, Debug)]
+pub struct Abreast {
+    pub lanes: Lanes,
+    time: Option<Register>,
+    state: Vec<Option<Register>>,
+    control: Option<Register>,
+}
+
+impl Abreast {
+    /// `program` of order `n`, of which `outputs` are looked at; `None` where it does not run in lanes.
+    pub fn new(program: &Program, outputs: &[Value], n: usize) -> Option<Self> {
+        let lanes = Lanes::new(program, outputs)?;
+        Some(Self {
+            time: lanes.register(Input::Time),
+            state: (1..=n).map(|j| lanes.register(Input::State(j))).collect(),
+            control: lanes.register(Input::Control),
+            lanes,
+        })
+    }
+
+    /// Parameters of a lane.
+    ///
+    /// # Errors
+    /// One that has no value.
+    pub fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
+        let inputs: Vec<_> = self.lanes.inputs().collect();
+        for (input, register) in inputs {
+            if let Some(value) = values.of_input(input)? {
+                self.lanes.set(register, lane, value);
+            }
+        }
+        Ok(())
+    }
+
+    /// Parameters of a lane, and its state at the start.
+    ///
+    /// # Errors
+    /// A parameter that has no value.
+    pub fn start(&mut self, lane: usize, values: &Values, x0: &[f64]) -> Result<(), Failure> {
+        for (j, x) in (1..).zip(x0) {
+            if let Some(register) = self.lanes.register(Input::StateAtStart(j)) {
+                self.lanes.set(register, lane, *x);
+            }
+        }
+        self.give(lane, values)
+    }
+
+    /// Computes what depends on parameters and the start alone.
+    pub fn settle(&mut self) {
+        self.lanes.run(Stage::Init);
+        self.lanes.run(Stage::Arm);
+    }
+
+    /// Computes the rest at a time and a state.
+    pub fn at(&mut self, time: &Pack, state: &[Pack]) {
+        self.lanes.fill(self.time, time);
+        self.lanes.run(Stage::Tick);
+        for (register, x) in self.state.iter().zip(state) {
+            self.lanes.fill(*register, x);
+        }
+        self.lanes.run(Stage::Step);
+    }
+
+    /// The same under a control.
+    pub fn under(&mut self, time: &Pack, state: &[Pack], control: &Pack) {
+        self.lanes.fill(self.control, control);
+        self.at(time, state);
+    }
+}
+
+/// Kinks at places in time alone, such as where the gains are held: a run that does not come to them
+/// is smooth.
+#[derive(Clone, Debug)]
+pub(super) struct Kinks {
+    kinks: Vec<Kink>,
+    pub(super) along: Abreast,
+}
+
+impl Kinks {
+    /// `None` where a kink depends on the state, or comes and goes.
+    pub(super) fn of(program: &Program, kinks: Vec<Kink>) -> Option<Self> {
+        let operands: Vec<_> = kinks.iter().flat_map(Kink::operands).collect();
+        let steady = steady(program);
+        if !operands.iter().all(|value| steady[value.0]) {
+            return None;
+        }
+        Some(Self { along: Abreast::new(program, &operands, 0)?, kinks })
+    }
+
+    /// The lanes on whose way between two times a kink is, or may be.
+    pub(super) fn between(&mut self, from: &Pack, to: &Pack) -> Which {
+        let mut met = [false; LANES];
+        let [from, to] = [from, to].map(|time| {
+            self.along.at(time, &[]);
+            let distance = |kink: &Kink| kink.distances(&self.along.lanes);
+            self.kinks.iter().map(distance).collect::<Vec<_>>()
+        });
+        for (from, to) in from.iter().zip(&to) {
+            for lane in 0..LANES {
+                let both = from.0[lane] * to.0[lane];
+                met[lane] |= both.is_nan() || both <= 0.0;
+            }
+        }
+        met
+    }
+}

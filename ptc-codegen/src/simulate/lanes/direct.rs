@@ -1,0 +1,110 @@
+//! The plant with the emitted program in lanes.
+
+// Lanes are counted, which compilers make vectors of.
+#![allow(clippy::needless_range_loop)]
+
+use super::along::{Abreast, Kinks};
+use super::method::Which;
+use super::{At, LaneSide};
+use crate::program::kink::Kink;
+use crate::program::lanes::{LANES, Pack};
+use crate::program::{Program, Value};
+use crate::simulate::{Controller, Failure, Values};
+
+/// The same loop as [`Direct`](crate::simulate::Direct), where u has no bound.
+#[derive(Clone, Debug)]
+pub struct DirectLanes {
+    /// What `init` checks.
+    controller: Controller,
+    step: Value,
+    law: Abreast,
+    motion: Abreast,
+    rates: Vec<Value>,
+    kinks: [Kinks; 2],
+    x: Vec<Pack>,
+}
+
+impl DirectLanes {
+    /// The programs of the controller and of the plant, each with its kinks; `None` where they do not
+    /// run in lanes.
+    pub fn of(
+        controller: &Controller,
+        (law, of_law): (&Program, &[Kink]),
+        (motion, of_motion): (&Program, &[Kink]),
+    ) -> Option<Self> {
+        let n = motion.watched.len();
+        if law.limits.u_max.is_some() {
+            return None;
+        }
+        Some(Self {
+            controller: controller.clone(),
+            step: law.step,
+            law: Abreast::new(law, &[law.step], n)?,
+            motion: Abreast::new(motion, &motion.watched, n)?,
+            rates: motion.watched.clone(),
+            kinks: [Kinks::of(law, of_law.to_vec())?, Kinks::of(motion, of_motion.to_vec())?],
+            x: vec![Pack::all(0.0); n],
+        })
+    }
+
+    fn of_plant(&mut self) -> [&mut Abreast; 2] {
+        [&mut self.motion, &mut self.kinks[1].along]
+    }
+
+    fn of_controller(&mut self) -> [&mut Abreast; 2] {
+        [&mut self.law, &mut self.kinks[0].along]
+    }
+}
+
+impl LaneSide for DirectLanes {
+    fn order(&self) -> usize {
+        self.rates.len()
+    }
+
+    /// x_i goes like T^(p - i).
+    fn slant(&self) -> f64 {
+        1.0
+    }
+
+    fn start(&mut self, lane: usize, values: &Values, x0: &[f64]) -> Result<(), Failure> {
+        self.controller.init(values, x0)?;
+        self.of_controller().into_iter().try_for_each(|one| one.start(lane, values, x0))?;
+        self.of_plant().into_iter().try_for_each(|one| one.start(lane, values, x0))
+    }
+
+    fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
+        self.of_plant().into_iter().try_for_each(|one| one.give(lane, values))
+    }
+
+    fn settle(&mut self) {
+        self.of_controller().into_iter().for_each(Abreast::settle);
+        self.of_plant().into_iter().for_each(Abreast::settle);
+    }
+
+    fn kinks_between(&mut self, from: &At, to: &At) -> Which {
+        let [law, motion] = &mut self.kinks;
+        let [law, motion] = [law, motion].map(|kinks| kinks.between(&from.t, &to.t));
+        std::array::from_fn(|lane| law[lane] || motion[lane])
+    }
+
+    fn begin(&mut self, _: &At, x0: &[Pack]) -> Vec<Pack> {
+        x0.to_vec()
+    }
+
+    fn rates(&mut self, at: &At, state: &[Pack], rates: &mut [Pack]) {
+        self.law.at(&at.t, state);
+        self.motion.under(&at.t, state, self.law.lanes.get(self.step));
+        for (rate, value) in rates.iter_mut().zip(&self.rates) {
+            let own = self.motion.lanes.get(*value);
+            for lane in 0..LANES {
+                rate.0[lane] = at.time_to_go.0[lane] * own.0[lane];
+            }
+        }
+    }
+
+    fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack) {
+        self.law.at(&at.t, state);
+        self.x.copy_from_slice(state);
+        (&self.x, self.law.lanes.get(self.step))
+    }
+}

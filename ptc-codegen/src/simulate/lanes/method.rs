@@ -1,0 +1,327 @@
+//! Dormand and Prince's method of order 8 in every lane, with steps and errors of its own: the numbers
+//! of a lane do not depend on the others.
+//!
+//! A step is taken in y e^(q (sigma - sigma_k)), which goes slowly where all components of y decay: the
+//! slope q of a component is the mean of what the loop decays by, from the trace of its Jacobian. The
+//! equations are the same and steps are as long as the time constants are apart, not as they are short.
+//! Its dense output is of order 7, as exact as the steps at the accuracy of campaigns.
+
+// Lanes are counted, which compilers make vectors of.
+#![allow(clippy::needless_range_loop)]
+
+use std::sync::Arc;
+
+use super::tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
+use crate::program::lanes::{LANES, Pack};
+use crate::simulate::Accuracy;
+
+/// A step is what its error allows times this, and changes by factors between these.
+const SAFETY: f64 = 0.9;
+const FACTORS: [f64; 2] = [0.2, 10.0];
+
+/// The difference by which a slope is formed, as a part of the state.
+const MOVED: f64 = 1e-6;
+
+/// Lanes that something is true of.
+pub(super) type Which = [bool; LANES];
+
+/// The rates, by sigma, at a T/tau and a state of each lane.
+pub(super) type Rates<'a> = &'a mut dyn FnMut(&Pack, &[Pack], &mut [Pack]);
+
+/// The method, under way in every lane.
+#[derive(Clone, Debug)]
+pub(super) struct Method {
+    tableau: Arc<Tableau>,
+    order: usize,
+    accuracy: Accuracy,
+    /// By how much more each component decays than the next one.
+    slant: f64,
+    /// sigma of each lane.
+    pub(super) at: Pack,
+    /// The step with which it would go on.
+    pub(super) step: Pack,
+    pub(super) y: Vec<Pack>,
+    /// Rates at y.
+    rate: Vec<Pack>,
+    last: Last,
+    /// Derivatives of the scaled components in the step.
+    k: Vec<Pack>,
+    /// A state in the step, scaled and as it is, and the scales between the two.
+    scaled: Vec<Pack>,
+    state: Vec<Pack>,
+    scale: Vec<Pack>,
+    /// The scaled state at the end of the step.
+    new: Vec<Pack>,
+    dense: Vec<Pack>,
+}
+
+/// The step under way, or the last one.
+#[derive(Clone, Copy, Debug)]
+struct Last {
+    from: Pack,
+    /// T/tau at its begin.
+    share: Pack,
+    length: Pack,
+    /// Slope q of the first component.
+    slope: Pack,
+}
+
+impl Method {
+    pub(super) fn new(order: usize, slant: f64, accuracy: Accuracy) -> Self {
+        let zero = Pack::all(0.0);
+        let packs = |count: usize| vec![zero; count * order];
+        Self {
+            tableau: Arc::new(Tableau::new()),
+            order,
+            accuracy,
+            slant,
+            at: zero,
+            step: zero,
+            y: packs(1),
+            rate: packs(1),
+            last: Last { from: zero, share: zero, length: zero, slope: zero },
+            k: packs(ALL),
+            scaled: packs(1),
+            state: packs(1),
+            scale: packs(1),
+            new: packs(1),
+            dense: packs(DENSE),
+        }
+    }
+
+    /// Begins anew in some lanes, where they are.
+    pub(super) fn begin(&mut self, lanes: &Which, rates: Rates<'_>) {
+        let share = self.at.map(|at| (-at).exp());
+        rates(&share, &self.y, &mut self.state);
+        for (rate, new) in self.rate.iter_mut().zip(&self.state) {
+            rate.take(new, lanes);
+        }
+    }
+
+    /// A step in each of the `active` lanes, at most to its `end`; those whose step is accurate enough
+    /// are to [`accept`](Self::accept) it.
+    pub(super) fn step(&mut self, active: &Which, end: &Pack, rates: Rates<'_>) -> Which {
+        let left = Pack::of(|lane| end.0[lane] - self.at.0[lane]);
+        let cut: Which = std::array::from_fn(|lane| self.step.0[lane] >= left.0[lane]);
+        self.last.from = self.at;
+        self.last.share = self.at.map(|at| (-at).exp());
+        self.last.length = Pack::of(|lane| match (active[lane], cut[lane]) {
+            (false, _) => 0.0,
+            (true, true) => left.0[lane],
+            (true, false) => self.step.0[lane],
+        });
+        self.last.slope = self.slope(rates);
+        for i in 0..self.order {
+            let slope = self.slope_of(i);
+            let (y, rate) = (&self.y[i], &self.rate[i]);
+            self.k[i] = Pack::of(|lane| rate.0[lane] + slope.0[lane] * y.0[lane]);
+        }
+        let tableau = Arc::clone(&self.tableau);
+        for stage in 1..STAGES {
+            self.stage(stage, &tableau, rates);
+        }
+        let error = self.ahead(&tableau);
+        std::array::from_fn(|lane| {
+            let moved = active[lane] && error.0[lane] <= 1.0;
+            if active[lane] {
+                self.go_on(lane, (moved, cut[lane]), error.0[lane], end.0[lane]);
+            }
+            moved
+        })
+    }
+
+    /// Where a lane is after a step with an error, and how long the next one is.
+    fn go_on(&mut self, lane: usize, (moved, cut): (bool, bool), error: f64, end: f64) {
+        let length = self.last.length.0[lane];
+        // By the eighth root.
+        let wanted = SAFETY / error.sqrt().sqrt().sqrt();
+        let [least, most] = FACTORS;
+        let factor = if wanted.is_nan() { least } else { wanted.clamp(least, most) };
+        let next = length * if moved { factor } else { factor.min(1.0) };
+        // What was cut says only that the next step may be as long.
+        if !(moved && cut && next < self.step.0[lane]) {
+            self.step.0[lane] = next;
+        }
+        if moved {
+            self.at.0[lane] = if cut { end } else { self.at.0[lane] + length };
+        }
+    }
+
+    /// Takes the step of the lanes that `moved`: afterwards [`within`](Self::within) gives their states
+    /// in it.
+    pub(super) fn accept(&mut self, moved: &Which, rates: Rates<'_>) {
+        let tableau = Arc::clone(&self.tableau);
+        self.scaled.copy_from_slice(&self.new);
+        let share = self.rescale(1.0);
+        self.derive(END, &share, Some(moved), rates);
+        let ended = self.state.clone();
+        for stage in END + 1..ALL {
+            self.stage(stage, &tableau, rates);
+        }
+        self.densify(&tableau);
+        for (y, ended) in self.y.iter_mut().zip(&ended) {
+            y.take(ended, moved);
+        }
+    }
+
+    /// The state of each lane at a sigma in its last step.
+    pub(super) fn within(&mut self, at: &Pack, into: &mut [Pack]) {
+        let Last { from, length, .. } = self.last;
+        let part = Pack::of(|lane| (at.0[lane] - from.0[lane]) / length.0[lane]);
+        self.rescale_at(&Pack::of(|lane| at.0[lane] - from.0[lane]));
+        for (i, into) in into.iter_mut().enumerate() {
+            let mut sum = self.dense[(DENSE - 1) * self.order + i];
+            for place in (0..DENSE - 1).rev() {
+                let own = &self.dense[place * self.order + i];
+                for lane in 0..LANES {
+                    let part = part.0[lane];
+                    let factor = if place % 2 == 0 { part } else { 1.0 - part };
+                    sum.0[lane] = own.0[lane] + factor * sum.0[lane];
+                }
+            }
+            *into = Pack::of(|lane| sum.0[lane] * self.scale[i].0[lane]);
+        }
+    }
+
+    /// Slope of the first component, from what the last rate has of the last component: in a chain no
+    /// other rate has any of its own.
+    fn slope(&mut self, rates: Rates<'_>) -> Pack {
+        let last = self.order - 1;
+        let (y, rate) = (self.y[last], self.rate[last]);
+        let size = Pack::of(|lane| {
+            let size = y.0[lane].abs().max(rate.0[lane].abs());
+            if size > 0.0 { MOVED * size } else { MOVED }
+        });
+        self.state.copy_from_slice(&self.y);
+        self.state[last] = Pack::of(|lane| y.0[lane] + size.0[lane]);
+        rates(&self.last.share, &self.state, &mut self.scaled);
+        #[allow(clippy::cast_precision_loss)]
+        let (count, middle) = (self.order as f64, 0.5 * last as f64);
+        Pack::of(|lane| {
+            let own = (self.scaled[last].0[lane] - rate.0[lane]) / size.0[lane];
+            let slope = middle * self.slant - own / count;
+            if slope.is_finite() { slope } else { 0.0 }
+        })
+    }
+
+    fn slope_of(&self, i: usize) -> Pack {
+        #[allow(clippy::cast_precision_loss)]
+        let less = self.slant * i as f64;
+        self.last.slope.map(|slope| slope - less)
+    }
+
+    /// The scales at a part of the step, and T/tau there.
+    fn rescale(&mut self, part: f64) -> Pack {
+        let share = self.rescale_at(&self.last.length.map(|length| part * length));
+        Pack::of(|lane| self.last.share.0[lane] * share.0[lane])
+    }
+
+    /// The scales after a way, and by what T falls on it.
+    fn rescale_at(&mut self, way: &Pack) -> Pack {
+        let fall = way.map(|way| (-way).exp());
+        let mut scale = Pack::of(|lane| (-self.last.slope.0[lane] * way.0[lane]).exp());
+        for own in &mut self.scale {
+            *own = scale;
+            if self.slant != 0.0 {
+                scale = Pack::of(|lane| scale.0[lane] / fall.0[lane]);
+            }
+        }
+        fall
+    }
+
+    /// The derivatives at a stage.
+    fn stage(&mut self, stage: usize, tableau: &Tableau, rates: Rates<'_>) {
+        for i in 0..self.order {
+            let sum = self.sum(&tableau.stages[stage], i);
+            let (y, length) = (&self.y[i], &self.last.length);
+            self.scaled[i] = Pack::of(|lane| y.0[lane] + length.0[lane] * sum.0[lane]);
+        }
+        let share = self.rescale(tableau.nodes[stage]);
+        self.derive(stage, &share, None, rates);
+    }
+
+    /// The derivatives in the scaled state; some lanes go on from there.
+    fn derive(&mut self, stage: usize, share: &Pack, from: Option<&Which>, rates: Rates<'_>) {
+        for (i, state) in self.state.iter_mut().enumerate() {
+            let (scaled, scale) = (&self.scaled[i], &self.scale[i]);
+            *state = Pack::of(|lane| scaled.0[lane] * scale.0[lane]);
+        }
+        let own = stage * self.order..(stage + 1) * self.order;
+        rates(share, &self.state, &mut self.k[own.clone()]);
+        if let Some(lanes) = from {
+            for (rate, k) in self.rate.iter_mut().zip(&self.k[own]) {
+                rate.take(k, lanes);
+            }
+        }
+        for i in 0..self.order {
+            let (slope, scaled, scale) = (self.slope_of(i), &self.scaled[i], &self.scale[i]);
+            let k = &mut self.k[stage * self.order + i];
+            *k = Pack::of(|lane| k.0[lane] / scale.0[lane] + slope.0[lane] * scaled.0[lane]);
+        }
+    }
+
+    /// The scaled state at the end of a step, and its error: accurate enough is 1.
+    fn ahead(&mut self, tableau: &Tableau) -> Pack {
+        let Accuracy { relative, absolute, .. } = self.accuracy;
+        let (mut error, mut embedded) = (Pack::all(0.0), Pack::all(0.0));
+        let mut most = Pack::all(0.0);
+        for i in 0..self.order {
+            let slope = self.sum(&tableau.weights, i);
+            let off = [&tableau.error, &tableau.embedded].map(|row| self.sum(row, i));
+            let y = &self.y[i];
+            let new = Pack::of(|lane| y.0[lane] + self.last.length.0[lane] * slope.0[lane]);
+            for lane in 0..LANES {
+                let own = y.0[lane].abs();
+                // A state counts as accurate within the accuracy of those before it.
+                let floor = relative * most.0[lane] + absolute;
+                let weight = 1.0 / (floor + relative * own.max(new.0[lane].abs()));
+                let [a, b] = [off[0].0[lane] * weight, off[1].0[lane] * weight];
+                error.0[lane] += a * a;
+                embedded.0[lane] += b * b;
+                most.0[lane] = most.0[lane].max(own);
+            }
+            self.new[i] = new;
+        }
+        #[allow(clippy::cast_precision_loss)]
+        let count = self.order as f64;
+        Pack::of(|lane| {
+            let whole = error.0[lane] + 0.01 * embedded.0[lane];
+            let whole = if whole <= 0.0 { 1.0 } else { whole };
+            self.last.length.0[lane] * error.0[lane] / (whole * count).sqrt()
+        })
+    }
+
+    /// The coefficients of the dense output.
+    fn densify(&mut self, tableau: &Tableau) {
+        let n = self.order;
+        let length = self.last.length;
+        for i in 0..n {
+            let (y, new) = (self.y[i], &self.new[i]);
+            let (first, last) = (&self.k[i], &self.k[END * n + i]);
+            let whole = Pack::of(|lane| new.0[lane] - y.0[lane]);
+            let bend = Pack::of(|lane| length.0[lane] * first.0[lane] - whole.0[lane]);
+            let rest =
+                Pack::of(|lane| whole.0[lane] - length.0[lane] * last.0[lane] - bend.0[lane]);
+            for (place, own) in [y, whole, bend, rest].into_iter().enumerate() {
+                self.dense[place * n + i] = own;
+            }
+            for (place, row) in (4..).zip(&tableau.dense) {
+                let sum = self.sum(row, i);
+                self.dense[place * n + i] = Pack::of(|lane| length.0[lane] * sum.0[lane]);
+            }
+        }
+    }
+
+    /// The weighted sum of the scaled derivatives of a component.
+    #[inline]
+    fn sum(&self, row: &Row, i: usize) -> Pack {
+        let mut sum = Pack::all(0.0);
+        for (stage, weight) in row {
+            let k = &self.k[stage * self.order + i];
+            for lane in 0..LANES {
+                sum.0[lane] += weight * k.0[lane];
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,354 @@
+//! Runs of many scenarios at once, one in each lane of a program: what a campaign is made of where the
+//! loop is smooth.
+//!
+//! Every lane has its parameters, steps and errors, and takes the next scenario as soon as one is done;
+//! the bits of a scenario do not depend on what is beside it. What does not go smoothly to its end is
+//! left: it is run by itself, as a [`Run`](super::Run).
+
+mod along;
+mod direct;
+mod method;
+mod stretched;
+mod tableau;
+
+pub use along::Abreast;
+pub use direct::DirectLanes;
+pub use stretched::StretchedLanes;
+
+use super::solver::FIRST;
+use super::{Accuracy, Failure, Values};
+use crate::parameter::Parameter;
+use crate::program::lanes::{LANES, Pack};
+use method::{Method, Which};
+
+/// One scenario.
+#[derive(Clone, Copy, Debug)]
+pub struct Job<'a> {
+    /// Parameters and symbols, with those of the first piece.
+    pub values: &'a Values,
+    /// State at t0.
+    pub x0: &'a [f64],
+    /// T/tau of the instants that are looked at, with what holds from the one before on.
+    pub pieces: &'a [(Vec<f64>, Values)],
+}
+
+/// One instant of the runs of some lanes.
+#[derive(Debug)]
+pub struct Instants<'a> {
+    /// The job of each lane of which this is an instant.
+    pub jobs: [Option<usize>; LANES],
+    /// Whether it is its last one.
+    pub last: Which,
+    /// Time-to-go T in s.
+    pub time_to_go: &'a Pack,
+    /// State x_1..x_n of the plant.
+    pub x: &'a [Pack],
+    /// Control u.
+    pub u: &'a Pack,
+}
+
+/// What sees the instants.
+pub type See<'a> = &'a mut dyn FnMut(&Instants<'_>);
+
+/// Where each lane is.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    tau: Pack,
+    t0: Pack,
+}
+
+/// An instant of each lane.
+#[derive(Clone, Copy, Debug)]
+pub struct At {
+    pub(super) t: Pack,
+    pub(super) time_to_go: Pack,
+}
+
+impl Clock {
+    fn at(&self, share: &Pack) -> At {
+        let Self { tau, t0 } = self;
+        At {
+            t: Pack::of(|l| t0.0[l] + (tau.0[l] - tau.0[l] * share.0[l])),
+            time_to_go: Pack::of(|l| tau.0[l] * share.0[l]),
+        }
+    }
+}
+
+/// One side of Theorem 1 in lanes.
+pub trait LaneSide {
+    /// Number of components.
+    fn order(&self) -> usize;
+
+    /// By how much more each component decays in sigma than the next one.
+    fn slant(&self) -> f64;
+
+    /// Gives a lane the values of a run from `x0`.
+    ///
+    /// # Errors
+    /// A parameter without a value, or outside its domain.
+    fn start(&mut self, lane: usize, values: &Values, x0: &[f64]) -> Result<(), Failure>;
+
+    /// Other values from here on.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure>;
+
+    /// Computes what depends on these alone.
+    fn settle(&mut self);
+
+    /// The lanes on whose way there is, or may be, what is not smooth.
+    fn kinks_between(&mut self, from: &At, to: &At) -> Which;
+
+    /// What is integrated, at the start of the plant in `x0`.
+    fn begin(&mut self, at: &At, x0: &[Pack]) -> Vec<Pack>;
+
+    /// Its rates by sigma.
+    fn rates(&mut self, at: &At, state: &[Pack], rates: &mut [Pack]);
+
+    /// The plant's state and the control.
+    fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack);
+}
+
+/// The accuracy of a step, as a part of what is asked for: that of the dense output, whose order is one
+/// less, is ten times as large.
+const CLOSER: f64 = 0.1;
+
+/// Steps of a run above which it counts as stiff, as for one that is run by itself.
+const MOST: usize = 1200;
+
+/// Steps after which a run is left where the rest, at the length of the last step, takes more than that:
+/// by then the first steps, which are short, are done.
+const SETTLED: usize = 40;
+
+/// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
+const REFUSED: usize = 200;
+
+/// A run under way.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    job: usize,
+    piece: usize,
+    /// The next instant of the piece.
+    next: usize,
+    /// sigma of the end of the job.
+    finish: f64,
+    steps: usize,
+    refused: usize,
+}
+
+impl Place {
+    /// Whether a run goes on that has come to `at` and takes a step of `step` next.
+    fn goes_on(&self, at: f64, step: f64) -> bool {
+        #[allow(clippy::cast_precision_loss)]
+        let left = MOST as f64 - self.steps as f64;
+        let is_stiff = self.steps >= SETTLED && (self.finish - at) / step > left;
+        !is_stiff && self.steps < MOST && self.refused < REFUSED
+    }
+}
+
+/// The runs under way.
+struct Batch<'a, S> {
+    side: &'a mut S,
+    jobs: &'a [Job<'a>],
+    /// The next job.
+    next: usize,
+    done: Vec<bool>,
+    places: [Option<Place>; LANES],
+    clock: Clock,
+    method: Method,
+    /// sigma of the end of the piece of each lane.
+    end: Pack,
+    seen: Vec<Pack>,
+}
+
+/// Runs the jobs, and hands over their instants: of each job in order, of all in any. Whether each came
+/// to its end; what was seen of one that did not counts for nothing.
+pub fn run<S: LaneSide>(
+    side: &mut S,
+    jobs: &[Job<'_>],
+    accuracy: Accuracy,
+    see: See<'_>,
+) -> Vec<bool> {
+    let accuracy = Accuracy { relative: CLOSER * accuracy.relative, ..accuracy };
+    let method = Method::new(side.order(), side.slant(), accuracy);
+    let mut batch = Batch {
+        seen: vec![Pack::all(0.0); side.order()],
+        side,
+        jobs,
+        next: 0,
+        done: vec![false; jobs.len()],
+        places: [None; LANES],
+        clock: Clock { tau: Pack::all(1.0), t0: Pack::all(0.0) },
+        method,
+        end: Pack::all(0.0),
+    };
+    while batch.load(see) {
+        batch.step(see);
+    }
+    batch.done
+}
+
+impl<'a, S: LaneSide> Batch<'a, S> {
+    fn piece(&self, place: &Place) -> &'a (Vec<f64>, Values) {
+        &self.jobs[place.job].pieces[place.piece]
+    }
+
+    /// Gives lanes that are idle their next job, or their next piece; whether any has one.
+    fn load(&mut self, see: See<'_>) -> bool {
+        loop {
+            let (mut fresh, mut started) = ([false; LANES], [false; LANES]);
+            for lane in 0..LANES {
+                match self.places[lane] {
+                    Some(place) if place.next == self.piece(&place).0.len() => {
+                        fresh[lane] = self.turn(lane, place);
+                    }
+                    Some(_) => continue,
+                    None => {}
+                }
+                if self.places[lane].is_none() {
+                    started[lane] = self.start(lane);
+                    fresh[lane] = started[lane];
+                }
+            }
+            if !fresh.contains(&true) {
+                return self.places.iter().any(Option::is_some);
+            }
+            self.begin(&fresh, &started);
+            // A piece may end where it begins.
+            self.look(&fresh, see);
+        }
+    }
+
+    /// The next piece of the job of a lane; else the job is done.
+    fn turn(&mut self, lane: usize, place: Place) -> bool {
+        let pieces = self.jobs[place.job].pieces;
+        self.places[lane] = None;
+        let Some((_, values)) = pieces.get(place.piece + 1) else {
+            self.done[place.job] = true;
+            return false;
+        };
+        if self.side.give(lane, values).is_err() {
+            return false;
+        }
+        self.places[lane] = Some(Place { piece: place.piece + 1, next: 0, ..place });
+        true
+    }
+
+    /// The next job that can be begun.
+    fn start(&mut self, lane: usize) -> bool {
+        while let Some(job) = self.jobs.get(self.next) {
+            self.next += 1;
+            let legal = job.pieces.iter().all(|(shares, _)| !shares.is_empty());
+            if legal && self.side.start(lane, job.values, job.x0).is_ok() {
+                self.clock.tau.0[lane] = job.values.get(Parameter::Tau);
+                self.clock.t0.0[lane] = job.values.get(Parameter::StartTime);
+                self.method.at.0[lane] = 0.0;
+                self.method.step.0[lane] = FIRST;
+                let last = job.pieces.iter().filter_map(|(shares, _)| shares.last()).next_back();
+                let finish = -last.copied().unwrap_or(1.0).ln();
+                let job = self.next - 1;
+                let place = Place { job, piece: 0, next: 0, finish, steps: 0, refused: 0 };
+                self.places[lane] = Some(place);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Begins in lanes with new values, some of which are at a start; those with a kink on their way are
+    /// left.
+    fn begin(&mut self, fresh: &Which, started: &Which) {
+        self.side.settle();
+        let mut x0 = self.method.y.clone();
+        let mut last = Pack::all(1.0);
+        for lane in (0..LANES).filter(|lane| fresh[*lane]) {
+            let Some(place) = self.places[lane] else { continue };
+            let job = &self.jobs[place.job];
+            for (x0, x) in x0.iter_mut().zip(job.x0) {
+                x0.0[lane] = *x;
+            }
+            last.0[lane] = self.piece(&place).0.last().copied().unwrap_or(1.0);
+            self.end.0[lane] = -last.0[lane].ln();
+        }
+        let from = self.clock.at(&self.method.at.map(|at| (-at).exp()));
+        if started.contains(&true) {
+            let begun = self.side.begin(&from, &x0);
+            for (y, begun) in self.method.y.iter_mut().zip(&begun) {
+                y.take(begun, started);
+            }
+        }
+        let kinks = self.side.kinks_between(&from, &self.clock.at(&last));
+        for lane in 0..LANES {
+            if fresh[lane] && kinks[lane] {
+                self.places[lane] = None;
+            }
+        }
+        let Self { side, clock, method, .. } = self;
+        method.begin(fresh, &mut |share, y, rates| side.rates(&clock.at(share), y, rates));
+    }
+
+    fn step(&mut self, see: See<'_>) {
+        let active: Which = self.places.map(|place| place.is_some());
+        let Self { side, clock, method, end, .. } = self;
+        let mut rates = |share: &Pack, y: &[Pack], rates: &mut [Pack]| {
+            side.rates(&clock.at(share), y, rates);
+        };
+        let moved = method.step(&active, end, &mut rates);
+        if moved.contains(&true) {
+            method.accept(&moved, &mut rates);
+        }
+        for lane in (0..LANES).filter(|lane| active[*lane]) {
+            let Method { at, step, y, .. } = &self.method;
+            let finite = y.iter().all(|y| y.0[lane].is_finite());
+            if let Some(place) = &mut self.places[lane] {
+                place.steps += 1;
+                place.refused += usize::from(!moved[lane]);
+                if !finite || !place.goes_on(at.0[lane], step.0[lane]) {
+                    self.places[lane] = None;
+                }
+            }
+        }
+        self.look(&moved, see);
+    }
+
+    /// Hands over the instants that some lanes have come to.
+    fn look(&mut self, lanes: &Which, see: See<'_>) {
+        loop {
+            let mut jobs = [None; LANES];
+            let mut last = [false; LANES];
+            let mut ends = [false; LANES];
+            let mut share = Pack::all(1.0);
+            let mut at = self.method.at;
+            for lane in (0..LANES).filter(|lane| lanes[*lane]) {
+                let Some(place) = self.places[lane] else { continue };
+                let shares = &self.piece(&place).0;
+                let Some(next) = shares.get(place.next) else { continue };
+                let (own, here) = (-next.ln(), self.method.at.0[lane]);
+                if own - here > SAME * here.max(1.0) {
+                    continue;
+                }
+                jobs[lane] = Some(place.job);
+                share.0[lane] = *next;
+                ends[lane] = here - own <= SAME * here.max(1.0);
+                at.0[lane] = own.min(here);
+                let is_end = place.next + 1 == shares.len();
+                last[lane] = is_end && place.piece + 1 == self.jobs[place.job].pieces.len();
+                self.places[lane] = Some(Place { next: place.next + 1, ..place });
+            }
+            if jobs.iter().all(Option::is_none) {
+                return;
+            }
+            self.method.within(&at, &mut self.seen);
+            for (seen, y) in self.seen.iter_mut().zip(&self.method.y) {
+                seen.take(y, &ends);
+            }
+            let at = self.clock.at(&share);
+            let (x, u) = self.side.tell(&at, &self.seen);
+            see(&Instants { jobs, last, time_to_go: &at.time_to_go, x, u });
+        }
+    }
+}
+
+/// Within this, as a part of them, two places are the same.
+const SAME: f64 = 1e-13;

@@ -1,0 +1,211 @@
+//! The objectives along a run: compiled, and looked at instant by instant.
+
+use std::sync::Arc;
+
+use super::Setting;
+use super::objective::{Kind, Level, Objective, norm};
+use crate::expression::existence::Condition;
+use crate::lower;
+use crate::parameter::{Parameter, Precision};
+use crate::program::lanes::LANES;
+use crate::program::{Program, Value, passes};
+use crate::request::{MAX_ORDER, Spec};
+use crate::simulate::lanes::{Abreast, Instants};
+use crate::simulate::{Along, Failure, Values};
+
+/// The objectives of a campaign, compiled.
+#[derive(Clone, Debug)]
+pub(super) struct Observer {
+    watched: Watched,
+    program: Arc<Program>,
+    along: Along,
+    /// The chain's x as functions of the states of a model.
+    coordinates: Vec<Value>,
+    size_at_start: f64,
+}
+
+/// The objectives with the values that they bound.
+#[derive(Clone, Debug)]
+struct Watched {
+    kinds: Vec<Kind>,
+    /// Of each kind its values.
+    values: Vec<Vec<Value>>,
+    /// What parts of each kind's expressions have to be for these to have a value.
+    conditions: Vec<Vec<(Value, Condition)>>,
+}
+
+impl Observer {
+    pub(super) fn new(spec: &Spec, objectives: &[Objective]) -> Self {
+        let spec = Spec { precision: Precision::F64, ..spec.clone() };
+        let kinds: Vec<_> = objectives.iter().map(|objective| objective.kind.clone()).collect();
+        let needs: Vec<_> = kinds.iter().map(Kind::needs).collect();
+        let parts = needs.iter().flatten().map(|(part, _)| part);
+        let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
+        let of_model = spec.model.iter().flat_map(|model| &model.coordinates);
+        let expressions: Vec<_> = own.chain(parts).chain(of_model).collect();
+        let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
+        let along = Along::new(&program, &program.watched, spec.states());
+        let mut all = program.watched.iter().copied();
+        let values = kinds.iter().map(|kind| all.by_ref().take(kind.expressions().len()).collect());
+        let values = values.collect();
+        let conditions = needs.iter().map(|own| {
+            all.by_ref().zip(own.iter().map(|(_, condition)| *condition)).take(own.len()).collect()
+        });
+        let conditions = conditions.collect();
+        let coordinates = all.collect();
+        let watched = Watched { kinds, values, conditions };
+        Self { along, watched, coordinates, program: Arc::new(program), size_at_start: f64::NAN }
+    }
+
+    /// The same for many scenarios of a chain at once.
+    pub(super) fn in_lanes(&self) -> Option<LaneObserver> {
+        LaneObserver::of(self.watched.clone(), &self.program)
+    }
+
+    pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
+        values.give(&mut self.along.machine)?;
+        self.along.start(x0);
+        self.along.settle();
+        if !self.coordinates.is_empty() {
+            self.along.at(values.get(Parameter::Tau), x0, 0.0);
+        }
+        self.size_at_start = self.size(x0);
+        Ok(())
+    }
+
+    /// |x| of the chain, in the state that was looked at last.
+    fn size(&self, x: &[f64]) -> f64 {
+        if self.coordinates.is_empty() {
+            return norm(x.iter().copied());
+        }
+        let chain = self.coordinates.iter().map(|value| self.along.machine.get(*value));
+        norm(chain)
+    }
+
+    /// By how much each objective is exceeded here: above 0 it fails. Bounds of x and u are exceeded
+    /// as a part of the bound, h in its own unit. `last` where the run ends.
+    pub(super) fn excess(
+        &mut self,
+        here: (f64, &[f64], f64),
+        last: bool,
+        visit: &mut dyn FnMut(usize, f64),
+    ) {
+        self.levels(here, last, &mut |index, kind, level| visit(index, level.excess(kind)));
+    }
+
+    /// What each objective bounds here, and its bounds. `last` where the run ends.
+    pub(super) fn levels(
+        &mut self,
+        (time_to_go, x, u): (f64, &[f64], f64),
+        last: bool,
+        visit: &mut dyn FnMut(usize, &Kind, Level),
+    ) {
+        self.along.at(time_to_go, x, u);
+        let sizes = (self.size(x), self.size_at_start);
+        self.watched.levels(|value| self.along.machine.get(value), (sizes, u), last, visit);
+    }
+}
+
+impl Watched {
+    /// What each objective bounds, and its bounds, of the numbers of its values and of |x| now and at t0.
+    fn levels(
+        &self,
+        get: impl Fn(Value) -> f64,
+        ((size, size_at_start), u): ((f64, f64), f64),
+        last: bool,
+        visit: &mut dyn FnMut(usize, &Kind, Level),
+    ) {
+        for (index, kind) in self.kinds.iter().enumerate() {
+            let mut values = self.values[index].iter().map(|value| get(*value));
+            let mut next = || values.next().unwrap_or(f64::NAN);
+            let mut level = match kind {
+                Kind::State { sigma, .. } => {
+                    Level::below(size, Some(sigma * size_at_start * next()))
+                }
+                Kind::Input { .. } => Level::below(u.abs(), Some(next())),
+                Kind::Attractive { error } => Level::below(size, last.then_some(*error)),
+                Kind::Within { low, high, .. } => Level {
+                    value: next(),
+                    low: low.as_ref().map(|_| next()),
+                    high: high.as_ref().map(|_| next()),
+                },
+            };
+            let holds = |(value, condition): &(Value, Condition)| condition.holds(get(*value));
+            if !self.conditions[index].iter().all(holds) {
+                level.value = f64::NAN;
+            }
+            visit(index, kind, level);
+        }
+    }
+}
+
+/// The objectives of a campaign along the runs of all lanes.
+#[derive(Clone, Debug)]
+pub(super) struct LaneObserver {
+    watched: Watched,
+    along: Abreast,
+    /// The job of each lane, with |x| at its start.
+    jobs: [Option<(usize, f64)>; LANES],
+}
+
+impl LaneObserver {
+    /// `None` where they do not run in lanes.
+    fn of(watched: Watched, program: &Program) -> Option<Self> {
+        let along = Abreast::new(program, &program.watched, MAX_ORDER)?;
+        Some(Self { watched, along, jobs: [None; LANES] })
+    }
+
+    /// Number of objectives.
+    pub(super) fn objectives(&self) -> usize {
+        self.watched.kinds.len()
+    }
+
+    /// Before other settings.
+    pub(super) fn forget(&mut self) {
+        self.jobs = [None; LANES];
+    }
+
+    /// Gives lanes the values of the jobs that they begin; the one of these that lacks one.
+    pub(super) fn meet(
+        &mut self,
+        settings: &[Setting],
+        jobs: &[Option<usize>; LANES],
+    ) -> Option<usize> {
+        let (mut met, mut failed) = (false, None);
+        for (lane, job) in jobs.iter().enumerate() {
+            let Some(job) = *job else { continue };
+            if self.jobs[lane].is_some_and(|(own, _)| own == job) {
+                continue;
+            }
+            let Setting { values, x0, .. } = &settings[job];
+            if self.along.start(lane, values, x0).is_err() {
+                failed = Some(job);
+            }
+            self.jobs[lane] = Some((job, norm(x0.iter().copied())));
+            met = true;
+        }
+        if met {
+            self.along.settle();
+        }
+        failed
+    }
+
+    /// By how much each objective of each job is exceeded at an instant: job, objective, excess.
+    pub(super) fn look(
+        &mut self,
+        instants: &Instants<'_>,
+        visit: &mut dyn FnMut(usize, usize, f64),
+    ) {
+        let Instants { jobs, last, time_to_go, x, u } = instants;
+        self.along.under(time_to_go, x, u);
+        for lane in 0..LANES {
+            let (Some(job), Some((_, at_start))) = (jobs[lane], self.jobs[lane]) else { continue };
+            let sizes = (norm(x.iter().map(|x| x.0[lane])), at_start);
+            let get = |value| self.along.lanes.get(value).0[lane];
+            let here = (sizes, u.0[lane]);
+            self.watched.levels(get, here, last[lane], &mut |index, kind, level| {
+                visit(job, index, level.excess(kind));
+            });
+        }
+    }
+}

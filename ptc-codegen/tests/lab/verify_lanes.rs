@@ -1,0 +1,140 @@
+//! Scenarios in lanes: against closed solutions, against runs by themselves, and alone or in company.
+
+use crate::support;
+
+use ptc_codegen::verify::{self, Campaign, Outcome, Setting, Trial};
+
+fn campaign(text: &str) -> Campaign {
+    let (spec, plant) = support::design(text);
+    let read = verify::read(&support::entries(text), &spec, &plant);
+    read.unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"))
+}
+
+/// All numbers of an outcome.
+fn numbers(outcome: &Outcome) -> Vec<f64> {
+    let mut numbers = outcome.excess.clone();
+    if let Some(direct) = &outcome.direct {
+        numbers.extend(&direct.excess);
+        numbers.push(direct.difference);
+    }
+    numbers
+}
+
+fn bits(outcome: &Outcome) -> Vec<u64> {
+    numbers(outcome).into_iter().map(f64::to_bits).collect()
+}
+
+fn settings(campaign: &Campaign, count: u64) -> Vec<Setting> {
+    (0..count).map(|index| campaign.setting(&campaign.scenario(index))).collect()
+}
+
+/// A chain with a box, a tau that is drawn, a force of all signals, and bounds of the last state and of u.
+fn design(n: usize, mu: &str, poles: &str, rest: &str) -> String {
+    let states: String = (1..=n).map(|j| format!("x{j} = [-1, 1]\n")).collect();
+    format!(
+        "n = {n}\nmu = \"{mu}\"\npoles = [{poles}]\n{rest}[plant]\n\
+         f = \"gust - damping*x{n} + slip*u\"\ndamping = [0, 0.5]\nslip = [-0.2, 0.2]\n\
+         gust = [-0.1, 0.3]\n[disturbance]\ngust = \"any\"\n[verify]\n{states}tau = [0.5, 2]\n\
+         scenarios = 100\nseed = 3\n[[objective]]\nbound = \"within\"\nh = \"x{n}\"\nhigh = 1\n\
+         [[objective]]\nbound = \"input\"\nupsilon = 10\n[[objective]]\nbound = \"attractive\"\nerror = 1\n"
+    )
+}
+
+fn until(n: usize, mu: &str, poles: &str, end: &str) -> String {
+    design(n, mu, poles, "").replace("seed = 3\n", &format!("seed = 3\nuntil = {end}\n"))
+}
+
+/// With poles -2 and -3 all is a polynomial of T: the instants lie within steps, so this is the dense
+/// output too.
+#[test]
+fn the_dense_output_is_the_closed_solution() {
+    for h in ["x1 - 3*T^2 + 2*T^3", "x2 + 6*T - 6*T^2", "u - 3 + 6*T"] {
+        let text = format!(
+            "n = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\nallow = \"growth\"\n[plant]\nf = 0\n[verify]\n\
+             x1 = 1\nx2 = 0\ntau = 1\nscenarios = 1\nuntil = 1e-3\n[[objective]]\nbound = \"within\"\n\
+             h = \"{h}\"\nlow = 0\nhigh = 0\n"
+        );
+        let campaign = campaign(&text);
+        let mut trial = Trial::new(&campaign).expect("a loop");
+        for outcome in trial.run_all(&settings(&campaign, 1)) {
+            let [stretched, direct, difference] = numbers(&outcome)[..] else {
+                panic!("{outcome:?}")
+            };
+            assert!(stretched < 1e-8 && direct < 1e-8 && difference < 1e-8, "{h}: {outcome:?}");
+        }
+    }
+}
+
+#[test]
+fn a_scenario_has_the_same_bits_in_any_company() {
+    let campaign = campaign(&design(3, "exp(a=1)", "-4, -5, -6", ""));
+    let mut trial = Trial::new(&campaign).expect("a loop");
+    let settings = settings(&campaign, 70);
+    let together: Vec<_> = trial.run_all(&settings).iter().map(bits).collect();
+    for (setting, own) in settings.iter().zip(&together) {
+        let alone = trial.run_all(std::slice::from_ref(setting));
+        assert_eq!(bits(&alone[0]), *own);
+    }
+    let backwards: Vec<_> = settings.iter().rev().cloned().collect();
+    let backwards = trial.run_all(&backwards);
+    assert!(backwards.iter().rev().map(bits).eq(together));
+}
+
+/// The worst difference from runs by themselves, as a part of each number, and whether no bit is another.
+fn beside(text: &str, count: u64) -> (f64, bool) {
+    let campaign = campaign(text);
+    let mut trial = Trial::new(&campaign).expect("a loop");
+    let settings = settings(&campaign, count);
+    let together = trial.run_all(&settings);
+    let (mut worst, mut same) = (0.0_f64, true);
+    for (setting, own) in settings.iter().zip(&together) {
+        let alone = trial.run(setting);
+        assert_eq!(alone.status(), own.status(), "{text}");
+        let apart = alone.difference().max(own.difference());
+        assert!(apart < campaign.tolerance, "{apart:.1e}, {text}");
+        same &= bits(&alone) == bits(own);
+        let (alone, own) = (numbers(&alone), numbers(own));
+        let sizes = alone.iter().zip(&own).map(|(a, b)| (a - b).abs() / (1.0 + a.abs()));
+        worst = sizes.fold(worst, f64::max);
+    }
+    (worst, same)
+}
+
+#[test]
+fn lanes_agree_with_runs_by_themselves() {
+    let families = [
+        "exp(a=1)",
+        "rational(a=1)",
+        "power(a=1, m=1/2)",
+        "tan(a=1)",
+        "tanh(a=1/2)",
+        "algebraic(a=1)",
+        "exp_sum(rates=[1, 2])",
+    ];
+    for (place, mu) in families.into_iter().enumerate() {
+        for n in [1 + place, 2 + place % 3] {
+            let poles: Vec<_> = (0..n).map(|i| format!("-{}", n + 1 + i)).collect();
+            let (worst, same) = beside(&until(n, mu, &poles.join(", "), "0.01"), 4);
+            // Those in which stretched time is long are stiff.
+            let short = ["exp(", "tanh"].iter().any(|own| mu.starts_with(own));
+            assert!(worst < 1e-6 && !(short && same), "{mu}, n = {n}: {worst:.1e}");
+        }
+    }
+}
+
+#[test]
+fn what_is_not_smooth_is_run_by_itself() {
+    for (from, to) in
+        [("gust -", "0.1*abs(x1) + gust -"), ("[plant]", "[params]\nu_max = 500\n[plant]")]
+    {
+        let text = design(2, "exp(a=1)", "-4, -5", "").replacen(from, to, 1);
+        assert_eq!(beside(&text, 3), (0.0, true), "{text}");
+    }
+}
+
+/// Far apart poles: steps as short as the fast one asks for.
+#[test]
+fn stiff_loops_agree_too() {
+    let (worst, _) = beside(&until(2, "rational(a=1)", "-2, -200", "1e-3"), 2);
+    assert!(worst < 1e-6, "{worst:.1e}");
+}
