@@ -2,7 +2,8 @@
 
 use super::builder::Builder;
 use super::rows::Rows;
-use super::{input_gain, rows};
+use super::{input_gain, over_number, rows};
+use crate::algebra::BigRational;
 use crate::expression::{Expression, Node};
 use crate::law::Law;
 use crate::parameter::{Fixed, Parameter};
@@ -40,10 +41,10 @@ pub(super) fn shared<'a>(
     let spec = b.spec;
     let Some(axes) = spec.axes.as_ref().filter(|axes| axes.differ()) else {
         let gains = shared.gains(b);
-        let divisor = input_gain(b);
-        let known = spec.input_gain.as_ref().is_none_or(|g| g.number().is_some());
-        let divisors = divisor.filter(|_| !known).into_iter().collect();
-        let axis = Some(axis(b, if known { divisor } else { None }, !known));
+        let number = spec.input_gain.as_ref().and_then(Expression::number);
+        let divisor = if number.is_some() { None } else { input_gain(b) };
+        let axis = Some(axis(b, number, divisor.is_some()));
+        let divisors = divisor.into_iter().collect();
         return Shared { gains, divisors, bounds: Vec::new(), axis };
     };
     let one = b.integer(1);
@@ -72,7 +73,7 @@ pub(super) fn shared<'a>(
 
 /// u = sum_j gain_j x_j, of the tracking error where there is a reference, over g: a number, or what
 /// `tick` handed over.
-fn axis(b: &mut Builder<'_>, number: Option<Value>, handed_over: bool) -> Value {
+fn axis(b: &mut Builder<'_>, number: Option<&BigRational>, handed_over: bool) -> Value {
     let mut sum = None;
     for j in 1..=b.spec.n {
         let gain = b.push(Op::Input(Input::Gain(j)));
@@ -86,7 +87,7 @@ fn axis(b: &mut Builder<'_>, number: Option<Value>, handed_over: bool) -> Value 
         None => sum,
     };
     match number {
-        Some(number) => b.div(wanted, number),
+        Some(number) => over_number(b, wanted, number),
         None if handed_over => {
             let divisor = b.push(Op::Input(Input::Divisor));
             b.push(Op::Quotient(wanted, divisor))

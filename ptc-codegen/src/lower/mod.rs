@@ -27,12 +27,13 @@ use std::collections::BTreeMap;
 
 use axes::{Shared, shares_time};
 use builder::Builder;
+use num_traits::{ToPrimitive, Zero};
 use rows::{Factor, Rows, factor};
 
-use crate::algebra::Poly;
+use crate::algebra::{BigRational, Poly};
 use crate::expression::Expression;
 use crate::law::{Form, Law};
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::request::{After, Guard, Spec, What};
 
@@ -126,12 +127,37 @@ fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
     b.sub(wanted, drift)
 }
 
-/// u divided by g(x, t): never by zero, where no number is known.
+/// u divided by g(x, t), never by zero where it is no number.
 fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
-    let Some(divisor) = input_gain(b) else { return u };
-    match b.spec.input_gain.as_ref().and_then(Expression::number) {
-        Some(_) => b.div(u, divisor),
-        None => b.push(Op::Quotient(u, divisor)),
+    let spec = b.spec;
+    if let Some(number) = spec.input_gain.as_ref().and_then(Expression::number) {
+        return over_number(b, u, number);
+    }
+    match input_gain(b) {
+        Some(divisor) => b.push(Op::Quotient(u, divisor)),
+        None => u,
+    }
+}
+
+/// u/g as a product, which is quicker, where 1/g keeps its digits in the precision.
+fn over_number(b: &mut Builder<'_>, u: Value, gain: &BigRational) -> Value {
+    let inverse = (!gain.is_zero()).then(|| gain.recip());
+    let normal = |inverse: &BigRational| {
+        inverse.to_f64().is_some_and(|v| match b.spec.precision {
+            Precision::F64 => v.is_normal(),
+            #[allow(clippy::cast_possible_truncation)]
+            Precision::F32 => (v as f32).is_normal(),
+        })
+    };
+    match inverse.filter(normal) {
+        Some(inverse) => {
+            let inverse = b.number(inverse);
+            b.mul(u, inverse)
+        }
+        None => {
+            let divisor = b.number(gain.clone());
+            b.div(u, divisor)
+        }
     }
 }
 
