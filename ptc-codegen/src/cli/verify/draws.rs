@@ -1,10 +1,10 @@
 //! What a report tells of the draws beside the verdicts: how they spread, what drives them, which are worst.
 
+use ptc_codegen::diagnostic::digits;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Band, Histogram};
 use ptc_codegen::verify::{Campaign, Drawn, Envelope, Kind, Trial, Worst};
 
-use super::report::against;
 use super::trajectory::Trajectory;
 use crate::cli::page::{Part, Svg, Table};
 use crate::cli::report::Failure;
@@ -57,7 +57,7 @@ fn spread(campaign: &Campaign, drawn: &Drawn) -> Result<Part, Failure> {
     Ok(Part {
         title: "Spread of the draws",
         told: vec![format!(
-            "The {count} draws by their worst instant, counted on a logarithmic axis. Below, what a share of them keeps: a part of the bound, or a distance to it, to 1 % of the margin."
+            "The {count} draws by their worst instant, counted on a logarithmic axis. Below, what a share of them keeps: a part of the bound, or a distance to it, rounded up by 1 % at most. A run that ends early counts as far as it comes."
         )],
         charts,
         table: Table { head, rows },
@@ -68,8 +68,9 @@ fn spread(campaign: &Campaign, drawn: &Drawn) -> Result<Part, Failure> {
 fn told(kind: &Kind, measure: f64) -> String {
     match kind {
         _ if measure.is_infinite() => "out of range".to_owned(),
-        Kind::Within { .. } => against(kind, measure),
-        _ => format!("{measure:.4}"),
+        Kind::Within { .. } if measure > 0.0 => format!("outside by {}", digits(measure)),
+        Kind::Within { .. } => format!("inside by {}", digits(-measure)),
+        _ => digits(measure),
     }
 }
 
