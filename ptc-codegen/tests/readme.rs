@@ -44,6 +44,8 @@ const DRIVE: &str = include_str!("../../examples/drive.toml");
 const CART: &str = include_str!("../../examples/cart.toml");
 
 /// The plant with uncertain numbers that docs/models.md verifies.
+const TANK: &str = include_str!("../../examples/tank.toml");
+const ROBOT: &str = include_str!("../../examples/two_link.toml");
 const PENDULUM: &str = include_str!("../../examples/pendulum.toml");
 
 /// The design that docs/references.md shows.
@@ -263,9 +265,11 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
     assert_eq!(blocks_of(SAMPLES, "toml"), [MOTOR]);
     fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
-    assert_eq!(blocks_of(MODELS, "toml"), [DRIVE, PENDULUM]);
+    assert_eq!(blocks_of(MODELS, "toml"), [DRIVE, TANK, ROBOT, PENDULUM]);
     fs::write(folder.join("drive.toml"), DRIVE).expect("writable");
     fs::write(folder.join("pendulum.toml"), PENDULUM).expect("writable");
+    fs::write(folder.join("tank.toml"), TANK).expect("writable");
+    fs::write(folder.join("two_link.toml"), ROBOT).expect("writable");
     fs::write(folder.join("cart.toml"), CART).expect("writable");
     assert_eq!(blocks_of(REFERENCES, "toml"), [TRACK]);
     fs::write(folder.join("track.toml"), TRACK).expect("writable");
