@@ -239,16 +239,19 @@ fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Given> 
         Precision::F32 => ("float", "uint32_t", "f"),
     };
     let ends = ("{", "}");
+    let members = members(spec, " = ", ends, suffix);
+    let named = members.split(", ").map(|m| match m.contains(" = ") {
+        true => format!(".{m}"),
+        false => m.to_owned(),
+    });
+    // C has no struct without a field.
+    let fields = match members.is_empty() {
+        true => ".none = 0".to_owned(),
+        false => named.collect::<Vec<_>>().join(", "),
+    };
     let mut text = format!(
         "#include \"{name}.h\"\n#include <inttypes.h>\n#include <math.h>\n#include <stdio.h>\n#include <string.h>\n\nint main(void)\n{{\n    static {name} c;\n    const {name}_params p = {{ {} }};\n    ptc_status axes[{count}];\n    {real} u[{count}];\n    if ({name}_init(&c, &p) != PTC_OK) {{ return 1; }}\n",
-        members(spec, " = ", ends, suffix)
-            .split(", ")
-            .map(|m| match m.contains(" = ") {
-                true => format!(".{m}"),
-                false => m.to_owned(),
-            })
-            .collect::<Vec<_>>()
-            .join(", ")
+        fields
     );
     for call in calls {
         let reference = spec.references();

@@ -43,9 +43,12 @@ const DRIVE: &str = include_str!("../../examples/drive.toml");
 
 const CART: &str = include_str!("../../examples/cart.toml");
 
-/// The plant with uncertain numbers that docs/models.md verifies.
+/// The plants with several inputs that docs/models.md shows.
 const TANK: &str = include_str!("../../examples/tank.toml");
+
 const ROBOT: &str = include_str!("../../examples/two_link.toml");
+
+/// The plant with uncertain numbers that docs/models.md verifies.
 const PENDULUM: &str = include_str!("../../examples/pendulum.toml");
 
 /// The design that docs/references.md shows.

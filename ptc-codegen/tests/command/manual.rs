@@ -51,10 +51,10 @@ fn the_schema_takes_every_example_and_no_other_key() {
 /// Whether the keys of a design, and its words, are those of the schema; else the first that is not.
 fn fits(text: &str, schema: &Value) -> Result<(), String> {
     let mut table = schema.clone();
-    let mut in_braces = false;
+    let mut in_brackets = false;
     for line in text.lines().map(str::trim) {
-        let within = in_braces;
-        in_braces = if within { line != "}" } else { line.ends_with('{') };
+        let within = in_brackets;
+        in_brackets = if within { !["}", "]"].contains(&line) } else { line.ends_with(['{', '[']) };
         if within {
             continue;
         }
