@@ -44,7 +44,10 @@ pub(super) struct Course {
 
 impl Course {
     pub(super) fn of(spec: &Spec, plant: &Plant, around: &Around<'_>) -> Result<Self, String> {
-        for knows in [spec.needs_law("the page"), spec.needs_known_reference("the page")] {
+        let page = "the page";
+        for knows in
+            [spec.needs_law(page), spec.needs_one_axis(page), spec.needs_known_reference(page)]
+        {
             knows.map_err(|found| found.into_iter().map(|one| one.message).collect::<String>())?;
         }
         match Loop::of(spec) {
