@@ -272,7 +272,7 @@ fn determinant(matrix: &[Vec<Expression>]) -> Expression {
 fn inverse(matrix: &[Vec<Expression>]) -> (Expression, Vec<Vec<Expression>>) {
     let cofactor = |i: usize, j: usize| {
         let minor = determinant(&minor(matrix, i, j));
-        if (i + j) % 2 == 0 { minor } else { minor.neg() }
+        if (i + j).is_multiple_of(2) { minor } else { minor.neg() }
     };
     let m = matrix.len().min(OUTPUTS.size());
     let adjugate = (0..m).map(|i| (0..m).map(|j| cofactor(j, i)).collect()).collect();

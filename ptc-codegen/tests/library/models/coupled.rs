@@ -246,7 +246,7 @@ fn mistakes_are_shown_at_their_lines() {
         (arm, "bias = [\"v\", \"w\"]\n", "", 0, "the model has no `bias`", "give"),
     ] {
         assert!(text.contains(from), "{from}");
-        let folder = folder_with("coupled_mistakes", "design.toml", &text.replacen(from, to, 1));
+        let folder = folder_with("coupled_mistakes", "design.toml", text.replacen(from, to, 1));
         let (status, _, stderr) = run_in(&folder, &["check", "design.toml"]);
         assert_ne!(status, Some(0), "{from} -> {to}");
         let at = format!("design.toml:{line}:");
