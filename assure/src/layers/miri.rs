@@ -136,6 +136,7 @@ fn values(spec: &Spec) -> String {
             "t0" => "0.0",
             "eps" => "1e-3",
             "u_max" => "25.0",
+            "start" => "0.5",
             _ => "1.5",
         };
         match parameter.index() {
