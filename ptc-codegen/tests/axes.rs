@@ -88,7 +88,7 @@ fn every_axis_is_checked() {
     assert!(growth.details.iter().any(|d| d.starts_with("axis 1: sound")), "{growth:?}");
 }
 
-/// An open eps is the greatest that an axis asks for.
+/// An open eps is the largest that an axis requires.
 #[test]
 fn eps_suits_every_axis() {
     let common = [("tau", "1"), ("sample_time", "1e-3")];

@@ -4,16 +4,6 @@ use crate::expression::Expression;
 use crate::model::Coupled;
 use crate::model::coupled::Inverse;
 
-/// The plant and what becomes of it.
-pub(super) fn purpose(coupled: &Coupled) -> Vec<String> {
-    let inputs: Vec<_> = coupled.inputs.iter().map(|name| name.text()).collect();
-    vec![
-        format!("Plant, with the inputs {}: {}. Time in s.", inputs.join(", "), coupled.lines().join(", ")),
-        "Goal: every output with its derivatives is 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design.".to_owned(),
-        "The law takes the plant to be the model. What differs from it is not part of the law.".to_owned(),
-    ]
-}
-
 /// How u follows from what is wanted of the outputs.
 pub(super) fn law(coupled: &Coupled) -> Vec<String> {
     let zero = Expression::integer(0);

@@ -1,14 +1,14 @@
 //! The head of an emitted file: how to make it again, what it does and on which conditions.
 
 use super::declared::{declared, meaning};
-use super::{Controller, Language, axes, coupled, formulas, plant};
+use super::{Controller, Language, axes, formulas, plant};
 use crate::check::Verdict;
 use crate::check::examine::{Report, held_period};
 use crate::controller::measured::Measured;
 use crate::diagnostic::digits;
 use crate::expression::Function;
 use crate::model::Model;
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::{Fixed, Name, Parameter, Precision};
 use crate::program::{Op, Stage, cost};
 use crate::request::{After, Feedback, Guard, Reference, Spec, What};
 
@@ -62,7 +62,9 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
 /// The plant and what becomes of it.
 fn purpose(spec: &Spec) -> Vec<String> {
     if let Some(coupled) = &spec.coupled {
-        return coupled::purpose(coupled);
+        let inputs = Name::listed(&coupled.inputs);
+        let plant = format!("the inputs {inputs}: {}", coupled.lines().join(", "));
+        return of_equations(&plant, "every output with its derivatives is 0");
     }
     if let Some(model) = &spec.model {
         return of_model(spec, model);
@@ -107,10 +109,16 @@ fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
         Some(Reference::Known(_)) => "those of the reference r(t)",
         Some(Reference::Input) => "those of the reference that each call is given",
     };
+    let plant = format!("the input {}: {}", model.input, model.lines().join(", "));
+    of_equations(&plant, &format!("{chain}, x, are {at}"))
+}
+
+/// A plant that is known by its equations, what is brought to where, and what the law leaves.
+fn of_equations(plant: &str, goal: &str) -> Vec<String> {
     vec![
-        format!("Plant, with the input {}: {}. Time in s.", model.input, model.lines().join(", ")),
+        format!("Plant, with {plant}. Time in s."),
         format!(
-            "Goal: {chain}, x, are {at} at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."
+            "Goal: {goal} at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."
         ),
         "The law takes the plant to be the model. What differs from it is not part of the law."
             .to_owned(),

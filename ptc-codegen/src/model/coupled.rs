@@ -71,7 +71,7 @@ impl Coupled {
     /// fixed, which decide what is 0.
     ///
     /// # Errors
-    /// Why there is no static decoupling.
+    /// The plant cannot be decoupled by static feedback, and why.
     pub fn new(
         (states, inputs): (Vec<Name>, Vec<Name>),
         outputs: &[Expression],
@@ -173,11 +173,6 @@ impl Coupled {
         chains.chain(matrix.iter().flatten()).chain(others)
     }
 
-    /// The names of the states, with commas between them.
-    pub fn names(&self) -> String {
-        self.states.iter().map(|name| name.text()).collect::<Vec<_>>().join(", ")
-    }
-
     /// The rate of each state, where they are given.
     pub fn dynamics(&self) -> &[Expression] {
         match &self.inverse {
@@ -199,15 +194,12 @@ impl Coupled {
                 rates.chain(outputs).collect()
             }
             Inverse::Inertia { inertia, bias } => {
-                let names = |names: &[Name]| {
-                    names.iter().map(|name| name.text()).collect::<Vec<_>>().join(", ")
-                };
                 let bias: Vec<_> = bias.iter().map(text).collect();
                 vec![
                     format!(
                         "q = ({}), q' = ({})",
-                        names(&self.states[..m]),
-                        names(&self.states[m..])
+                        Name::listed(&self.states[..m]),
+                        Name::listed(&self.states[m..])
                     ),
                     "M q'' + bias = u".to_owned(),
                     format!("M = {}", rows(&text, inertia)),

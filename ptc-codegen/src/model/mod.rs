@@ -52,12 +52,6 @@ impl Model {
         let rates = self.states.iter().zip(&self.dynamics).map(rate);
         rates.chain([format!("output {}", self.text(&self.output))]).collect()
     }
-
-    /// The names of the states, with commas between them.
-    pub fn names(&self) -> String {
-        let names: Vec<_> = self.states.iter().map(|name| name.text()).collect();
-        names.join(", ")
-    }
 }
 
 /// The same expression with the names of a plant in place of its states and its input; where there are

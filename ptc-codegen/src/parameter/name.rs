@@ -35,6 +35,11 @@ impl Name {
         Some(Self(kept))
     }
 
+    /// Names with commas between them.
+    pub fn listed(names: &[Self]) -> String {
+        names.iter().map(|name| name.text()).collect::<Vec<_>>().join(", ")
+    }
+
     /// Its text.
     pub fn text(self) -> &'static str {
         self.0

@@ -121,7 +121,11 @@ fn of_states<'a>(
             let message = format!("`{}` is no state of the model", shorten(text));
             let names = model.states.iter().map(|state| state.text());
             let meant = near_miss(text, names).map(|meant| format!("did you mean `{meant}`? "));
-            let help = format!("{}the states are {}", meant.unwrap_or_default(), model.names());
+            let help = format!(
+                "{}the states are {}",
+                meant.unwrap_or_default(),
+                Name::listed(&model.states)
+            );
             found.push("bad-value", key, Some(place), message, help);
             whole = false;
             continue;

@@ -189,9 +189,7 @@ impl Tape {
     }
 
     fn of_root(&self, program: &Program, root: &Root) -> Option<Loop> {
-        let body = program.needed(&[root.residual, root.next, root.size]);
-        let of_loop = |v: &Value| program.get(*v).looped && *v != root.unknown;
-        let body = body.into_iter().filter(of_loop).map(|v| self.instruction(program, v));
+        let body = program.body(root).map(|value| self.instruction(program, value));
         let [unknown, start, low, high, residual, next, size, tolerance] =
             root.operands().map(|value| self.places[value.0]);
         let body = body.collect::<Option<_>>()?;

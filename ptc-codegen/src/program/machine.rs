@@ -167,11 +167,7 @@ impl Step {
             Op::Law(arguments) => Self::Law(slots(arguments)),
             Op::Rows { tail, weights } => Self::Rows { tail: slots(tail), weights: slots(weights) },
             Op::Element(array, index) => Self::Element(array.0, *index),
-            Op::Root(root) => {
-                let body = program.needed(&[root.residual, root.next, root.size]);
-                let of_loop = |v: &Value| program.get(*v).looped && *v != root.unknown;
-                Self::Root(*root, body.into_iter().filter(of_loop).map(|v| v.0).collect())
-            }
+            Op::Root(root) => Self::Root(*root, program.body(root).map(|v| v.0).collect()),
             op => {
                 let operands = slots(&op.operands());
                 let operand = |i: usize| operands.get(i).copied().unwrap_or(value.0);

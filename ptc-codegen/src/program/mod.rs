@@ -19,16 +19,14 @@ pub mod kink;
 pub mod lanes;
 pub mod machine;
 pub mod number;
+mod op;
 pub mod passes;
 mod reach;
 pub mod rows;
 
 pub use arithmetic::apply;
+pub use op::{Op, Root};
 
-use std::hash::{Hash, Hasher};
-
-use crate::algebra::BigRational;
-use crate::expression::Function;
 use crate::parameter::{Parameter, Precision};
 
 /// Index of a value in its program.
@@ -88,164 +86,6 @@ impl Input {
             | Self::Divisor
             | Self::Drift
             | Self::Control => Stage::Step,
-        }
-    }
-}
-
-/// A bracketed iteration for the root y of a decreasing residual: from `start`, each round takes
-/// the root to lie right of y where `residual > 0`, steps to `next`, falls back to the middle of
-/// the bracket when `next` leaves it, and ends once the step's `size` is at most `tolerance`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Root {
-    /// The unknown y, an [`Op::Unknown`].
-    pub unknown: Value,
-    /// First y.
-    pub start: Value,
-    /// Lower end of the bracket.
-    pub low: Value,
-    /// Upper end of the bracket.
-    pub high: Value,
-    /// Residual at y.
-    pub residual: Value,
-    /// Proposed next y.
-    pub next: Value,
-    /// Size of the proposed step.
-    pub size: Value,
-    /// Size at which the iteration ends.
-    pub tolerance: Value,
-    /// Bound on the number of rounds.
-    pub rounds: u32,
-}
-
-impl Root {
-    /// Operands in the order of the fields.
-    pub fn operands(&self) -> [Value; 8] {
-        let Self { unknown, start, low, high, residual, next, size, tolerance, .. } = *self;
-        [unknown, start, low, high, residual, next, size, tolerance]
-    }
-}
-
-/// An operation.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Op {
-    /// An exact number, rounded once to the program's precision.
-    Number(BigRational),
-    /// A value from outside.
-    Input(Input),
-    /// -a.
-    Neg(Value),
-    /// a + b.
-    Add(Value, Value),
-    /// a - b.
-    Sub(Value, Value),
-    /// a * b.
-    Mul(Value, Value),
-    /// a / b.
-    Div(Value, Value),
-    /// a / b, and NaN in place of a division by 0.
-    Quotient(Value, Value),
-    /// a^k, k >= 2: the multiplication chain of the binary digits of k, squares first.
-    Power(Value, u32),
-    /// The greater one: b where a < b, else a.
-    Max(Value, Value),
-    /// The smaller one: a where a < b, else b.
-    Min(Value, Value),
-    /// A function of one number.
-    Call(Function, Value),
-    /// a^b for a > 0.
-    Pow(Value, Value),
-    /// The user's own law pi0: its arguments are xi_1..xi_n and stretched time.
-    Law(Vec<Value>),
-    /// An array by loops: with p(z) = z + sum_d tail_d z^(d+2) and one weight more than the tail has
-    /// coefficients, element j is sum_i weights_i \[z^(i+1)\] p^(j+1), as [`rows`](rows::rows) gives it.
-    Rows {
-        /// Coefficients of z^2, z^3, ...
-        tail: Vec<Value>,
-        /// Weights of z, z^2, ...
-        weights: Vec<Value>,
-    },
-    /// An element of an array, from 0.
-    Element(Value, usize),
-    /// The unknown of a [`Root`].
-    Unknown,
-    /// The root.
-    Root(Root),
-}
-
-/// By hand, because a ratio hashes its continued fraction, which takes longer than all the rest.
-impl Hash for Op {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        std::mem::discriminant(self).hash(state);
-        match self {
-            Self::Number(value) => (value.numer(), value.denom()).hash(state),
-            Self::Input(input) => input.hash(state),
-            Self::Power(base, exponent) => (base, exponent).hash(state),
-            Self::Call(function, operand) => (function, operand).hash(state),
-            Self::Element(array, index) => (array, index).hash(state),
-            op => op.operands().hash(state),
-        }
-    }
-}
-
-impl Op {
-    /// The values it uses.
-    pub fn operands(&self) -> Vec<Value> {
-        let mut all = Vec::new();
-        self.each_operand(|operand| all.push(operand));
-        all
-    }
-
-    /// Gives its operands one by one.
-    fn each_operand(&self, mut give: impl FnMut(Value)) {
-        match self {
-            Self::Number(_) | Self::Input(_) | Self::Unknown => {}
-            Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) | Self::Element(a, _) => give(*a),
-            Self::Law(arguments) => arguments.iter().copied().for_each(give),
-            Self::Rows { tail, weights } => tail.iter().chain(weights).copied().for_each(give),
-            Self::Add(a, b)
-            | Self::Sub(a, b)
-            | Self::Mul(a, b)
-            | Self::Div(a, b)
-            | Self::Quotient(a, b)
-            | Self::Max(a, b)
-            | Self::Min(a, b)
-            | Self::Pow(a, b) => [*a, *b].into_iter().for_each(give),
-            Self::Root(root) => root.operands().into_iter().for_each(give),
-        }
-    }
-
-    /// The same operation on other values.
-    pub fn map(&self, mut to: impl FnMut(Value) -> Value) -> Self {
-        match self {
-            Self::Number(_) | Self::Input(_) | Self::Unknown => self.clone(),
-            Self::Neg(a) => Self::Neg(to(*a)),
-            Self::Power(a, k) => Self::Power(to(*a), *k),
-            Self::Call(function, a) => Self::Call(*function, to(*a)),
-            Self::Element(array, index) => Self::Element(to(*array), *index),
-            Self::Law(arguments) => Self::Law(arguments.iter().map(|a| to(*a)).collect()),
-            Self::Rows { tail, weights } => Self::Rows {
-                tail: tail.iter().map(|v| to(*v)).collect(),
-                weights: weights.iter().map(|v| to(*v)).collect(),
-            },
-            Self::Add(a, b) => Self::Add(to(*a), to(*b)),
-            Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),
-            Self::Mul(a, b) => Self::Mul(to(*a), to(*b)),
-            Self::Div(a, b) => Self::Div(to(*a), to(*b)),
-            Self::Quotient(a, b) => Self::Quotient(to(*a), to(*b)),
-            Self::Max(a, b) => Self::Max(to(*a), to(*b)),
-            Self::Pow(a, b) => Self::Pow(to(*a), to(*b)),
-            Self::Min(a, b) => Self::Min(to(*a), to(*b)),
-            Self::Root(r) => Self::Root(Root {
-                unknown: to(r.unknown),
-                start: to(r.start),
-                low: to(r.low),
-                high: to(r.high),
-                residual: to(r.residual),
-                next: to(r.next),
-                size: to(r.size),
-                tolerance: to(r.tolerance),
-                rounds: r.rounds,
-            }),
         }
     }
 }
@@ -358,6 +198,13 @@ impl Program {
             }
         }
         (0..wanted.len()).filter(|i| wanted[*i]).map(Value).collect()
+    }
+
+    /// The values that each round of a root's loop computes, in order.
+    pub fn body(&self, root: &Root) -> impl Iterator<Item = Value> {
+        let unknown = root.unknown;
+        let needed = self.needed(&[root.residual, root.next, root.size]).into_iter();
+        needed.filter(move |v| self.get(*v).looped && *v != unknown)
     }
 
     /// The stage at which `op` is known, from its operands.

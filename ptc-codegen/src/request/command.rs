@@ -7,7 +7,7 @@ use crate::family::Family;
 use crate::mapping::TimeMapping;
 use crate::model::Coupled;
 use crate::model::coupled::Inverse;
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::{Fixed, Name, Parameter, Precision};
 use crate::syntax::constant;
 
 impl Spec {
@@ -89,7 +89,11 @@ impl Spec {
             words.extend(coupled_words(coupled));
         } else if let Some(model) = &self.model {
             let rates = model.dynamics.iter().map(|rate| model.text(rate)).collect();
-            words.push(format!("--states=\"{}\" --input={}", model.names(), model.input));
+            words.push(format!(
+                "--states=\"{}\" --input={}",
+                Name::listed(&model.states),
+                model.input
+            ));
             words.push(format!("--output=\"{}\"", model.text(&model.output)));
             words.push(format!("--dynamics=\"{}\"", list(rates)));
         } else {
@@ -247,7 +251,11 @@ fn coupled_words(coupled: &Coupled) -> Vec<String> {
         all.join(", ")
     };
     let inputs: Vec<_> = coupled.inputs.iter().map(|name| name.text()).collect();
-    let mut words = vec![format!("--states=\"{}\" --inputs={}", coupled.names(), inputs.join(","))];
+    let mut words = vec![format!(
+        "--states=\"{}\" --inputs={}",
+        Name::listed(&coupled.states),
+        inputs.join(",")
+    )];
     match &coupled.inverse {
         Inverse::Adjugate { dynamics, .. } => {
             let outputs: Vec<_> =

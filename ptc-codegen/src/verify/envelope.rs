@@ -69,7 +69,7 @@ impl Campaign {
                 one[part] = (one[part].0.min(*value), one[part].1.max(*value));
             }
         };
-        // What ends a run early is told with the verdict.
+        // A run that ends early is reported with the verdict.
         let _ = trial.instants(&setting, &mut visit);
         parts
     }

@@ -5,7 +5,7 @@
 //! the seed and an index, so that shards and threads decide nothing; corners are joint extremes of all
 //! that is uncertain. A [`Trial`] runs one on both sides of Theorem 1, or, where the design has a
 //! sample period, in the loop that runs; a [`Tally`] holds what is kept
-//! of many, by reductions in which no order counts, and [`Drawn`] what a report tells of the draws besides; [`search`] goes on from the worst ones, with the
+//! of many, by reductions in which no order counts, and [`Drawn`] what a report shows of the draws besides; [`search`] goes on from the worst ones, with the
 //! signals that `kernel` makes of a run. A [`Verdict`] is all that is known of an objective, and
 //! [`record`] keeps one row per draw.
 

@@ -45,9 +45,9 @@ fn designs_read_back_as_they_were() {
 #[test]
 fn a_unit_is_a_word_of_a_chain() {
     for (given, told) in [
-        ("--n 2 --mu exp --units m/s", "an expression is no unit of x1"),
-        ("--n 2 --mu exp --units 5", "`5` is no unit of x1"),
-        ("--n 2 --mu exp --units abcdefghijklmnopq", "`abcdefghijklmnopq` is no unit of x1"),
+        ("--n 2 --mu exp --units m/s", "an expression is not a unit of x1"),
+        ("--n 2 --mu exp --units 5", "`5` is not a unit of x1"),
+        ("--n 2 --mu exp --units abcdefghijklmnopq", "`abcdefghijklmnopq` is not a unit of x1"),
         (
             "--mu \"exp(a=1)\" --clock samples --poles=-4,-5 --A \"[[0,1],[0,0]]\" --B \"[0,1]\" --units m",
             "the units of a chain follow from that of x1, and the states of this plant have their own",

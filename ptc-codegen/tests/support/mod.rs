@@ -105,3 +105,14 @@ pub(crate) fn stderr(command: &mut Command, code: i32) -> String {
     assert!(!stderr.contains('\u{1b}'), "colour off a terminal: {stderr}");
     stderr
 }
+
+/// `emit` refuses a design with one error, at a line of it (0 where it has none), that holds these texts.
+pub(crate) fn refused_at(test: &str, text: &str, line: usize, told: [&str; 2]) {
+    let folder = folder_with(test, "design.toml", text);
+    let (code, stdout, stderr) = run_in(&folder, &["emit", "--lang", "c", "design.toml"]);
+    assert_eq!((code, stdout.as_str()), (Some(2), ""), "{text}{stderr}");
+    assert!(told.iter().all(|part| stderr.contains(part)), "{told:?}: {stderr}");
+    let place = format!("design.toml:{line}:");
+    assert!(line == 0 || stderr.contains(&place), "{text}, {place} {stderr}");
+    assert_eq!(stderr.matches("error[").count(), 1, "{stderr}");
+}

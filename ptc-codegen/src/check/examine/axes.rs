@@ -8,7 +8,7 @@ use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
-/// What the checks find of the axes of `spec`. An eps that is open is the greatest that an axis asks for.
+/// What the checks find of the axes of `spec`. An open eps is the largest that an axis requires.
 pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     let examined = |spec: &Spec| -> Vec<Report> {
         let designs = spec.designs().into_iter();

@@ -1,4 +1,4 @@
-//! What a report tells of each run in numbers: where it ends, and what it takes of the actuator.
+//! Figures of each run in a report: its final error, the peak of u, the time in saturation.
 
 use super::run::{Row, Run};
 use crate::cli::page::{Part, Table, short};

@@ -1,4 +1,4 @@
-//! What a report tells of the draws beside the verdicts: how they spread, what drives them, which are worst.
+//! The draws in a report: how they spread, what drives them, which are worst.
 
 use ptc_codegen::diagnostic::digits;
 use ptc_codegen::parameter::Parameter;

@@ -8,7 +8,7 @@ use crate::code::{
 use crate::controller::plan::Routine;
 use crate::internal::fault;
 use crate::model::Coupled;
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::Guard;
 
 impl Builder<'_> {
@@ -40,19 +40,18 @@ impl Builder<'_> {
         }
         let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
         let limits = (0..m).map(|index| self.limit_of(index)).collect();
-        let inputs: Vec<_> = coupled.inputs.iter().map(|name| name.text()).collect();
-        let inputs = inputs.join(", ");
+        let inputs = Name::listed(&coupled.inputs);
         Function {
             name: "step",
             about: format!(
                 "u = ({inputs}) at time t [s] and state x = ({}). Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.",
-                coupled.names()
+                Name::listed(&coupled.states)
             ),
             owner: Owner::Controller,
             access: Access::Read,
             arguments: vec![
                 Variable::new("t", Shape::Real, "time, s"),
-                self.array("x", &format!("state: {}", coupled.names())),
+                self.array("x", &format!("state: {}", Name::listed(&coupled.states))),
             ],
             callbacks: Vec::new(),
             results: vec![

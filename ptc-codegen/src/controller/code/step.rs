@@ -7,6 +7,7 @@ use crate::code::{
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
+use crate::parameter::Name;
 use crate::request::{After, Guard};
 
 impl Builder<'_> {
@@ -85,11 +86,11 @@ impl Builder<'_> {
                         .to_owned()
                 }
                 (Some(model), None) => {
-                    format!("u at time t [s] and state x = ({}).", model.names())
+                    format!("u at time t [s] and state x = ({}).", Name::listed(&model.states))
                 }
                 (Some(model), Some(_)) => format!(
                     "u at time t [s], state x = ({}) and reference r = (r, r', ...) of the output.",
-                    model.names()
+                    Name::listed(&model.states)
                 ),
             },
             owner: Owner::Controller,
@@ -98,7 +99,9 @@ impl Builder<'_> {
                 Variable::new("t", Shape::Real, "time, s"),
                 match &self.spec.model {
                     None => self.array("x", "state: x1, its rate, ..."),
-                    Some(model) => self.array("x", &format!("state: {}", model.names())),
+                    Some(model) => {
+                        self.array("x", &format!("state: {}", Name::listed(&model.states)))
+                    }
                 },
             ]
             .into_iter()

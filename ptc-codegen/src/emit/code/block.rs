@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::text::{Lines, Text};
+use super::text::{Lines, Text, bare};
 use crate::algebra::BigRational;
-use crate::code::{Ending, Expr, Finish, Operator, Place, Shape, Solve, Statement, Status, Test};
+use crate::code::{
+    Ending, Expr, Finish, Inputs, Operator, Place, Shape, Solve, Statement, Status, Test,
+};
 use crate::internal::fault;
 
 /// The words around a test and its two blocks.
@@ -83,6 +85,24 @@ pub(super) trait Block: Text {
                 self.lines().joined(start, &parts, (self.and(), branch.joint), branch.then)
             }
             tests => format!("{start}{}{}", either(self, tests), branch.then),
+        }
+    }
+
+    /// Each u that is beyond a bound of its input: what `set` makes of its place and the bound.
+    fn clip(&mut self, inputs: &Inputs, set: &dyn Fn(usize, &str) -> String) {
+        let Branch { open, turn, then, end, .. } = self.branch();
+        for index in 0..inputs.values.len() {
+            for (way, (test, clipped)) in inputs.clips(index).into_iter().enumerate() {
+                let (test, clipped) = (bare(self.test(&test)), self.alone(&clipped));
+                match way {
+                    0 => self.out().open(format!("{open}{test}{then}")),
+                    _ => self.out().turn(format!("{turn}{test}{then}")),
+                }
+                self.out().line(set(index, &clipped));
+            }
+            if inputs.limits[index].is_some() {
+                self.out().close(end);
+            }
         }
     }
 

@@ -177,11 +177,7 @@ impl<'a> Reader<'a> {
                 "give `limits` for each axis, or `u_max` for all",
             ),
         ];
-        for (key, wrong, message, help) in beside {
-            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
-                self.found.push("conflict", key, Some(node.place), message, help);
-            }
-        }
+        self.against(&beside);
         for key in BOUNDS {
             let Some(node) = self.keys.get(key).copied() else { continue };
             if items(node).iter().any(|item| matches!(item.value, Value::List(_))) {

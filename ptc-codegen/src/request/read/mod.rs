@@ -241,6 +241,15 @@ impl<'a> Reader<'a> {
         self.found.push("bad-value", key, place, message, help);
     }
 
+    /// Refuses the keys that are given and wrong beside others: key, whether it is wrong, message, help.
+    fn against(&mut self, beside: &[(&str, bool, &str, &str)]) {
+        for (key, wrong, message, help) in beside {
+            if let Some(node) = self.keys.get(*key).copied().filter(|_| *wrong) {
+                self.found.push("conflict", *key, Some(node.place), *message, *help);
+            }
+        }
+    }
+
     fn missing(&mut self, key: &'static str) {
         let legal = KeyInfo::find(key).map_or("", |info| info.legal);
         let message = format!("`{key}` is missing");

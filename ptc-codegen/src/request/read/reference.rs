@@ -74,11 +74,7 @@ impl Reader<'_> {
                 "leave states at the start out",
             ),
         ];
-        for (key, wrong, message, help) in beside {
-            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
-                self.found.push("conflict", key, Some(node.place), message, help);
-            }
-        }
+        self.against(&beside);
     }
 
     /// Refuses a reference whose derivatives are not shown to exist from the start on: they do where each

@@ -18,7 +18,7 @@ impl Reader<'_> {
         {
             return Some(word.clone());
         }
-        let message = format!("{} is no unit of x1", shown(&node.value));
+        let message = format!("{} is not a unit of x1", shown(&node.value));
         let legal = KeyInfo::find("units").map_or("", |info| info.legal);
         self.wrong("units", Some(node.place), message, format!("give {legal}"));
         None
@@ -28,8 +28,11 @@ impl Reader<'_> {
     pub(super) fn fits_units(&mut self, spec: &Spec) {
         let of_states =
             spec.model.is_some() || ["A", "B"].iter().any(|key| self.keys.contains_key(key));
-        let Some(node) = self.keys.get("units").copied().filter(|_| of_states) else { return };
-        let message = "the units of a chain follow from that of x1, and the states of this plant have their own";
-        self.found.push("conflict", "units", Some(node.place), message, "leave `units` out");
+        self.against(&[(
+            "units",
+            of_states,
+            "the units of a chain follow from that of x1, and the states of this plant have their own",
+            "leave `units` out",
+        )]);
     }
 }

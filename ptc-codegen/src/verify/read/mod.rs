@@ -12,7 +12,7 @@ use num_traits::ToPrimitive;
 use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::keys::verify::KEYS;
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::{Fixed, Name, Parameter};
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec};
 use crate::simulate::Loop;
@@ -170,7 +170,7 @@ impl Reader<'_> {
         if !missing.is_empty() {
             let message = format!("[verify] has no interval of {}", missing.join(", "));
             let all = match self.spec.model.as_ref() {
-                Some(model) => model.names(),
+                Some(model) => Name::listed(&model.states),
                 None => format!("x1..x{n}"),
             };
             let help =

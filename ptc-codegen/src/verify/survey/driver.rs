@@ -34,7 +34,7 @@ pub struct Driver {
 }
 
 impl Quantity {
-    /// All that is drawn, but for what is drawn at each sample.
+    /// All that is drawn once per run.
     pub(super) fn all(campaign: &Campaign) -> Vec<Self> {
         let constants = campaign.uncertain().enumerate().filter(|(_, (_, (low, high)))| low < high);
         let constants =

@@ -1,6 +1,6 @@
 //! Models that are refused: each at its line, with what to change.
 
-use super::support::{folder_with, run_in};
+use super::support::{folder_with, refused_at, run_in};
 
 const DRIVE: &str = "mu = \"exp(a=1)\"
 poles = [-4, -5, -6]
@@ -94,14 +94,7 @@ fn mistakes_are_shown_at_their_lines() {
         ),
     ] {
         assert!(DRIVE.contains(from), "{from}");
-        let text = DRIVE.replacen(from, to, 1);
-        let folder = folder_with("models_mistakes", "drive.toml", &text);
-        let (code, stdout, stderr) = run_in(&folder, &["emit", "--lang", "c", "drive.toml"]);
-        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{text}{stderr}");
-        assert!(stderr.contains(message) && stderr.contains(help), "{to}: {stderr}");
-        let place = format!("drive.toml:{line}:");
-        assert!(line == 0 || stderr.contains(&place), "{to}, {place} {stderr}");
-        assert_eq!(stderr.matches("error[").count(), 1, "{stderr}");
+        refused_at("models_mistakes", &DRIVE.replacen(from, to, 1), line, [message, help]);
     }
 }
 

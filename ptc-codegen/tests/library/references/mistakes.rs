@@ -1,6 +1,6 @@
 //! References that are refused: each at its line, with what to change.
 
-use super::support::{folder, folder_with, run_in};
+use super::support::{folder, folder_with, refused_at, run_in};
 
 const DESIGN: &str = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\nreference = \"0.1*sin(2*t)\"\n\
     poles = [-4, -5]\n[params]\ntau = 1\nt0 = 0\n";
@@ -36,13 +36,7 @@ fn each_mistake_is_shown_at_its_line() {
         ),
     ] {
         assert!(DESIGN.contains(from), "{from}");
-        let text = DESIGN.replacen(from, to, 1);
-        let folder = folder_with("references_mistakes", "stage.toml", &text);
-        let (code, stdout, stderr) = run_in(&folder, &["emit", "--lang", "c", "stage.toml"]);
-        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{text}{stderr}");
-        assert!(stderr.contains(message) && stderr.contains(help), "{to}: {stderr}");
-        assert!(stderr.contains(&format!("stage.toml:{line}:")), "{to}: {stderr}");
-        assert_eq!(stderr.matches("error[").count(), 1, "{stderr}");
+        refused_at("references_mistakes", &DESIGN.replacen(from, to, 1), line, [message, help]);
     }
 }
 

@@ -6,6 +6,7 @@ mod header;
 mod inputs;
 mod rows;
 mod source;
+mod statement;
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,7 @@
 //! The inputs of one plant.
 
-use super::super::text::{Text, bare};
+use super::super::block::Block;
+use super::super::text::Text;
 use super::Cpp;
 use crate::code::Inputs;
 
@@ -17,21 +18,11 @@ impl Cpp<'_> {
         let parts = self.parts(&inputs.finite());
         let line = self.out.joined("if (", &parts, ("&&", "\n    && "), ") {");
         self.out.open(line);
-        for index in 0..count {
-            for (way, (test, clipped)) in inputs.clips(index).into_iter().enumerate() {
-                let (test, clipped) = (bare(self.test(&test)), self.alone(&clipped));
-                match way {
-                    0 => self.out.open(format!("if ({test}) {{")),
-                    _ => self.out.turn(format!("}} else if ({test}) {{")),
-                }
-                self.out.line(format!("all.u[{index}] = {clipped};"));
-                self.out.line(format!("all.axes[{index}] = Status::Saturated;"));
-                self.out.line("all.status = Status::Saturated;");
-            }
-            if inputs.limits[index].is_some() {
-                self.out.close("}");
-            }
-        }
+        self.clip(inputs, &|index, bound| {
+            format!(
+                "all.u[{index}] = {bound};\nall.axes[{index}] = Status::Saturated;\nall.status = Status::Saturated;"
+            )
+        });
         self.out.turn("} else {");
         self.out.line("all.u = {};");
         for (index, value) in values.iter().enumerate() {

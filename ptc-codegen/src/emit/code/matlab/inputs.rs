@@ -27,21 +27,10 @@ impl Matlab<'_> {
         let line = self.out.joined("if ", &parts, ("&&", " ...\n    && "), "");
         self.out.open(line);
         self.out.line(format!("u = [{}];", values.join("; ")));
-        for index in 0..count {
+        self.clip(inputs, &|index, bound| {
             let place = index + 1;
-            for (way, (test, clipped)) in inputs.clips(index).into_iter().enumerate() {
-                let (test, clipped) = (bare(self.test(&test)), self.alone(&clipped));
-                match way {
-                    0 => self.out.open(format!("if {test}")),
-                    _ => self.out.turn(format!("elseif {test}")),
-                }
-                self.out.line(format!("u({place}) = {clipped};\naxes({place}) = int32(2);"));
-                self.out.line("status = int32(2);");
-            }
-            if inputs.limits[index].is_some() {
-                self.out.close("end");
-            }
-        }
+            format!("u({place}) = {bound};\naxes({place}) = int32(2);\nstatus = int32(2);")
+        });
         self.out.turn("else");
         self.out.line("status = int32(-3);");
         for (place, value) in (1..).zip(&values) {

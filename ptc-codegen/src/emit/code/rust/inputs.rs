@@ -1,7 +1,7 @@
 //! The inputs of one plant.
 
 use super::super::block::Block;
-use super::super::text::{Text, bare};
+use super::super::text::Text;
 use super::Rust;
 use crate::code::{Function, Inputs, Statement};
 
@@ -37,21 +37,12 @@ let mut all = {runtime}Axes {{
         let parts = self.parts(&inputs.finite());
         let line = self.out.joined("if ", &parts, ("&&", "\n    && "), " {");
         self.out.open(line);
-        for index in 0..count {
-            for (way, (test, clipped)) in inputs.clips(index).into_iter().enumerate() {
-                let (test, clipped) = (bare(self.test(&test)), self.alone(&clipped));
-                match way {
-                    0 => self.out.open(format!("if {test} {{")),
-                    _ => self.out.turn(format!("}} else if {test} {{")),
-                }
-                self.out.line(format!("all.u[{index}] = {clipped};"));
-                self.out.line(format!("all.axes[{index}] = Ok({runtime}Status::Saturated);"));
-                self.out.line(format!("all.status = Ok({runtime}Status::Saturated);"));
-            }
-            if inputs.limits[index].is_some() {
-                self.out.close("}");
-            }
-        }
+        self.clip(inputs, &|index, bound| {
+            let saturated = format!("Ok({runtime}Status::Saturated)");
+            format!(
+                "all.u[{index}] = {bound};\nall.axes[{index}] = {saturated};\nall.status = {saturated};"
+            )
+        });
         self.out.turn("} else {");
         self.out.line(format!("all.u = [0.0; {count}];"));
         self.out.line(format!("all.status = Err({runtime}Error::Range);"));

@@ -207,11 +207,7 @@ impl Reader<'_> {
                 "give `limits` for each input, or `u_max` for all",
             ),
         ];
-        for (key, wrong, message, help) in beside {
-            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
-                self.found.push("conflict", key, Some(node.place), message, help);
-            }
-        }
+        self.against(&beside);
         if !differ {
             return;
         }

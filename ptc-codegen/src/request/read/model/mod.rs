@@ -76,23 +76,20 @@ impl Reader<'_> {
         if spec.model.is_none() {
             return;
         }
-        let mut against = |key: &str, wrong: bool, message: &str, help: &str| {
-            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
-                self.found.push("conflict", key, Some(node.place), message, help);
-            }
-        };
-        against(
-            "clock",
-            samples,
-            "a model needs a clock in time: its f and g change with the state",
-            "leave `clock` out, or give a linear plant as A, B and C under [plant]",
-        );
-        against(
-            "pi0",
-            spec.feedback == Feedback::Extern || spec.latches(),
-            "beside a model pi0 is an expression in xi1..xin and t",
-            "leave extern, and states at the start, out",
-        );
+        self.against(&[
+            (
+                "clock",
+                samples,
+                "a model needs a clock in time: its f and g change with the state",
+                "leave `clock` out, or give a linear plant as A, B and C under [plant]",
+            ),
+            (
+                "pi0",
+                spec.feedback == Feedback::Extern || spec.latches(),
+                "beside a model pi0 is an expression in xi1..xin and t",
+                "leave extern, and states at the start, out",
+            ),
+        ]);
     }
 
     /// An expression in these names and in parameters, in which the `inputs` do not occur.
