@@ -71,7 +71,7 @@ pub enum Op {
     /// The user's own law pi0: its arguments are xi_1..xi_n and stretched time.
     Law(Vec<Value>),
     /// An array by loops: with p(z) = z + sum_d tail_d z^(d+2) and one weight more than the tail has
-    /// coefficients, element j is sum_i weights_i \[z^(i+1)\] p^(j+1), as [`rows`](rows::rows) gives it.
+    /// coefficients, element j is sum_i weights_i \[z^(i+1)\] p^(j+1), as [`rows`](super::rows::rows) gives it.
     Rows {
         /// Coefficients of z^2, z^3, ...
         tail: Vec<Value>,
