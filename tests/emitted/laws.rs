@@ -218,6 +218,122 @@ fn languages_agree_on_laws_of_the_user() {
     assert_eq!(seen.into_iter().collect::<Vec<_>>(), [-3, -2, 0, 1, 2, 3], "every status but -1");
 }
 
+/// The associated system as it is emitted, run in stretched time from x0 and led back to the plant, against
+/// the closed loop of the emitted controller run in time: two programs and two clocks.
+#[test]
+fn the_infinite_time_system_is_the_closed_loop() {
+    let folder = folder("both_sides");
+    let keys = [
+        ("n", "2"),
+        ("mu", "tanh(a=1)"),
+        ("gains", "20,9"),
+        ("tau", "2"),
+        ("eps", "1e-6"),
+        ("u_max", "inf"),
+        ("t0", "0.25"),
+        ("g", "2 + sin(x1)"),
+        ("name", "swing"),
+    ];
+    let system = [&keys[..], &[("what", "associated")]].concat();
+    let mut sources = Vec::new();
+    for keys in [&keys[..], &system] {
+        let files = write(&folder, &spec(keys), ptc_codegen::emit::Language::C);
+        sources.extend(files.into_iter().filter(|file| file.extension().is_some_and(|e| e == "c")));
+    }
+    let main = folder.join("main.c");
+    std::fs::write(&main, BOTH_SIDES).expect("a program");
+    let program = folder.join("main");
+    run(c_compiler()
+        .args(STRICT)
+        .arg("-I")
+        .arg(&folder)
+        .arg(&main)
+        .args(&sources)
+        .arg("-o")
+        .arg(&program)
+        .arg("-lm"));
+    run(&mut std::process::Command::new(&program));
+}
+
+/// Runge and Kutta's method for both, 1e-9 of each other: its error is some 1e-10 at these steps.
+const BOTH_SIDES: &str = r#"
+#include <math.h>
+#include <stddef.h>
+#include "swing.h"
+#include "swing_associated.h"
+
+static swing plant;
+static swing_associated far;
+
+static int moved(int stretched, double t, const double x[2], double rate[2])
+{
+    double u = 0.0;
+    if (stretched) {
+        return swing_associated_rate(&far, t, x, 0.0, rate) != PTC_OK;
+    }
+    const int failed = swing_step(&plant, t, x, &u) != PTC_OK;
+    rate[0] = x[1];
+    rate[1] = (2.0 + sin(x[0])) * u;
+    return failed;
+}
+
+static int advance(int stretched, double t, double h, double x[2])
+{
+    double k[4][2];
+    double y[2];
+    int failed = moved(stretched, t, x, k[0]);
+    for (int stage = 1; stage < 4; stage += 1) {
+        const double part = (stage == 3) ? h : 0.5 * h;
+        for (int i = 0; i < 2; i += 1) {
+            y[i] = x[i] + part * k[stage - 1][i];
+        }
+        failed |= moved(stretched, t + part, y, k[stage]);
+    }
+    for (int i = 0; i < 2; i += 1) {
+        x[i] += h / 6.0 * (k[0][i] + 2.0 * k[1][i] + 2.0 * k[2][i] + k[3][i]);
+    }
+    return failed;
+}
+
+int main(void)
+{
+    const double x0[2] = {0.8, -1.5};
+    double x[2] = {0.8, -1.5};
+    double xi[2];
+    double back[2];
+    double there = 0.0;
+    double u = 0.0;
+    double u_back = 0.0;
+    const int steps = 20000;
+    const double end = 1.5;
+    int failed = swing_init(&plant, NULL) != PTC_OK || swing_associated_init(&far, NULL) != PTC_OK;
+    failed |= swing_associated_start(&far, x0, xi) != PTC_OK;
+    for (int k = 0; k < steps; k += 1) {
+        failed |= advance(1, 0.25 + end * k / steps, end / steps, xi);
+    }
+    failed |= swing_associated_time(&far, 0.25 + end, &there) != PTC_OK;
+    failed |= swing_associated_state(&far, 0.25 + end, xi, back) != PTC_OK;
+    failed |= swing_associated_control(&far, 0.25 + end, xi, &u_back) != PTC_OK;
+    /* mu(1.5) = 2 tanh(1.5). */
+    failed |= fabs(there - (0.25 + 2.0 * tanh(1.5))) > 1e-15;
+    for (int k = 0; k < steps; k += 1) {
+        failed |= advance(0, 0.25 + (there - 0.25) * k / steps, (there - 0.25) / steps, x);
+    }
+    failed |= swing_step(&plant, there, x, &u) != PTC_OK;
+    for (int i = 0; i < 2; i += 1) {
+        failed |= !(fabs(back[i] - x[i]) <= 1e-9);
+    }
+    failed |= !(fabs(u_back - u) <= 1e-7 * fabs(u));
+    /* What is no number is refused, and nothing is written. */
+    const double wrong[2] = {NAN, 0.0};
+    back[0] = 42.0;
+    failed |= swing_associated_state(&far, 0.25, wrong, back) != PTC_E_INPUT || back[0] != 42.0;
+    failed |= swing_associated_time(&far, 0.0, &there) != PTC_E_INPUT;
+    failed |= swing_associated_start(&far, wrong, back) != PTC_E_INPUT;
+    return failed;
+}
+"#;
+
 /// The system hands xi to the user's law as it was given.
 #[test]
 fn the_infinite_time_system_calls_the_law_of_the_user() {

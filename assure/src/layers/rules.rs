@@ -156,9 +156,12 @@ fn violations(folder: &Path, spec: &Spec, files: &[PathBuf]) -> Result<String> {
 
 /// A file that uses every function of the controller, which would else look local (rule 8.7).
 fn calls(name: &str, source: &str, has_selftest: bool) -> String {
-    let functions = ["init", "arm", "step", "tick", "axis", "rate"].into_iter();
-    let mut used: Vec<_> =
-        functions.filter(|function| source.contains(&format!("{name}_{function}("))).collect();
+    let functions =
+        ["init", "arm", "step", "tick", "axis", "rate", "state", "control", "time", "start"];
+    let mut used: Vec<_> = functions
+        .into_iter()
+        .filter(|function| source.contains(&format!("{name}_{function}(")))
+        .collect();
     let mut text = format!("#include \"{name}.h\"\n");
     if has_selftest {
         let _ = writeln!(text, "#include \"{name}_selftest.h\"");

@@ -251,6 +251,17 @@ impl Code {
         axis.is_some_and(|axis| axis.arguments.iter().any(|a| a.shape == Shape::Count))
     }
 
+    /// The functions of the user's program that it calls, each once.
+    pub fn callbacks(&self) -> Vec<&Callback> {
+        let mut all: Vec<&Callback> = Vec::new();
+        for callback in self.functions.iter().flat_map(|function| &function.callbacks) {
+            if !all.iter().any(|known| known.name == callback.name) {
+                all.push(callback);
+            }
+        }
+        all
+    }
+
     /// The function called `name`.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions.iter().find(|function| function.name == name)

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::lower::Plant;
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Program, Stage, Value};
 
@@ -18,6 +19,14 @@ pub(crate) enum Routine {
     Tick,
     /// Gains and state to u.
     Axis,
+    /// The state of the plant, of the associated system.
+    Plant,
+    /// u, of the associated system.
+    Control,
+    /// The time of the plant, of that of the associated system.
+    Time,
+    /// The state of the associated system at the start, of that of the plant.
+    Start,
 }
 
 /// A field of the controller.
@@ -82,11 +91,13 @@ impl<'a> Plan<'a> {
             let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
             kept.extend(definition.op.operands().into_iter().filter(earlier));
         }
+        let of_plant = Plant::of(program).map(|plant| plant.at_a_time()).unwrap_or_default();
         let results = program
             .handed_over()
             .chain([&program.step])
             .chain(&program.others)
-            .chain(&program.axis);
+            .chain(&program.axis)
+            .chain(&of_plant);
         kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
         let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
         for value in kept {
@@ -135,15 +146,24 @@ impl<'a> Plan<'a> {
                 self.program.handed_over().copied().chain([self.program.limits.late]).collect()
             }
             Routine::Axis => self.program.axis.into_iter().collect(),
+            Routine::Plant => self.of_plant(|plant| plant.states.to_vec()),
+            Routine::Control => self.of_plant(|plant| vec![plant.control]),
+            Routine::Time => self.of_plant(|plant| vec![plant.time]),
+            Routine::Start => self.of_plant(|plant| plant.start.to_vec()),
         }
+    }
+
+    fn of_plant(&self, of: impl Fn(Plant<'_>) -> Vec<Value>) -> Vec<Value> {
+        Plant::of(self.program).map(of).unwrap_or_default()
     }
 
     /// Whether `function` reads `value` from a field instead of computing it.
     pub(crate) fn is_field(&self, function: Routine, value: Value) -> bool {
         let own = match function {
             Routine::Init => Phase::Init,
-            Routine::Arm => Phase::Arm,
-            Routine::Step | Routine::Tick | Routine::Axis => Phase::Call,
+            // The state at the start is an argument here, and no field.
+            Routine::Arm | Routine::Start => Phase::Arm,
+            _ => Phase::Call,
         };
         !self.is_literal(value) && Phase::of(self.program.get(value).stage) < own
     }

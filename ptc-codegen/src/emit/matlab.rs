@@ -3,7 +3,7 @@
 use super::{Language, Print, Target, code};
 use crate::diagnostic::Diagnostics;
 use crate::program::Program;
-use crate::request::Spec;
+use crate::request::{Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Matlab,
@@ -32,6 +32,7 @@ fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
     let function = match spec.sampled() {
         Some(sampled) if sampled.disturbance => "_disturbance",
         Some(sampled) if sampled.observes() => "_estimate",
+        _ if spec.what == What::Associated => "_control",
         _ => "_init",
     };
     // What is generated beside a controller has a suffix of its own.

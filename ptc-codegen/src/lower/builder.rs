@@ -29,7 +29,7 @@ pub(super) struct Builder<'a> {
     at_start: bool,
     /// tau - mu(t), where time is the stretched one and the time-to-go follows from it.
     complement: Option<Expression>,
-    /// The plant, where time is time-to-go.
+    /// The plant, where time is time-to-go or stretched time.
     pub(super) plant: Option<PlantPoint>,
     /// The axis whose values are being named, from 1, where each has its own.
     pub(super) axis: Option<usize>,
@@ -140,13 +140,13 @@ impl<'a> Builder<'a> {
 
     /// Whether time is the time-to-go itself.
     pub(super) fn counts_down(&self) -> bool {
-        self.plant.is_some() && !self.at_start
+        self.plant.is_some() && self.complement.is_none() && !self.at_start
     }
 
     /// Whether the state is that of the infinite-time system.
     pub(super) fn is_of_infinite_time(&self) -> bool {
         let unknown = |plant: &PlantPoint| plant.states.is_empty();
-        self.counts_down() && self.plant.as_ref().is_some_and(unknown)
+        self.followed().is_some() || self.counts_down() && self.plant.as_ref().is_some_and(unknown)
     }
 
     /// Whether values at the start are being computed.

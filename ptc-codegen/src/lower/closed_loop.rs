@@ -156,7 +156,7 @@ pub fn observed(spec: &Spec, expressions: &[&Expression]) -> Program {
 }
 
 /// x_j = r_1^-(j-1) times its scaled value, with the reference that it follows.
-fn states(b: &mut Builder<'_>, scaled: &[Value], base_inverse: Value) -> Vec<Value> {
+pub(super) fn states(b: &mut Builder<'_>, scaled: &[Value], base_inverse: Value) -> Vec<Value> {
     let power = |b: &mut Builder<'_>, (j, scaled): (usize, &Value)| {
         let x = (0..j).fold(*scaled, |x, _| b.mul(x, base_inverse));
         b.reference(j).map_or(x, |wanted| b.add(x, wanted))

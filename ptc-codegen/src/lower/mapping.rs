@@ -37,6 +37,9 @@ pub(super) struct Taylor {
 /// The series of the spec's mapping at the current time, or at the start.
 pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     let spec = b.spec;
+    if let Some(complement) = b.followed().cloned() {
+        return of_complement(b, &complement);
+    }
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
         TimeMapping::Family { family: Family::Soft, .. } => soft::taylor(b),
@@ -124,7 +127,11 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
 /// From the complement c(t) = tau - mu(t). At the stretched time c is the time-to-go, so where c is
 /// one scale times exact terms, the scale is known without that time.
 fn of_complement(b: &mut Builder<'_>, form: &Expression) -> Taylor {
-    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, form)) };
+    let stretched = match (b.is_at_start(), b.followed()) {
+        (true, _) => None,
+        (false, Some(_)) => Some(b.since_start()),
+        (false, None) => Some(stretched_time(b, form)),
+    };
     let point = around(b.spec.n, stretched);
     let mut series = b.series(form, &point);
     if let (None, Coefficient::Exact(first)) = (series.offset, &series.terms[0])

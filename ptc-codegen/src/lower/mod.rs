@@ -37,6 +37,7 @@ use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::request::{After, Guard, Spec, What};
 
+pub(crate) use associated::Plant;
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 
 /// The program of `law` for `spec`.

@@ -90,7 +90,7 @@ impl Builder<'_> {
     }
 
     /// t - t0.
-    fn since_start(&mut self) -> Value {
+    pub(super) fn since_start(&mut self) -> Value {
         let (time, start) = (Op::Input(Input::Time), Op::Input(Input::StartTime));
         let (time, start) = (self.push(time), self.push(start));
         self.sub(time, start)
@@ -109,7 +109,8 @@ impl Builder<'_> {
                 _ => {}
             }
         }
-        if let (true, Some(plant)) = (self.counts_down(), self.plant.clone()) {
+        let away = self.counts_down() || self.followed().is_some();
+        if let (true, Some(plant)) = (away, self.plant.clone()) {
             match variable {
                 Variable::Time => return self.time_of_plant(),
                 Variable::Elapsed => return self.elapsed_of_plant(),

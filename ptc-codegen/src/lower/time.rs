@@ -8,7 +8,7 @@ impl Builder<'_> {
     /// Time past the deadline, -T, held at -eps.
     pub(super) fn late(&mut self) -> Value {
         if self.plant.is_some() {
-            let time_to_go = self.push(Op::Input(Input::Time));
+            let time_to_go = self.time_to_go();
             return self.push(Op::Neg(time_to_go));
         }
         let past = self.past();
@@ -39,13 +39,13 @@ impl Builder<'_> {
         self.name(past, "past", "time past the deadline, negative before it")
     }
 
-    /// Elapsed time tau - T, where time is the time-to-go.
+    /// Elapsed time tau - T, where time is another than that of the plant.
     pub(super) fn elapsed_of_plant(&mut self) -> Value {
         let (tau, time_to_go) = (self.parameter(Parameter::Tau), self.time_to_go());
         self.sub(tau, time_to_go)
     }
 
-    /// Time t, where time is the time-to-go.
+    /// Time t, where time is another than that of the plant.
     pub(super) fn time_of_plant(&mut self) -> Value {
         let (start, elapsed) = (self.push(Op::Input(Input::StartTime)), self.elapsed_of_plant());
         self.add(start, elapsed)

@@ -5,6 +5,7 @@
 //! then is a polynomial in the atoms, by D alone.
 
 mod custom;
+mod derivatives;
 mod rings;
 pub(crate) mod time;
 

@@ -125,7 +125,7 @@ pub struct Program {
     pub bounds: Vec<Value>,
     /// u from the gains that `tick` left, before it is clipped; `None` if there are no gains.
     pub axis: Option<Value>,
-    /// What a simulation reads beside these; none in a program that is emitted.
+    /// What is read beside these: by a simulation, or by the functions of the associated system.
     pub watched: Vec<Value>,
 }
 

@@ -132,3 +132,35 @@ fn show_says_where_it_stops() {
         assert!(!stdout(&["show", subject, "--n=30"]).is_empty());
     }
 }
+
+#[test]
+fn a_mapping_that_is_an_expression_is_shown_in_r_k() {
+    let matrix = stdout(&["show", "matrix", "--n", "3", "--mu", "tau*a*t/(1 + a*t)"]);
+    for line in [
+        "# mu(t) = tau*a*t/(1 + a*t)",
+        "  [ 0  r2  r1^2 ]",
+        "  [ 0  r3  3*r1*r2 ]",
+        "r1 = a*T^2/tau",
+        "r2 = -2*a^2*T^3/tau^2",
+    ] {
+        assert!(matrix.lines().any(|found| found == line), "{line}:\n{matrix}");
+    }
+    // Nothing is known of kappa in closed form: r_k are those of mu.
+    let r = stdout(&[
+        "show",
+        "r",
+        "--n",
+        "2",
+        "--mu",
+        "tau*(1 - (exp(-t) + exp(-a*t))/2)",
+        "--format",
+        "json",
+    ]);
+    let r: serde_json::Value = serde_json::from_str(&r).expect("JSON");
+    assert_eq!(r["r"].as_array().map(Vec::len), Some(2), "{r}");
+    let law = json(&["show", "law", "--n=2", "--mu=tau*(1 - exp(-a*t))", "--format=json"]);
+    assert_eq!(law["row"].as_array().map(Vec::len), Some(2));
+    assert_eq!(law["r"][1]["expression"], "-a^2*T");
+    let latex = stdout(&["show", "r", "--n=2", "--mu=tau*a*t/(1 + a*t)", "--format=latex"]);
+    assert!(latex.contains("r_{1} &= \\frac{"), "{latex}");
+}

@@ -35,6 +35,26 @@ impl<'a> Bounds<'a> {
         bounds
     }
 
+    /// The bound of one value for all times.
+    pub(super) fn of(
+        program: &Program,
+        input: &dyn Fn(Input) -> Interval,
+        value: Value,
+    ) -> Interval {
+        let known = vec![None; program.values.len()];
+        let mut bounds =
+            Bounds { program, input, known, arrays: BTreeMap::new(), held: Vec::new() };
+        for needed in program.needed(&[value]) {
+            bounds.settle(needed);
+        }
+        bounds.get(value)
+    }
+
+    /// Takes a bound that was found otherwise; it holds for every time.
+    pub(super) fn set(&mut self, value: Value, bound: Interval) {
+        self.known[value.0] = Some(bound);
+    }
+
     /// The bounds for time-to-go from `low` to `high`. Time itself is not needed: `late` is set, as
     /// the digits it has left near the deadline would be lost in an interval of t - deadline, and the
     /// elapsed time that goes with it.

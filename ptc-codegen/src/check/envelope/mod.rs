@@ -8,12 +8,14 @@
 //! and that an iteration ends no further from its root than its last step may be long.
 
 pub(crate) mod bounds;
+mod cells;
 mod interval;
 mod report;
 
 pub use interval::Interval;
 #[cfg(feature = "lab")]
-pub(crate) use interval::{apply, outward};
+pub(crate) use interval::apply;
+pub(crate) use interval::outward;
 
 use bounds::Bounds;
 #[cfg(feature = "lab")]
@@ -22,6 +24,7 @@ pub(crate) use report::describe;
 use report::describe;
 use report::input_name;
 
+use crate::limits::CELLS;
 use crate::parameter::Precision;
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Op, Program, Value, number};
@@ -65,7 +68,8 @@ pub fn scan(
     pieces: u32,
 ) -> Envelope {
     let pieces = pieces.max(1);
-    let early = Bounds::new(program, input);
+    let mut early = Bounds::new(program, input);
+    settle_divisors(program, input, &mut early);
     // The program's own time-to-go has a rounding or two, but is never below eps.
     let slack = 2.0 * epsilon(program.precision);
     let (mut step, mut axis) = (None, None);
@@ -107,6 +111,24 @@ pub fn scan(
         time_to_go: (eps, tau),
         step: step.map(|found| report(found, &controls)),
         axis: axis.zip(program.axis).map(|(found, root)| report(found, &[root])),
+    }
+}
+
+/// Sets the bounds of what operations divide by, take roots or logarithms of, where one interval of each
+/// input leaves their domain and smaller cells do not.
+fn settle_divisors(program: &Program, input: &dyn Fn(Input) -> Interval, early: &mut Bounds<'_>) {
+    let (mut done, mut work) = (Vec::new(), CELLS.size());
+    for (value, domain) in cells::critical(program) {
+        if done.contains(&value) || !cells::is_bounded(program, value) {
+            continue;
+        }
+        done.push(value);
+        if domain(Bounds::of(program, input, value)) {
+            continue;
+        }
+        if let Some(bound) = cells::refined(program, input, (value, domain), &mut work) {
+            early.set(value, bound);
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! The check `envelope`: what the program of the law reaches within the bounds of x.
 
+use super::divisor;
 use super::known::is_known;
 use crate::check::Outcome;
-use crate::check::envelope::{Interval, scan};
+use crate::check::envelope::{Interval, outward, scan};
 use crate::expansion::Expanded;
 use crate::law::Law;
 use crate::lower::lower;
@@ -10,11 +11,14 @@ use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
 use crate::request::{Feedback, Spec, What};
 
+/// Name of the check.
+pub(super) const NAME: &str = "envelope";
+
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
 
 pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
-    let lacks = |reason: String| Outcome::not_checked("envelope", reason);
+    let lacks = |reason: String| Outcome::not_checked(NAME, reason);
     if spec.promises.x_max.is_empty() {
         return lacks("`x_max` is not given".to_owned());
     }
@@ -26,6 +30,9 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
     }
     if spec.feedback == Feedback::Extern {
         return lacks("the law is user-defined, and its range is unknown".to_owned());
+    }
+    if let Some(refuted) = divisor::zero(spec) {
+        return refuted;
     }
     let open = |p: &Parameter| {
         !matches!(p, Parameter::UMax | Parameter::StartTime)
@@ -49,8 +56,14 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         bounds.get(j - 1).map(|bound| Interval::new(-round(bound), round(bound)))
     };
     let promises = &spec.promises;
+    let start_is_known =
+        is_known(spec, Parameter::StartTime) || spec.bounds.contains_key(&Parameter::StartTime);
     let input = |input: Input| match input {
         Input::Parameter(p) => parameter(p),
+        Input::Time if start_is_known => {
+            let (start, tau) = (parameter(Parameter::StartTime), parameter(Parameter::Tau));
+            outward(start.low, (start.high + tau.high).next_up(), spec.precision)
+        }
         Input::StartTime => parameter(Parameter::StartTime),
         Input::State(j) => around(&promises.x_max, j).unwrap_or(Interval::ANY),
         Input::StateAtStart(j) => around(&promises.x0_max, j)

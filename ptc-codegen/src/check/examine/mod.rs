@@ -1,6 +1,7 @@
 //! All checks on one design, and what follows from them for the guard eps.
 
 mod axes;
+mod divisor;
 mod envelope;
 mod growth;
 mod guard;

@@ -1,6 +1,7 @@
 //! A sheet in JSON; the help of `show` documents its shape.
 
 use ptc_codegen::algebra::{Kind, Poly, Symbol};
+use ptc_codegen::expression::Expression;
 use serde_json::{Map, Value, json};
 
 use super::sheet::{Block, Forms, Sheet};
@@ -12,6 +13,11 @@ pub(super) fn render(sheet: &Sheet) -> String {
         .map(|block| match block {
             Block::Words { key, text, .. } => ((*key).to_owned(), json!(text)),
             Block::Forms(forms) => (forms.key.to_owned(), list(forms)),
+            Block::Derivatives(r) => {
+                let form =
+                    |(k, r): (usize, &Expression)| json!({"k": k, "expression": r.to_string()});
+                ("r".to_owned(), (1..).zip(r).map(form).collect())
+            }
         })
         .collect();
     format!("{}\n", Value::Object(object))

@@ -1,7 +1,9 @@
 //! A sheet in LaTeX: a fragment for a document that uses the package amsmath.
 
 use ptc_codegen::algebra::{Poly, latex};
+use ptc_codegen::expression::Expression;
 
+use super::formula;
 use super::sheet::{Block, Form, Forms, Layout, Sheet};
 
 /// Terms on one line of a sum: TeX breaks no line in an alignment, and knows no width over 5 m.
@@ -15,8 +17,14 @@ pub(super) fn render(sheet: &Sheet) -> String {
     parts.extend(sheet.blocks.iter().map(|block| match block {
         Block::Words { latex, .. } => format!("\\[\n  {latex}\n\\]\n"),
         Block::Forms(forms) => part(forms),
+        Block::Derivatives(r) => derivatives(r),
     }));
     parts.concat()
+}
+
+fn derivatives(r: &[Expression]) -> String {
+    let line = |(k, r): (usize, &Expression)| format!("  r_{{{k}}} &= {}", formula::latex(r));
+    align(&(1..).zip(r).map(line).collect::<Vec<_>>())
 }
 
 fn part(forms: &Forms) -> String {
@@ -82,7 +90,11 @@ fn list(forms: &Forms) -> String {
         .iter()
         .map(|form| format!("  {} &= {}", name(forms, form), broken(&form.poly)))
         .collect();
-    // Long ones go over several pages.
+    align(&lines)
+}
+
+/// Lines that may go over several pages.
+fn align(lines: &[String]) -> String {
     format!(
         "{{\\allowdisplaybreaks\n\\begin{{align*}}\n{}\n\\end{{align*}}}}\n",
         lines.join(" \\\\\n")

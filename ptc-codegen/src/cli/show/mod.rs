@@ -2,6 +2,8 @@
 
 mod abstracts;
 mod args;
+mod custom;
+mod formula;
 mod json;
 mod latex;
 mod law;
@@ -42,6 +44,7 @@ pub(crate) fn show(request: &Show) -> Result<String, Failure> {
         Asked::Family(spec, family, ring) => {
             of_family(request.subject, &spec, family, &ring, request.engine.engine)?
         }
+        Asked::Custom(spec) => custom::sheet(request.subject, &spec, request.engine.engine)?,
     };
     Ok(match request.format {
         Format::Text => text::render(&sheet),
@@ -75,6 +78,8 @@ enum Asked {
     Abstract(usize),
     /// A family, at an order, perhaps with parameters fixed.
     Family(Box<Spec>, Family, Mapping),
+    /// A mapping that the user wrote down.
+    Custom(Box<Spec>),
 }
 
 fn ask(request: &Show) -> Result<Asked, Failure> {
@@ -106,7 +111,7 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
     }
     match (spec.family(), spec.ring()) {
         (Some(family), Some(ring)) => Ok(Asked::Family(Box::new(spec), family, ring)),
-        _ => flags.finish(None, vec![only_family()]),
+        _ => Ok(Asked::Custom(Box::new(spec))),
     }
 }
 
@@ -145,17 +150,6 @@ fn only_abstract() -> Diagnostic {
     }
 }
 
-fn only_family() -> Diagnostic {
-    Diagnostic {
-        code: "bad-value",
-        key: "mu".to_owned(),
-        place: None,
-        message: "closed forms are shown for the families, and this mapping is an expression"
-            .to_owned(),
-        help: "leave `--mu` out: the abstract forms hold for every mapping".to_owned(),
-    }
-}
-
 fn of_abstract(subject: Subject, n: usize, engine: Engine) -> Result<Sheet, Failure> {
     let mut sheet = Sheet::new("s = kappa(Dt), an abstract time mapping, and its derivatives");
     match subject {
@@ -187,12 +181,7 @@ fn of_family(
     let info = family.info();
     let mut sheet = Sheet::new(&format!("{}: mu(t) = {}", info.name, info.mu));
     sheet.heading.push(format!("where {}", info.atoms));
-    for (parameter, value) in &spec.fixed {
-        let index = parameter.index().map_or(String::new(), |i| (i + 1).to_string());
-        // The rates are written a1, a2, ... as they are in the formulas.
-        let key = if matches!(parameter, Parameter::Rate(_)) { "a" } else { parameter.key() };
-        sheet.heading.push(format!("with {key}{index} = {value}"));
-    }
+    sheet.heading.extend(fixed_values(spec));
     let fixed = |poly: &Poly| {
         poly.substitute(|symbol| {
             let value = spec.fixed.get(&Parameter::of_symbol(symbol)?)?.number()?;
@@ -217,6 +206,16 @@ fn of_family(
         }
     }
     Ok(sheet)
+}
+
+/// The parameters that have a value.
+fn fixed_values(spec: &Spec) -> impl Iterator<Item = String> {
+    spec.fixed.iter().map(|(parameter, value)| {
+        let index = parameter.index().map_or(String::new(), |i| (i + 1).to_string());
+        // The rates are written a1, a2, ... as they are in the formulas.
+        let key = if matches!(parameter, Parameter::Rate(_)) { "a" } else { parameter.key() };
+        format!("with {key}{index} = {value}")
+    })
 }
 
 fn small_r(r: Vec<Poly>) -> Forms {

@@ -1,6 +1,7 @@
 //! What `show` prints, before it has a notation.
 
 use ptc_codegen::algebra::{Poly, text};
+use ptc_codegen::expression::Expression;
 
 /// The answer to one request.
 pub(super) struct Sheet {
@@ -16,6 +17,8 @@ pub(super) enum Block {
     Forms(Forms),
     /// A formula that is the same for all orders, in text and in LaTeX.
     Words { key: &'static str, text: String, latex: String },
+    /// r_1, r_2, ... as expressions.
+    Derivatives(Vec<Expression>),
 }
 
 /// Closed forms of one name, told apart by one index or two.

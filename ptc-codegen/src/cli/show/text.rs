@@ -1,6 +1,7 @@
 //! A sheet in plain text.
 
 use ptc_codegen::algebra::{Poly, text};
+use ptc_codegen::expression::Expression;
 
 use super::sheet::{Block, Form, Forms, Layout, Sheet, texts, widths};
 
@@ -12,8 +13,15 @@ pub(super) fn render(sheet: &Sheet) -> String {
     parts.extend(sheet.blocks.iter().map(|block| match block {
         Block::Words { text, .. } => format!("{text}\n"),
         Block::Forms(forms) => part(forms),
+        Block::Derivatives(r) => derivatives(r),
     }));
     parts.join("\n")
+}
+
+fn derivatives(r: &[Expression]) -> String {
+    let width = format!("r{}", r.len()).len();
+    let line = |(k, r): (usize, &Expression)| format!("{:width$} = {r}\n", format!("r{k}"));
+    (1..).zip(r).map(line).collect()
 }
 
 fn part(forms: &Forms) -> String {

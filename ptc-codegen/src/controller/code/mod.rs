@@ -1,5 +1,6 @@
 //! The controller as one program: the functions around the values of the staged program.
 
+mod associated;
 mod body;
 mod gains;
 mod guard;
@@ -69,7 +70,7 @@ impl Builder<'_> {
     fn functions(&self) -> Vec<crate::code::Function> {
         let mut functions = vec![self.arm()];
         if self.spec.what == What::Associated {
-            functions.push(self.rate());
+            functions.extend(self.associated());
             return functions;
         }
         if let Some(coupled) = &self.spec.coupled {

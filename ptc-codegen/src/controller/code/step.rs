@@ -139,40 +139,4 @@ impl Builder<'_> {
             false => vec![Status::Range],
         }
     }
-
-    pub(super) fn rate(&self) -> Function {
-        let states = self.arrays();
-        let mut statements = self.locals(&states);
-        let drift = [Test::Finite(Expr::local("f"))];
-        let finite = states.iter().map(|state| Test::Finite(self.local(*state)));
-        let tests = self.legal_time().into_iter().chain(drift).chain(finite);
-        statements.push(Statement::Require(Test::All(tests.collect()), Status::Input));
-        let body = self.body(Routine::Step, &states);
-        statements.extend(body.statements);
-        let Some(law) = body.roots.first() else { fault("a rate without a law") };
-        statements.push(Statement::Let("v".to_owned(), Shape::Real, law.clone()));
-        let mut rates: Vec<_> = (2..=self.spec.n).map(|j| Expr::local(format!("x{j}"))).collect();
-        rates.push(Expr::local("v"));
-        Function {
-            name: "rate",
-            about: "xi_dot of the infinite-time system at its time t [s], from its state xi and the plant's own f (0 for none).".to_owned(),
-            owner: Owner::Controller,
-            access: Access::Read,
-            arguments: vec![
-                Variable::new("t", Shape::Real, "time of the infinite-time system, s"),
-                self.array("xi", "its state"),
-                Variable::new("f", Shape::Real, "the plant's own f, 0 for none"),
-            ],
-            callbacks: self.callbacks(),
-            results: vec![self.array("xi_dot", "derivatives of the state")],
-            failures: vec![Status::Input, Status::Range],
-            body: statements,
-            finish: Finish::choose(
-                Test::Finite(Expr::local("v")),
-                Finish::give(rates, Status::Ok),
-                Finish::Fail(Status::Range),
-            ),
-            guarded: true,
-        }
-    }
 }

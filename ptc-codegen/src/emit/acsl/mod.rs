@@ -34,20 +34,32 @@ pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
     // arm reads what init has set.
     let mut arm_requires = requires(&arm, true);
     arm_requires.push(format!("requires self == \\null || {name}_set(self);"));
-    let step = match spec.what {
-        What::Associated => ("rate", rate(&name, n, &state("xi"))),
-        _ => ("step", step(spec, full, &state("x"))),
-    };
-    let contracts = [
+    let starts = [
         ("init", comment(&requires(&init, true), "*self", &built)),
         ("arm", comment(&arm_requires, "*self", &built)),
-        step,
-        ("tick", tick(&name, n, full)),
-        ("axis", axis(spec, full, &state("x"))),
     ];
+    let result = |name: &str| Pointer { out: true, ..state(name) };
+    let of = |given: Option<&str>, result: Pointer| {
+        associated(&name, given.map(&state).into_iter().chain([result]))
+    };
+    let calls = match spec.what {
+        What::Associated => vec![
+            ("rate", of(Some("xi"), result("xi_dot"))),
+            ("state", of(Some("xi"), result("x"))),
+            ("control", of(Some("xi"), one("u", true))),
+            ("time", of(None, one("plant_time", true))),
+            ("start", of(Some("x0"), result("xi"))),
+        ],
+        _ => vec![
+            ("step", step(spec, full, &state("x"))),
+            ("tick", tick(&name, n, full)),
+            ("axis", axis(spec, full, &state("x"))),
+        ],
+    };
+    let contracts = starts.into_iter().chain(calls);
     Notes {
         predicates: predicates(controller, program),
-        contracts: contracts.into_iter().collect(),
+        contracts: contracts.collect(),
         // The tests of sizes leave a state for each set of gains that are 0.
         before_tests: Some("/*@ slevel merge; */"),
         behind: Some(|solve, tolerance, real| split_root(&solve.unknown, tolerance, real)),
@@ -210,17 +222,19 @@ fn reference(spec: &Spec) -> Option<Pointer> {
     count.map(|_| Pointer { name: "r".to_owned(), count, out: false })
 }
 
-fn rate(name: &str, n: usize, xi: &Pointer) -> String {
-    let pointers = [
-        Pointer { name: "self".to_owned(), count: None, out: false },
-        Pointer { name: xi.name.clone(), count: xi.count, out: false },
-        Pointer { name: "xi_dot".to_owned(), count: Some(n), out: true },
-    ];
+/// The contract of a function of the associated system, which writes the last of `pointers`.
+fn associated(name: &str, pointers: impl Iterator<Item = Pointer>) -> String {
+    let own = Pointer { name: "self".to_owned(), count: None, out: false };
+    let pointers: Vec<_> = std::iter::once(own).chain(pointers).collect();
     let mut conditions = requires(&pointers, true);
     conditions.push(format!("requires self == \\null || {name}_set(self);"));
+    let written = pointers.last().map(|pointer| match pointer.count {
+        Some(count) => format!("{}[0 .. {}]", pointer.name, count - 1),
+        None => format!("*{}", pointer.name),
+    });
     let ensures =
         "ensures \\result == PTC_OK || \\result == PTC_E_INPUT || \\result == PTC_E_RANGE;";
-    comment(&conditions, &format!("xi_dot[0 .. {}]", n - 1), ensures)
+    comment(&conditions, &written.unwrap_or_default(), ensures)
 }
 
 fn tick(name: &str, n: usize, full: bool) -> String {

@@ -44,8 +44,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
     let spec = controller.spec();
     let name = spec.name();
     let frame = &Outline::new(controller.spec(), program);
-    let callbacks = program.functions.iter().flat_map(|function| &function.callbacks);
-    let callbacks: Vec<_> = callbacks.cloned().collect();
+    let callbacks: Vec<_> = program.callbacks().into_iter().cloned().collect();
     let externs = &externs(&name, &callbacks);
     let prefix = format!("{}_EVA", name.to_uppercase());
     let text = |value: f64| literal(value, spec.precision);
@@ -234,6 +233,9 @@ fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec
     let (function, last) = if frame.associated { ("rate", "xi_dot") } else { ("step", "&u") };
     arguments.push(last.to_owned());
     let mut calls = vec![Call { function, arguments, pointers }];
+    if frame.associated {
+        calls.extend(ways(&calls[0]));
+    }
     if !frame.gains.is_empty() {
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
         let tick = words(&["&self", "t", "&gains"]);
@@ -247,6 +249,26 @@ fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec
         calls.push(Call { function: "axis", arguments: words(given), pointers });
     }
     calls
+}
+
+/// The other calls of the associated system, after that of `rate`: its arguments are self, t, xi, f, what
+/// the user's law takes, and xi_dot.
+fn ways(rate: &Call) -> Vec<Call> {
+    let call = |function, arguments: Vec<String>| {
+        let pointer =
+            |index: &usize| arguments[*index].as_str() != "t" && arguments[*index] != "NULL";
+        let pointers = (0..arguments.len()).filter(pointer).collect();
+        Call { function, arguments, pointers }
+    };
+    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+    let externs = &rate.arguments[4..rate.arguments.len() - 1];
+    let control = [words(&["&self", "t", "x"]), externs.to_vec(), words(&["&xi_dot[0]"])].concat();
+    vec![
+        call("state", words(&["&self", "t", "x", "xi_dot"])),
+        call("control", control),
+        call("time", words(&["&self", "t", "&xi_dot[0]"])),
+        call("start", words(&["&self", "x", "xi_dot"])),
+    ]
 }
 
 #[derive(Template)]

@@ -4,6 +4,7 @@
 mod by_hand;
 mod closed_loop;
 mod coupled;
+mod divisors;
 pub(crate) mod in_c;
 mod mistakes;
 #[cfg(feature = "lab")]

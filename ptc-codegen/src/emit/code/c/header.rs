@@ -94,7 +94,7 @@ impl C<'_> {
             self.out.line("ptc_status status; /* PTC_OK or PTC_HOLD */");
             self.out.close(format!("}} {name}_gains;\n"));
         }
-        for callback in code.functions.iter().flat_map(|function| &function.callbacks) {
+        for callback in code.callbacks() {
             let (real, array) = (self.type_of(Shape::Real), callback.array);
             let lengths = code.functions.iter().flat_map(|f| &f.arguments);
             let n = lengths.filter_map(|argument| argument.shape.length()).max().unwrap_or(1);

@@ -1,0 +1,77 @@
+//! What `check` says of divisors of the law that may be 0 within the envelope.
+
+use super::support;
+use support::{folder_with, run_in};
+
+/// Verdict and summary of the check `envelope` for a design, in a folder of the test.
+fn envelope(test: &str, design: &str) -> (String, String) {
+    let folder = folder_with(test, "design.toml", design);
+    let (_, json, stderr) = run_in(&folder, &["check", "design.toml", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
+    let all = found["checks"].as_array().expect("checks");
+    let own = all.iter().find(|check| check["name"] == "envelope").expect("an outcome");
+    let word = |key: &str| own[key].as_str().expect("text").to_owned();
+    (word("verdict"), word("summary"))
+}
+
+/// A chain of order 2 with the gain `g`, for |x1| up to `x1`.
+fn chain(g: &str, x1: &str) -> String {
+    format!(
+        "n = 2\nmu = \"exp(a=1)\"\ngains = [12, 7]\ng = \"{g}\"\n\
+         [params]\ntau = 1\neps = 0.01\nt0 = 0\n{k}[envelope]\nx_max = [{x1}, 5]\n",
+        k = if g.contains('k') { "k = [1, 2]\n" } else { "" },
+    )
+}
+
+#[test]
+fn a_gain_that_changes_its_sign_is_refuted_and_one_just_short_of_it_is_not() {
+    for (g, x1, verdict, told) in [
+        ("0.5 + cos(x1)", "2.095", "refuted", "1/2 + cos(x1), is 0 near x1 = -2.094"),
+        ("0.5 + cos(x1)", "2.094", "sound", ""),
+        // Over a turn 3 cos sin lies between -1.5 and 1.5, its interval between -3 and 3.
+        ("1.51 + 3*cos(x1)*sin(x1)", "3.2", "sound", ""),
+        ("1.49 + 3*cos(x1)*sin(x1)", "3.2", "refuted", "is 0 near x1 ="),
+        ("3 + x1 + x2 - t", "1", "refuted", "is 0 at t = 0.5, x1 = 0, x2 = -2.5"),
+        ("7.1 + x1 + x2 - t", "1", "sound", ""),
+        ("k - 1.5 + 0*x1", "1", "refuted", "is 0 at k = 1.5"),
+        ("k - 0.5 + x1", "0.4", "sound", ""),
+        ("x1^2", "1", "refuted", "x1^2, is 0 at x1 = 0: the law divides by it"),
+        // What is met by no double, has a pole or jumps is left open.
+        ("(x1 - 0.1)^2", "1", "undecided", "may leave the range"),
+        ("1/(x1 - 0.3)", "1", "undecided", "may leave the range"),
+        ("sign(x1 - 0.3)*(2 + x1)", "1", "undecided", "may leave the range"),
+    ] {
+        let found = envelope("divisors", &chain(g, x1));
+        assert_eq!(found.0, verdict, "{g} within {x1}: {}", found.1);
+        assert!(found.1.contains(told), "{g} within {x1}: {}", found.1);
+    }
+}
+
+#[test]
+fn models_and_decoupling_matrices_are_refuted_at_states_by_their_names() {
+    let pendulum = |angle: &str| {
+        format!(
+            "mu = \"exp(a=1)\"\npoles = [-4, -5]\n[params]\ntau = 1\neps = 0.01\nt0 = 0\n\
+             [model]\nstates = [\"q\", \"w\"]\ninput = \"u\"\noutput = \"q\"\n\
+             dynamics = {{ q = \"w\", w = \"sin(q) + u*cos(q)\" }}\n\
+             [envelope]\nx_max = [{angle}, 3]\n"
+        )
+    };
+    let (verdict, summary) = envelope("pendulum", &pendulum("1.6"));
+    assert_eq!(verdict, "refuted", "{summary}");
+    assert!(summary.starts_with("the gain of u, cos(q), is 0 near q = -1.571"), "{summary}");
+    assert_eq!(envelope("pendulum_narrow", &pendulum("1.5")).0, "sound");
+    let two = |bound: &str| {
+        format!(
+            "mu = \"exp(a=1)\"\npoles = [[-4], [-5]]\n[params]\ntau = 1\neps = 0.01\nt0 = 0\n\
+             [model]\nstates = [\"a\", \"b\"]\ninputs = [\"p\", \"s\"]\noutputs = [\"a\", \"b\"]\n\
+             dynamics = {{ a = \"p + 2*s*sin(b)\", b = \"s - a*p\" }}\n\
+             [envelope]\nx_max = [{bound}, 3]\n"
+        )
+    };
+    let (verdict, summary) = envelope("coupled", &two("0.51"));
+    assert_eq!(verdict, "refuted", "{summary}");
+    assert!(summary.contains("determinant of the decoupling matrix"), "{summary}");
+    assert!(summary.contains("a = ") && summary.contains("b = "), "{summary}");
+    assert_eq!(envelope("coupled_narrow", &two("0.49")).0, "sound");
+}
