@@ -147,6 +147,7 @@ impl<'a> Reader<'a> {
         );
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
+        let fma = self.choice("fma", &[("true", true), ("false", false)]);
         let guard = self.choice(
             "guard",
             &[("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)],
@@ -184,6 +185,7 @@ impl<'a> Reader<'a> {
             what: what.unwrap_or(What::Controller),
             clock: Clock::Time,
             precision,
+            fma: fma.unwrap_or(false),
             guard: guard.unwrap_or(Guard::Full),
             feedback: law.feedback,
             drift,

@@ -129,6 +129,9 @@ impl Units {
             (Op::Neg(_), [a]) => a.error,
             (Op::Add(..) | Op::Sub(..), [a, b]) => a.error + b.error + self.roundoff * size,
             (Op::Mul(..), [a, b]) => a.size() * b.error + b.most() * a.error + rounding,
+            (Op::Fused(..), [a, b, c]) => {
+                a.size() * b.error + b.most() * a.error + c.error + rounding
+            }
             (Op::Div(..) | Op::Quotient(..), [a, b]) if b.least() > 0.0 => {
                 let quotient = size * (1.0 + 2.0 * self.roundoff) + self.subnormal;
                 (a.error + quotient * b.error) / (b.least() * (2.0 - MORE)) + rounding
