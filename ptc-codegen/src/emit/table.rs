@@ -59,11 +59,11 @@ fn table() -> String {
         format!("| --- |{}", " --- |".repeat(names.len())),
     ];
     let rows = operations.iter().map(|(name, e)| {
-        let cells: Vec<_> = printers.iter().map(|(_, text)| match e {
+        let cells = printers.iter().map(|(_, text)| match e {
             Expr::Fused(_) => text.fused(&["a", "b", "c"].map(str::to_owned)),
             e => Some(text.alone(e)),
         });
-        let cells: Vec<_> = cells.map(|cell| cell.unwrap_or_else(|| "refused".to_owned())).collect();
+        let cells: Vec<_> = cells.map(|cell| cell.unwrap_or("refused".to_owned())).collect();
         (name, cells)
     });
     let tests = tests.iter().map(|(name, test)| {

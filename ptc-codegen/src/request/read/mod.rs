@@ -47,10 +47,10 @@ pub struct Entry {
 /// # Errors
 /// Every mistake in the entries, in their order.
 pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
-    let mut reader =
-        Reader { found: Diagnostics::default(), keys: BTreeMap::new(), params: BTreeMap::new() };
-    for entry in entries {
-        reader.admit(entry);
+    let mut reader = Reader::new(entries);
+    let plant = reader.as_linear_plant(entries);
+    if let Some(entries) = &plant {
+        reader = Reader::new(entries);
     }
     let spec = reader.spec();
     reader.found.finish(spec)
@@ -67,6 +67,13 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
+    fn new(entries: &'a [Entry]) -> Self {
+        let (found, keys, params) = (Diagnostics::default(), BTreeMap::new(), BTreeMap::new());
+        let mut reader = Self { found, keys, params };
+        entries.iter().for_each(|entry| reader.admit(entry));
+        reader
+    }
+
     fn admit(&mut self, entry: &'a Entry) {
         let (table, name) = match entry.key.split_once('.') {
             Some((table, name)) => (Some(table), name),
@@ -122,11 +129,14 @@ impl<'a> Reader<'a> {
     }
 
     fn spec(&mut self) -> Option<Spec> {
+        let samples = self.counts_samples();
         let model = self.model();
         let coupled = self.coupled();
         let orders = coupled.as_ref().map(Coupled::orders);
         let first = orders.as_ref().and_then(|orders| orders.first().copied());
-        let n = self.order(model.as_ref().map(|read| read.model.coordinates.len()).or(first));
+        // In samples, where a model that is left is refused, the order is not that of its output.
+        let of_output = model.as_ref().filter(|_| !samples);
+        let n = self.order(of_output.map(|read| read.model.coordinates.len()).or(first));
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
         let highest = orders.as_ref().and_then(|orders| orders.iter().copied().max());
@@ -164,7 +174,6 @@ impl<'a> Reader<'a> {
             (None, None) => n,
         };
         let promises = self.promises(n, states);
-        let samples = self.counts_samples();
         // A sample of delay is a state more.
         let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
         let law = self.law(n.map(|n| n + late), order + late, &known);
