@@ -223,12 +223,16 @@ fn fused_operations_agree_bit_for_bit() {
     let plain: Vec<_> = orders.chain(own).filter(|spec| !calls_a_library(spec)).collect();
     assert!(plain.len() > 18, "{}", plain.len());
     let both = [Precision::F64, Precision::F32];
-    let plain = plain.iter().flat_map(|spec| both.map(|precision| Spec { precision, ..spec.clone() }));
+    let plain =
+        plain.iter().flat_map(|spec| both.map(|precision| Spec { precision, ..spec.clone() }));
     let plain: Vec<_> = plain.collect();
     let fused: Vec<_> = plain.iter().map(|spec| Spec { fma: true, ..spec.clone() }).collect();
     let [plain_u, fused_u] = [("unfused", plain), ("fused", fused)].map(|(test, specs)| {
         let outcomes = compared(test, &specs, RECORDS / 4);
-        outcomes.into_iter().map(|of| of.iter().map(Outcome::bits).collect()).collect::<Vec<Vec<_>>>()
+        outcomes
+            .into_iter()
+            .map(|of| of.iter().map(Outcome::bits).collect())
+            .collect::<Vec<Vec<_>>>()
     });
     let differ = plain_u.iter().zip(&fused_u).filter(|(plain, fused)| plain != fused).count();
     // What is of order 1 has no sum of products.

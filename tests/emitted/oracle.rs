@@ -170,14 +170,14 @@ fn single_precision() {
 /// Products and sums with one rounding are as exact as those with two.
 #[test]
 fn fused() {
-    for (file, precision) in
-        [("deadline.jsonl", Precision::F64), ("single.jsonl", Precision::F32)]
+    for (file, precision) in [("deadline.jsonl", Precision::F64), ("single.jsonl", Precision::F32)]
     {
         let groups = grouped(read(file), precision).into_iter();
         let groups: Vec<_> =
             groups.map(|(spec, vectors)| (Spec { fma: true, ..spec }, vectors)).collect();
         for (spec, _) in groups.iter().filter(|(spec, _)| spec.n > 1) {
-            let program = |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+            let program =
+                |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
             let count = |spec: &Spec| {
                 let program = program(spec);
                 cost::count(&program, &[program.step], Stage::Tick)

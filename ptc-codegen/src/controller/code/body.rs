@@ -85,9 +85,7 @@ impl Writer<'_> {
         let known = match self.known.get(&value) {
             Some(
                 Expr::Neg(_) | Expr::Binary(..) | Expr::Fused(_) | Expr::Call(..) | Expr::Pow(..),
-            ) if once => {
-                self.known.remove(&value)
-            }
+            ) if once => self.known.remove(&value),
             known => known.cloned(),
         };
         known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))

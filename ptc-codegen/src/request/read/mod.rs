@@ -14,6 +14,7 @@ mod units;
 
 use std::collections::BTreeMap;
 
+use model::Read;
 pub(crate) use parameters::known;
 
 use num_traits::ToPrimitive;
@@ -134,9 +135,11 @@ impl<'a> Reader<'a> {
         let coupled = self.coupled();
         let orders = coupled.as_ref().map(Coupled::orders);
         let first = orders.as_ref().and_then(|orders| orders.first().copied());
-        // In samples, where a model that is left is refused, the order is not that of its output.
-        let of_output = model.as_ref().filter(|_| !samples);
-        let n = self.order(of_output.map(|read| read.model.coordinates.len()).or(first));
+        let degree = model.as_ref().map(|Read { model, .. }| match samples {
+            true => model.states.len(),
+            false => model.coordinates.len(),
+        });
+        let n = self.order(degree.or(first), samples);
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
         let highest = orders.as_ref().and_then(|orders| orders.iter().copied().max());
@@ -267,8 +270,8 @@ impl<'a> Reader<'a> {
         self.found.push("missing-key", key, None, message, format!("give {legal}"));
     }
 
-    /// The order, which is `degree` where the plant has a model.
-    fn order(&mut self, degree: Option<usize>) -> Option<usize> {
+    /// The order, which is `degree` where the plant has a model: in samples as many states as it has.
+    fn order(&mut self, degree: Option<usize>, samples: bool) -> Option<usize> {
         let Some(node) = self.keys.get("n").copied() else {
             // The matrix of a plant has an order.
             let rows = self.keys.get("A").map(|node| items(node).len());
@@ -295,7 +298,10 @@ impl<'a> Reader<'a> {
         if let (Some(n), Some(degree)) =
             (n, degree.filter(|degree| n.is_some_and(|n| n != *degree)))
         {
-            let message = format!("n = {n}, but the relative degree of the output is {degree}");
+            let message = match samples {
+                true => format!("n = {n}, but the model has {degree} states"),
+                false => format!("n = {n}, but the relative degree of the output is {degree}"),
+            };
             let help = format!("leave n out, or give {degree}: it follows from the model");
             self.wrong("n", Some(node.place), message, help);
             return Some(degree);

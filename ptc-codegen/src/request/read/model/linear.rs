@@ -2,16 +2,15 @@
 
 use num_traits::Zero;
 
-use super::super::{Reader, items, shown};
+use super::super::{Reader, count, items, shown, suggestion};
 use super::names::word;
-use crate::algebra::{BigRational, integer};
+use crate::algebra::BigRational;
 use crate::diagnostic::{Place, near_miss};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
 use crate::model::Model;
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::request::Entry;
-use crate::request::read::suggestion;
+use crate::request::{Entry, MAX_ORDER};
 use crate::syntax::{Node, Value};
 
 /// The keys that A, B and C stand for.
@@ -47,6 +46,11 @@ impl Reader<'_> {
         let model = self.model().map(|read| read.model);
         let found = std::mem::take(&mut self.found);
         let model = model.filter(|_| found.is_empty())?;
+        let n = self.keys.get("n").map(|node| count(node, MAX_ORDER));
+        let takes_a = parameters(&model).any(|name| name == "a");
+        if takes_a || n.is_some_and(|n| n != Some(model.states.len())) {
+            return None;
+        }
         let plant = self.linear_rows(&model).ok()?;
         let used: Vec<_> = parameters(&model).map(|name| format!("params.{name}")).collect();
         let replaced = |entry: &&Entry| {
@@ -61,16 +65,6 @@ impl Reader<'_> {
     fn linear_rows(&self, model: &Model) -> Result<Vec<Entry>, Vec<Refusal>> {
         let place = |key: &str| self.keys.get(key).map_or(Place(0), |node| node.place);
         let mut wrong = Vec::new();
-        if let Some(node) = self.keys.get("n").copied() {
-            let states = model.states.len();
-            let count = matches!(&node.value, Value::Number(Fixed::Number { value, .. })
-                if *value == integer(i64::try_from(states).unwrap_or(i64::MAX)));
-            if !count {
-                let message = format!("n = {}, but the model has {states} states", shown(&node.value));
-                let help = format!("leave n out, or give {states}: in samples all states come to rest");
-                wrong.push(("n", Some(node.place), message, help));
-            }
-        }
         let mut rows = Vec::new();
         let nodes = self.rate_places(model);
         for ((state, rate), at) in model.states.iter().zip(&model.dynamics).zip(nodes) {
@@ -91,8 +85,10 @@ impl Reader<'_> {
                 let at = place("dynamics");
                 let a = rows.iter().map(|row| numbers(&row.states, at)).collect();
                 let b: Vec<_> = rows.iter().map(|row| row.input.clone()).collect();
-                let entry = |key: &str, value: Node| {
-                    Entry { key: key.to_owned(), place: value.place, value }
+                let entry = |key: &str, value: Node| Entry {
+                    key: key.to_owned(),
+                    place: value.place,
+                    value,
                 };
                 let plant = [("A", list(a, at)), ("B", numbers(&b, at)), (key, value)];
                 Ok(plant.map(|(key, value)| entry(key, value)).to_vec())
@@ -142,7 +138,8 @@ impl Reader<'_> {
         let open = expression.parameters().into_iter().find(|of| !values.contains_key(of));
         if let Some(open) = open {
             let open = open.spelling();
-            let message = format!("{name} = {text} has the parameter `{open}`, which has no number");
+            let message =
+                format!("{name} = {text} has the parameter `{open}`, which has no number");
             let help = format!(
                 "a plant in samples is sampled when the code is generated: give `{open}` one number under [params], not bounds"
             );
@@ -158,7 +155,7 @@ impl Reader<'_> {
                 let of = model.text(&by.into());
                 let slope = model.text(&slope);
                 let message =
-                    format!("{name} = {text} is not linear: its slope by {of} is {slope}, which is no rational number");
+                    format!("{name} = {text} is not linear: its slope by {of} is {slope}, which is not a rational number");
                 (message, LEGAL.to_owned())
             })
         };
@@ -185,10 +182,7 @@ fn parameters(model: &Model) -> impl Iterator<Item = String> {
 }
 
 /// The measured states, x1, x2, ..., by their names in the model.
-fn measured_states(
-    node: &Node,
-    model: &Model,
-) -> Result<(&'static str, Node), (String, String)> {
+fn measured_states(node: &Node, model: &Model) -> Result<(&'static str, Node), (String, String)> {
     let mut named = Vec::new();
     for item in items(node) {
         let text = word(item).unwrap_or_default();
