@@ -35,6 +35,13 @@ fn specs() -> Vec<Spec> {
         &[("n", "3"), ("mu", "tanh"), ("pi0", "extern"), ("after", "zero")],
         &[
             ("n", "2"),
+            ("mu", "rational"),
+            ("pi0", "-k1*xi1 - k2*xi2*abs(xi2) - sign(xi1)"),
+            ("g", "2 + x1*x1/(1 + x1*x1)"),
+            ("fma", "true"),
+        ],
+        &[
+            ("n", "2"),
             ("mu", "algebraic"),
             ("pi0", "max(min(-xi1 - xi2, 3), x1_0 - t0 - dt*T)"),
             ("after", "extern"),

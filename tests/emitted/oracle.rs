@@ -184,7 +184,8 @@ fn fused() {
             };
             let (plain, fused) = (count(&Spec { fma: false, ..spec.clone() }), count(spec));
             assert_eq!((plain.fused, plain.mul), (0, fused.mul + fused.fused), "{spec:?}");
-            assert!(fused.fused >= spec.n - 1 && fused.add + fused.fused == plain.add, "{spec:?}");
+            // Differences take a negation, which costs nothing where the processor fuses.
+            assert!(fused.fused >= spec.n - 1 && fused.add + fused.fused >= plain.add, "{spec:?}");
         }
         judge(&format!("fused_{}", real(precision)), &groups);
     }

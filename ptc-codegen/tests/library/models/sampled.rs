@@ -143,6 +143,6 @@ dynamics = { q = \"w\", w = \"u - k*q\" }
         [("sin(q)", "the output = sin(q) is not linear"), ("q + 1", "is 1 at rest")]
     {
         let text = output.replace("output = \"q\"", &format!("output = \"{to}\""));
-        refused_at("models_sampled_output", &text, 12, [message, ""]);
+        refused_at("models_sampled_output", &text, 11, [message, ""]);
     }
 }
