@@ -19,7 +19,7 @@ const RECORDS: usize = 400;
 
 /// Only functions that every library rounds alike, so that bits can be compared.
 fn specs() -> Vec<Spec> {
-    let kinds: [&[(&str, &str)]; 12] = [
+    let kinds: [&[(&str, &str)]; 13] = [
         &[
             ("n", "1"),
             ("mu", "exp(a=1)"),

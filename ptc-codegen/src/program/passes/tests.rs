@@ -299,7 +299,8 @@ fn fuse_negates_no_field() {
             append(p, Op::Sub(a, b), None)
         });
         assert!(matches!(fused.get(fused.step).op, Op::Fused(..)));
-        let mut negations = fused.values.iter().filter(|d| matches!(d.op, Op::Neg(_)));
+        let needed = fused.needed(&[fused.step]).into_iter().map(|v| fused.get(v));
+        let mut negations = needed.filter(|d| matches!(d.op, Op::Neg(_)));
         assert!(negations.all(|d| d.stage == Stage::Step));
     }
 }

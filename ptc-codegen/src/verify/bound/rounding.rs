@@ -192,8 +192,8 @@ mod tests {
     use crate::program::{Input, passes};
     use crate::request::Spec;
 
-    fn program(n: usize, family: Family, precision: Precision) -> Program {
-        let spec = Spec { precision, ..Spec::new(n, family) };
+    fn program(n: usize, (family, fma): (Family, bool), precision: Precision) -> Program {
+        let spec = Spec { precision, fma, ..Spec::new(n, family) };
         passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {})
     }
 
@@ -223,7 +223,7 @@ mod tests {
             Family::Algebraic,
             Family::Soft,
         ];
-        for family in families {
+        for family in families.into_iter().flat_map(|family| [(family, false), (family, true)]) {
             for n in [1, 2, 4, 6] {
                 let [single, double] =
                     [Precision::F32, Precision::F64].map(|p| program(n, family, p));
