@@ -42,6 +42,7 @@ functions! { f64:
     tanh(x) = tanh | tanh;
     atanh(x) = atanh | atanh;
     pow(x, y) = powf | pow;
+    mul_add(x, y, z) = mul_add | fma;
 }
 
 functions! { f32:
@@ -57,6 +58,7 @@ functions! { f32:
     tanh(x) = tanh | tanhf;
     atanh(x) = atanh | atanhf;
     pow(x, y) = powf | powf;
+    mul_add(x, y, z) = mul_add | fmaf;
 }
 
 /// Implemented for nothing: there are no functions without a feature.

@@ -89,6 +89,11 @@ fn functions_are_those_of_the_field() {
     assert_eq!(math::f64::exp(0.0), 1.0);
     assert_eq!(math::f64::ln(1.0), 0.0);
     assert_eq!(math::f64::pow(2.0, -3.0), 0.125);
+    assert_eq!(math::f64::mul_add(3.0, 5.0, -7.0), 8.0);
+    assert_eq!(math::f32::mul_add(3.0, 5.0, -7.0), 8.0);
+    // One rounding: 1 - (1 + u)(1 - u) is u^2.
+    let u = f64::EPSILON;
+    assert_eq!(math::f64::mul_add(1.0 + u, u - 1.0, 1.0), u * u);
     assert_eq!(math::f32::sqrt(2.25), 1.5);
     assert_eq!(math::f32::exp(0.0), 1.0);
     assert_eq!(math::f32::ln(1.0), 0.0);

@@ -25,13 +25,18 @@ pub(crate) struct Size {
 
 /// Emits and compiles `cases` in `folder`.
 pub(crate) fn compile(cases: &[Case], folder: &Path) -> Result<Vec<Size>> {
+    compile_with(cases, &[], folder)
+}
+
+/// The same with `flags` beside [`FLAGS`].
+pub(crate) fn compile_with(cases: &[Case], flags: &[&str], folder: &Path) -> Result<Vec<Size>> {
     parallel(cases, |case| {
         for file in case.files(Language::C)? {
             std::fs::write(folder.join(&file.name), &file.text).while_doing(&file.name)?;
         }
         let name = case.name();
         let mut gcc = Command::new("gcc");
-        gcc.current_dir(folder).args(FLAGS).arg("-fstack-usage");
+        gcc.current_dir(folder).args(FLAGS).args(flags).arg("-fstack-usage");
         run(gcc.args(["-c", &format!("{name}.c"), "-o", &format!("{name}.o")]))?;
         let step = format!("{name}_step");
         let usage = std::fs::read_to_string(folder.join(format!("{name}.su")))?;

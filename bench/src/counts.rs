@@ -115,7 +115,7 @@ fn rust_program(cases: &[Case], folder: &Path) -> Result<PathBuf> {
 }
 
 /// The drivers name each controller that failed: its counts would be those of an error.
-fn works(program: &Path) -> Result<()> {
+pub(crate) fn works(program: &Path) -> Result<()> {
     let failed = run(&mut Command::new(program))?;
     if failed.is_empty() {
         return Ok(());

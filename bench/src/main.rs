@@ -13,6 +13,7 @@ mod equality;
 mod evaluate;
 mod extract;
 mod failure;
+mod fused;
 mod gate;
 mod generator;
 mod peers;
@@ -31,7 +32,7 @@ use failure::Result;
 
 /// Measures the generated code and the generator.
 ///
-/// Without a command: counts, accuracy, peers, generator, egg, then report.
+/// Without a command: counts, fma, accuracy, peers, generator, egg, then report.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-bench")]
 struct CommandLine {
@@ -50,6 +51,8 @@ struct CommandLine {
 enum Command {
     /// Instructions a call, code and stack of every family, order, precision, guard and language
     Counts,
+    /// Instructions a step with fused products and sums, with and without the processor's own
+    Fma,
     /// The worst scaled error of every family and order against tests/data
     Accuracy,
     /// The C of other generators beside ours
@@ -93,6 +96,7 @@ fn execute(line: &CommandLine) -> Result<()> {
             Ok(())
         }
         Some(Command::Counts) => report::keep("counts", &counts::measure()?),
+        Some(Command::Fma) => report::keep("fma", &fused::measure()?),
         Some(Command::Accuracy) => report::keep("accuracy", &accuracy::measure()?),
         Some(Command::Peers) => peers(line),
         Some(Command::Generator) => generator(line),
@@ -102,6 +106,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Report) => report::write(),
         None => {
             report::keep("counts", &counts::measure()?)?;
+            report::keep("fma", &fused::measure()?)?;
             report::keep("accuracy", &accuracy::measure()?)?;
             peers(line)?;
             generator(line)?;

@@ -7,6 +7,7 @@ const CLASSES = { sound: "good", unsound: "bad", refuted: "bad", undecided: "ope
 const OPERATIONS = [
   ["add", "addition or comparison", "additions or comparisons"],
   ["mul", "multiplication", "multiplications"],
+  ["fused", "fused multiply-add", "fused multiply-adds"],
   ["div", "division", "divisions"],
   ["sqrt", "square root", "square roots"],
   ["calls", "function call", "function calls"],

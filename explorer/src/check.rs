@@ -47,6 +47,7 @@ pub(crate) fn cost(accepted: &Accepted) -> Value {
     json!({
         "add": cost.add,
         "mul": cost.mul,
+        "fused": cost.fused,
         "div": cost.div,
         "sqrt": cost.sqrt,
         "calls": cost.calls,

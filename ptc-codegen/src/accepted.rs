@@ -94,6 +94,7 @@ impl Accepted {
     /// A fault of the generator.
     pub fn files_with_proof(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
         self.report.spec.needs_one_axis("a proof")?;
+        self.report.spec.needs_no_fma("a proof with Frama-C")?;
         within(|| match &self.staged {
             Some(_) => Ok(emit::emit_with_proof(&self.controller())),
             None => {

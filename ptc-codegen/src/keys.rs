@@ -15,8 +15,11 @@ pub struct KeyInfo {
     pub example: &'static str,
 }
 
+/// What is legal of a key that is on or off.
+const SWITCH: &str = "true or false";
+
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 52] = [
+pub static KEYS: [KeyInfo; 53] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -76,6 +79,12 @@ pub static KEYS: [KeyInfo; 52] = [
         meaning: "floating-point type",
         legal: "f64 or f32",
         example: "f32",
+    },
+    KeyInfo {
+        key: "fma",
+        meaning: "fused multiply-add: products and sums with one rounding; in C, C++ and Rust, with clock = time",
+        legal: SWITCH,
+        example: "true",
     },
     KeyInfo {
         key: "guard",
@@ -366,6 +375,11 @@ impl KeyInfo {
             | "bias" => Some("model"),
             _ => None,
         }
+    }
+
+    /// Whether it is on or off: a boolean of TOML, and a flag that needs no value.
+    pub fn is_switch(&self) -> bool {
+        self.legal == SWITCH
     }
 
     /// The key called `name`.

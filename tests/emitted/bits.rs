@@ -112,12 +112,16 @@ fn whole(code: &Code, spec: &Spec, record: &Record) -> Result<[(i32, f64); 2], i
     Ok([step, axis])
 }
 
-/// The program before the passes and after each of them, by name.
+/// The program before the passes and after each of them, by name; where products and sums are fused,
+/// from the pass on that does it.
 fn stages(spec: &Spec) -> Vec<(&'static str, Program)> {
     let program = lower(spec, &Law::of(spec));
     assert_eq!(program.check(), Ok(()));
     let mut stages = vec![("lower", program.clone())];
     passes::optimise(program, &mut |pass, program| stages.push((pass.name, program.clone())));
+    if spec.fma {
+        stages.drain(..stages.iter().position(|(name, _)| *name == "fuse").expect("the pass"));
+    }
     stages
 }
 
@@ -155,6 +159,21 @@ fn agrees_as_a_whole(spec: &Spec, records: &[Record], c: &[Outcome]) {
     }
 }
 
+/// What each spec gives for random records, in C as in Rust and in the interpreters.
+fn compared(test: &str, specs: &[Spec], count: usize) -> Vec<Vec<Outcome>> {
+    let folder = folder(test);
+    let programs: Vec<_> =
+        specs.iter().zip(in_c(&folder, specs)).zip(in_rust(&folder, specs)).enumerate().collect();
+    in_pairs(&programs, |(index, ((spec, c), rust))| {
+        let mut random = Random(*index as u64);
+        let records = records(spec, &mut random, count);
+        let (c, rust) = (c.run(&records), rust.run(&records));
+        agree(spec, &records, &c, &rust);
+        agrees_as_a_whole(spec, &records, &c);
+        c
+    })
+}
+
 #[test]
 fn languages_and_passes_agree_bit_for_bit() {
     let specs: Vec<_> = families()
@@ -181,17 +200,7 @@ fn languages_and_passes_agree_bit_for_bit() {
     });
     let divided = ["2", "1/mass"].map(|g| spec(&[("n", "2"), ("mu", "exp"), ("g", g)]));
     let specs: Vec<_> = specs.into_iter().chain(looped).chain(following).chain(divided).collect();
-    let folder = folder("bits");
-    let programs: Vec<_> =
-        specs.iter().zip(in_c(&folder, &specs)).zip(in_rust(&folder, &specs)).enumerate().collect();
-    let outcomes = in_pairs(&programs, |(index, ((spec, c), rust))| {
-        let mut random = Random(*index as u64);
-        let records = records(spec, &mut random, RECORDS);
-        let (c, rust) = (c.run(&records), rust.run(&records));
-        agree(spec, &records, &c, &rust);
-        agrees_as_a_whole(spec, &records, &c);
-        c
-    });
+    let outcomes = compared("bits", &specs, RECORDS);
     let mut statuses = BTreeMap::new();
     for outcome in outcomes.iter().flatten() {
         let status = if outcome.init == 0 { outcome.step.0 } else { outcome.init };
@@ -200,4 +209,32 @@ fn languages_and_passes_agree_bit_for_bit() {
     println!("{} specs; calls by status: {statuses:?}", specs.len());
     // Every outcome has been compared, so the records are not of one kind.
     assert!((-3..=2).all(|status| statuses.get(&status).is_some_and(|count| *count > 100)));
+}
+
+/// With products and sums fused, which gives other bits than without.
+#[test]
+fn fused_operations_agree_bit_for_bit() {
+    let families = [Family::Exp, Family::Rational, Family::Tan, Family::Tanh, Family::Algebraic];
+    let orders = families.iter().flat_map(|family| [1, 3, 6, 12].map(|n| Spec::new(n, *family)));
+    let own = [
+        spec(&[("n", "3"), ("kappa", "tau*dt/(tau - dt) + dt"), ("reference", "input")]),
+        spec(&[("n", "2"), ("mu", "exp"), ("g", "1/mass")]),
+    ];
+    let plain: Vec<_> = orders.chain(own).filter(|spec| !calls_a_library(spec)).collect();
+    assert!(plain.len() > 18, "{}", plain.len());
+    let both = [Precision::F64, Precision::F32];
+    let plain =
+        plain.iter().flat_map(|spec| both.map(|precision| Spec { precision, ..spec.clone() }));
+    let plain: Vec<_> = plain.collect();
+    let fused: Vec<_> = plain.iter().map(|spec| Spec { fma: true, ..spec.clone() }).collect();
+    let [plain_u, fused_u] = [("unfused", plain), ("fused", fused)].map(|(test, specs)| {
+        let outcomes = compared(test, &specs, RECORDS / 4);
+        outcomes
+            .into_iter()
+            .map(|of| of.iter().map(Outcome::bits).collect())
+            .collect::<Vec<Vec<_>>>()
+    });
+    let differ = plain_u.iter().zip(&fused_u).filter(|(plain, fused)| plain != fused).count();
+    // What is of order 1 has no sum of products.
+    assert!(differ > 3 * plain_u.len() / 5, "{differ} of {} differ", plain_u.len());
 }

@@ -19,7 +19,7 @@ const RECORDS: usize = 400;
 
 /// Only functions that every library rounds alike, so that bits can be compared.
 fn specs() -> Vec<Spec> {
-    let kinds: [&[(&str, &str)]; 12] = [
+    let kinds: [&[(&str, &str)]; 13] = [
         &[
             ("n", "1"),
             ("mu", "exp(a=1)"),
@@ -33,6 +33,13 @@ fn specs() -> Vec<Spec> {
             ("g", "2 + x1*x1/(1 + x1*x1)"),
         ],
         &[("n", "3"), ("mu", "tanh"), ("pi0", "extern"), ("after", "zero")],
+        &[
+            ("n", "2"),
+            ("mu", "rational"),
+            ("pi0", "-k1*xi1 - k2*xi2*abs(xi2) - sign(xi1)"),
+            ("g", "2 + x1*x1/(1 + x1*x1)"),
+            ("fma", "true"),
+        ],
         &[
             ("n", "2"),
             ("mu", "algebraic"),

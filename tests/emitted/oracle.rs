@@ -9,7 +9,7 @@ use ptc_codegen::lower::lower;
 use ptc_codegen::mapping::TimeMapping;
 use ptc_codegen::parameter::{Fixed, Precision};
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, Program};
+use ptc_codegen::program::{Input, Program, Stage, cost, passes};
 use ptc_codegen::request::Spec;
 use ptc_codegen::syntax::number;
 use support::program::{Outcome, Record, in_c, in_rust, real};
@@ -165,6 +165,30 @@ fn single_precision() {
     let groups = grouped(read("single.jsonl"), Precision::F32);
     assert_eq!(groups.len(), 9 * 8);
     judge("single", &groups);
+}
+
+/// Products and sums with one rounding are as exact as those with two.
+#[test]
+fn fused() {
+    for (file, precision) in [("deadline.jsonl", Precision::F64), ("single.jsonl", Precision::F32)]
+    {
+        let groups = grouped(read(file), precision).into_iter();
+        let groups: Vec<_> =
+            groups.map(|(spec, vectors)| (Spec { fma: true, ..spec }, vectors)).collect();
+        for (spec, _) in groups.iter().filter(|(spec, _)| spec.n > 1) {
+            let program =
+                |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+            let count = |spec: &Spec| {
+                let program = program(spec);
+                cost::count(&program, &[program.step], Stage::Tick)
+            };
+            let (plain, fused) = (count(&Spec { fma: false, ..spec.clone() }), count(spec));
+            assert_eq!((plain.fused, plain.mul), (0, fused.mul + fused.fused), "{spec:?}");
+            // Differences take a negation, which costs nothing where the processor fuses.
+            assert!(fused.fused >= spec.n - 1 && fused.add + fused.fused >= plain.add, "{spec:?}");
+        }
+        judge(&format!("fused_{}", real(precision)), &groups);
+    }
 }
 
 /// One vector of each family at some orders, with the family's parameters, the gains and tau

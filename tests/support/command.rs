@@ -2,6 +2,7 @@
 
 use ptc_codegen::design::canonical;
 use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::request::{Entry, Spec, read};
 use ptc_codegen::syntax::parse;
 
@@ -31,6 +32,9 @@ pub(crate) fn keys(line: &str) -> Vec<(String, String)> {
         let flag = word.strip_prefix("--").expect("a flag");
         let (flag, value) = match flag.split_once('=') {
             Some((flag, value)) => (flag.to_owned(), value.to_owned()),
+            None if KeyInfo::find(flag).is_some_and(KeyInfo::is_switch) => {
+                (flag.to_owned(), "true".to_owned())
+            }
             None => (flag.to_owned(), words.next().expect("a value")),
         };
         keys.push(match value.split_once('=') {

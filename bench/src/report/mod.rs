@@ -14,6 +14,7 @@ use crate::campaigns::Campaign;
 use crate::counts::Count;
 use crate::equality::Found;
 use crate::failure::Result;
+use crate::fused::Fused;
 use crate::generator::{Bell, Speed};
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
@@ -61,6 +62,9 @@ pub(crate) fn write() -> Result<()> {
         text.push_str("\n![Instructions per step over the order](benchmarks.svg)\n");
         tables::counts(&mut text, counts);
         plot::plot(&docs.join("benchmarks.svg"), counts, peers.as_deref().unwrap_or(&[]))?;
+    }
+    if let Some(fused) = kept::<Vec<Fused>>("fma")? {
+        tables::fused(&mut text, &fused);
     }
     if let Some(accuracy) = kept::<Vec<Accuracy>>("accuracy")? {
         tables::accuracy(&mut text, &accuracy);

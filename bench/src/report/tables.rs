@@ -8,6 +8,7 @@ use crate::builds::Builds;
 use crate::campaigns::Campaign;
 use crate::case::{ORDERS, VARIANTS};
 use crate::counts::Count;
+use crate::fused::Fused;
 use crate::generator::Speed;
 
 /// A heading with the command that measures what follows.
@@ -110,6 +111,29 @@ The worst scaled error |u - reference| / scale of generated C against the vector
 [tests/data](../tests/data/README.md), which were computed with 160 digits and more: time-to-go from
 T = tau down to T/tau = 1e-12 in double precision and 1e-6 in single, start times up to 1e4. In
 brackets T/tau at the worst point.";
+
+const FUSED: &str = "\
+`fma = true`, in C and f64, guard `none`, counted as above. In each cell: the plain controller, the fused one,
+both compiled by `gcc -std=c99 -O2 -mfma`, and what the second is of the first.";
+
+pub(super) fn fused(text: &mut String, found: &[Fused]) {
+    section(text, "Fused multiply-adds", "fma", FUSED);
+    let of = |variant: &str, n: usize| {
+        found.iter().find(|one| one.key.variant == variant && one.key.n == n)
+    };
+    let variants: Vec<_> = VARIANTS.iter().map(|variant| variant.name).collect();
+    text.push('\n');
+    by_order(text, &variants, &ORDERS, |variant, n| {
+        let Fused { plain, fused, .. } = of(variant, n)?;
+        Some(format!("{plain:.0}, {fused:.0}: {:.0} %", 100.0 * fused / plain))
+    });
+    text.push_str(
+        "\nThe fused one compiled without `-mfma`, where each `fma` is a call of the library:\n\n",
+    );
+    by_order(text, &variants, &ORDERS, |variant, n| {
+        of(variant, n).map(|one| format!("{:.0}", one.called))
+    });
+}
 
 pub(super) fn accuracy(text: &mut String, accuracy: &[Accuracy]) {
     section(text, "Accuracy", "accuracy", ACCURACY);

@@ -56,11 +56,15 @@ impl FromArgMatches for SpecFlags {
 impl Args for SpecFlags {
     fn augment_args(command: clap::Command) -> clap::Command {
         let keys = KEYS.iter().map(|info| {
-            Arg::new(info.key)
+            let flag = Arg::new(info.key)
                 .long(flag(info.key).trim_start_matches('-').to_owned())
                 .value_name(info.key.to_uppercase())
                 .allow_hyphen_values(true)
-                .help(help(info.key))
+                .help(help(info.key));
+            match info.is_switch() {
+                true => flag.num_args(0..=1).require_equals(true).default_missing_value("true"),
+                false => flag,
+            }
         });
         command.args(keys).arg(
             Arg::new(PARAM)

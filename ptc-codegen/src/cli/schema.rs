@@ -90,6 +90,9 @@ fn verified(open: bool) -> Map<String, Value> {
 
 /// A key, with its values where they are words.
 fn key(info: &KeyInfo) -> Value {
+    if info.is_switch() {
+        return json!({ "description": info.meaning, "type": "boolean" });
+    }
     let mut key = json!({
         "description": format!("{}; legal: {}", info.meaning, info.legal),
         "examples": [example(info.example)],

@@ -50,6 +50,8 @@ pub enum Expr {
     Neg(Box<Expr>),
     /// An operation on floating-point numbers.
     Binary(Operator, Box<Expr>, Box<Expr>),
+    /// a * b + c, rounded once.
+    Fused(Box<[Expr; 3]>),
     /// a / b, and no number where b is 0 or no number.
     Quotient(Box<Expr>, Box<Expr>),
     /// A function of a number.
@@ -127,6 +129,7 @@ impl Expr {
                 Self::Number(_)
                     | Self::Neg(_)
                     | Self::Binary(..)
+                    | Self::Fused(_)
                     | Self::Quotient(..)
                     | Self::Call(..)
                     | Self::Pow(..)
@@ -198,6 +201,9 @@ impl Expr {
             Self::Neg(a) => Self::Neg(local(a)),
             Self::Real(a) => Self::Real(local(a)),
             Self::Call(function, a) => Self::Call(*function, local(a)),
+            Self::Fused(operands) => {
+                Self::Fused(Box::new(operands.each_ref().map(Self::local_fields)))
+            }
             Self::Quotient(a, b) => Self::Quotient(local(a), local(b)),
             Self::Pow(a, b) => Self::Pow(local(a), local(b)),
             Self::CountHalf(a) => Self::CountHalf(local(a)),
@@ -225,6 +231,7 @@ impl Expr {
             | Self::CountHalf(a)
             | Self::Call(_, a)
             | Self::Callback(_, _, a) => a.visit(visit),
+            Self::Fused(operands) => operands.iter().for_each(|operand| operand.visit(visit)),
             Self::Choose(test, a, b) => {
                 test.visit(visit);
                 a.visit(visit);

@@ -46,14 +46,14 @@ fn entry(info: &KeyInfo, name: Option<&str>) -> String {
     let (key, meaning, legal) = (info.key, info.meaning, info.legal);
     let given = name.filter(|_| key == "name");
     let comment = if given.is_some() || NEEDED.contains(&key) { "" } else { "# " };
-    let value = value(given.unwrap_or(info.example));
+    let value = value(info, given.unwrap_or(info.example));
     format!("\n# {meaning}\n# legal: {legal}\n{comment}{key} = {value}\n")
 }
 
-/// A value of the command line as TOML writes it.
-pub(super) fn value(text: &str) -> String {
+/// A value of a key on the command line as TOML writes it.
+pub(super) fn value(info: &KeyInfo, text: &str) -> String {
     let is_number = |text: &str| text == "inf" || number(text).is_some();
-    if is_number(text) {
+    if is_number(text) || info.is_switch() {
         return text.to_owned();
     }
     if text.starts_with(['[', '{']) {

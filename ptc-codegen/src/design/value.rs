@@ -117,6 +117,10 @@ impl Reader<'_> {
         match toml.kind {
             Kind::Text(text) => self.text(key, &text, toml.range),
             Kind::Number => self.number(key, toml.range),
+            Kind::Boolean if KeyInfo::find(key).is_some_and(KeyInfo::is_switch) => {
+                let word = self.text[toml.range.clone()].to_owned();
+                Some(Node { value: Value::Word(word), place: (self.place)(toml.range) })
+            }
             _ => {
                 let written = &self.text[toml.range.clone()];
                 let mut help = legal(key);
@@ -175,7 +179,7 @@ fn legal(key: &str) -> String {
     let root = key.split('[').next().unwrap_or(key);
     match KeyInfo::find(root) {
         Some(info) => {
-            let example = template::value(info.example);
+            let example = template::value(info, info.example);
             format!("{root} is {}, for example {example}", info.legal)
         }
         None => "a value is a number, text in quotes, or a list of these in brackets".to_owned(),

@@ -242,8 +242,15 @@ fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
         _ => false,
     });
     let library = if library { " and with the same mathematical library" } else { "" };
+    let (fused, machine) = match spec.fma {
+        true => (
+            ", with fused multiply-adds: a processor without them calls the library for each",
+            "whose compiler fuses nothing more",
+        ),
+        false => ("", "without fused multiply-add"),
+    };
     lines.push(format!(
-        "Precision {precision}. Results are bit for bit the same on every IEEE 754 machine without fused multiply-add (gcc, clang: -ffp-contract=off){library}."
+        "Precision {precision}{fused}. Results are bit for bit the same on every IEEE 754 machine {machine} (gcc, clang: -ffp-contract=off){library}."
     ));
     lines
 }
@@ -279,6 +286,7 @@ fn count(controller: &Controller<'_>) -> Vec<String> {
     let parts = [
         several(step.add, "addition or comparison", "additions or comparisons"),
         several(step.mul, "multiplication", "multiplications"),
+        several(step.fused, "fused multiply-add", "fused multiply-adds"),
         several(step.div, "division", "divisions"),
         several(step.sqrt, "square root", "square roots"),
         several(step.calls, "function call", "function calls"),

@@ -1,6 +1,6 @@
 //! MATLAB: one function file for each function, for MATLAB, its Coder, Simulink, and GNU Octave.
 
-use super::{Language, Print, Target, code};
+use super::{Language, Print, Target, code, refuse_fma};
 use crate::diagnostic::Diagnostics;
 use crate::program::Program;
 use crate::request::{Spec, What};
@@ -28,6 +28,7 @@ const WORDS: &str = "
 const LONGEST: usize = 63;
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
+    refuse_fma(spec, "MATLAB", found);
     let name = spec.name();
     let function = match spec.sampled() {
         Some(sampled) if sampled.disturbance => "_disturbance",

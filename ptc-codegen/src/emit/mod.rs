@@ -278,6 +278,15 @@ pub fn emit_sampled_items(report: &Report) -> String {
     }
 }
 
+/// Notes that a language, called `name`, has no fused multiply-add.
+fn refuse_fma(spec: &Spec, name: &str, found: &mut Diagnostics) {
+    if spec.fma {
+        let message = format!("{name} has no fused multiply-add");
+        let help = "leave `fma` out, or emit c, cpp, rust, fmu2 or fmu3";
+        found.push("unsupported", "fma", None, message, help);
+    }
+}
+
 /// Notes a name whose class is called as one of the `others`, or as a value of its methods: T, E, K1,
 /// K2, ...
 fn refuse_class(spec: &Spec, others: &[&str], found: &mut Diagnostics) {

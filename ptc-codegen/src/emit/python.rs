@@ -1,6 +1,6 @@
 //! Python: one typed module on NumPy.
 
-use super::{Language, Print, Target, code, refuse_class};
+use super::{Language, Print, Target, code, refuse_class, refuse_fma};
 use crate::parameter::type_name;
 
 pub(super) const TARGET: Target = Target {
@@ -12,7 +12,10 @@ pub(super) const TARGET: Target = Target {
         WORDS.split_whitespace().any(|one| one == word)
             || CLASSES.split_whitespace().any(|one| one == type_name(word))
     },
-    refuse: |spec, _, found| refuse_class(spec, &[], found),
+    refuse: |spec, _, found| {
+        refuse_class(spec, &[], found);
+        refuse_fma(spec, "NumPy", found);
+    },
     print: Print::Program(|program| vec![code::python(program)]),
 };
 

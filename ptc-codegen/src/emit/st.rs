@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::literal::through_double;
-use super::{File, Language, Print, Target, code, names};
+use super::{File, Language, Print, Target, code, names, refuse_fma};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Node, Subject};
 use crate::parameter::{Parameter, Precision};
@@ -41,6 +41,7 @@ pub(super) fn is_word(word: &str) -> bool {
 }
 
 fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
+    refuse_fma(spec, "Structured Text", found);
     if spec.what == What::Associated {
         found.push(
             "unsupported",

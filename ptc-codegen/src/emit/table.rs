@@ -21,7 +21,7 @@ fn table() -> String {
         start: None,
         functions: Vec::new(),
     };
-    let (a, b) = (|| Expr::local("a"), || Expr::local("b"));
+    let [a, b, c] = ["a", "b", "c"].map(|name| move || Expr::local(name));
     let call = |function| Expr::Call(function, Box::new(a()));
     let less = || Test::Less(a(), b());
     let operations = [
@@ -29,6 +29,7 @@ fn table() -> String {
         ("Neg", Expr::Neg(Box::new(a()))),
         ("Binary(Add)", Expr::binary(Operator::Add, a(), b())),
         ("Binary(Mul)", Expr::binary(Operator::Mul, a(), b())),
+        ("Fused", Expr::Fused(Box::new([a(), b(), c()]))),
         ("Quotient", Expr::Quotient(Box::new(a()), Box::new(b()))),
         ("Choose(Less)", Expr::choose(less(), a(), b())),
         ("Call(Abs)", call(Function::Abs)),
@@ -58,7 +59,11 @@ fn table() -> String {
         format!("| --- |{}", " --- |".repeat(names.len())),
     ];
     let rows = operations.iter().map(|(name, e)| {
-        let cells: Vec<_> = printers.iter().map(|(_, text)| text.alone(e)).collect();
+        let cells = printers.iter().map(|(_, text)| match e {
+            Expr::Fused(_) => text.fused(&["a", "b", "c"].map(str::to_owned)),
+            e => Some(text.alone(e)),
+        });
+        let cells: Vec<_> = cells.map(|cell| cell.unwrap_or("refused".to_owned())).collect();
         (name, cells)
     });
     let tests = tests.iter().map(|(name, test)| {

@@ -49,6 +49,7 @@ impl<'a> Builder<'a> {
         let nothing = Value(0);
         let program = Program {
             precision: spec.precision,
+            fma: false,
             values: Vec::new(),
             limits: Limits {
                 start_time: None,

@@ -45,9 +45,9 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
     if spec.what == What::Associated
         && let Some(program) = associated::lower(spec, law)
     {
-        return program;
+        return Program { fma: spec.fma, ..program };
     }
-    controller(spec, law)
+    Program { fma: spec.fma, ..controller(spec, law) }
 }
 
 fn controller(spec: &Spec, law: &Law) -> Program {

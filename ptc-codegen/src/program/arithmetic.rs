@@ -12,6 +12,7 @@ pub(super) enum Arithmetic {
     Add(usize, usize),
     Sub(usize, usize),
     Mul(usize, usize),
+    Fused(usize, usize, usize),
     Div(usize, usize),
     Quotient(usize, usize),
     Power(usize, u32),
@@ -24,14 +25,16 @@ pub(super) enum Arithmetic {
 }
 
 impl Arithmetic {
-    /// `op` on the numbers at `a` and `b`; none for operations that need more than numbers.
-    pub(super) fn of(op: &Op, a: usize, b: usize, precision: Precision) -> Option<Self> {
+    /// `op` on the numbers at the places of its operands, of which there are at most three; none for
+    /// operations that need more than numbers.
+    pub(super) fn of(op: &Op, [a, b, c]: [usize; 3], precision: Precision) -> Option<Self> {
         Some(match op {
             Op::Number(value) => Self::Number(number::round(value, precision)),
             Op::Neg(_) => Self::Neg(a),
             Op::Add(..) => Self::Add(a, b),
             Op::Sub(..) => Self::Sub(a, b),
             Op::Mul(..) => Self::Mul(a, b),
+            Op::Fused(..) => Self::Fused(a, b, c),
             Op::Div(..) => Self::Div(a, b),
             Op::Quotient(..) => Self::Quotient(a, b),
             Op::Power(_, k) => Self::Power(a, *k),
@@ -58,6 +61,7 @@ impl Arithmetic {
             Self::Add(a, b) => settle(at(a) + at(b)),
             Self::Sub(a, b) => settle(at(a) - at(b)),
             Self::Mul(a, b) => settle(at(a) * at(b)),
+            Self::Fused(a, b, c) => fused(at(a), at(b), at(c), precision),
             Self::Div(a, b) => settle(at(a) / at(b)),
             Self::Quotient(a, b) => {
                 let divisor = at(b);
@@ -103,8 +107,17 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
     if op.operands().len() != operands.len() {
         return None;
     }
-    let arithmetic = Arithmetic::of(op, 0, 1, precision)?;
+    let arithmetic = Arithmetic::of(op, [0, 1, 2], precision)?;
     Some(arithmetic.result(|i| operands[i], precision))
+}
+
+/// a * b + c with one rounding. Through double a float one would round twice.
+#[allow(clippy::cast_possible_truncation)]
+fn fused(a: f64, b: f64, c: f64, precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => a.mul_add(b, c),
+        Precision::F32 => f64::from((a as f32).mul_add(b as f32, c as f32)),
+    }
 }
 
 /// A function of one number.

@@ -11,6 +11,8 @@ pub struct Cost {
     pub add: usize,
     /// Multiplications.
     pub mul: usize,
+    /// Products and sums that are one operation.
+    pub fused: usize,
     /// Divisions.
     pub div: usize,
     /// Square roots.
@@ -24,6 +26,7 @@ pub struct Cost {
 pub struct Weights {
     add: usize,
     mul: usize,
+    fused: usize,
     div: usize,
     sqrt: usize,
     calls: usize,
@@ -31,13 +34,14 @@ pub struct Weights {
 
 /// The cost model: double precision on x86-64, with the latencies of Skylake and some 60
 /// instructions for a call of a library function.
-pub static X86_64: Weights = Weights { add: 4, mul: 4, div: 14, sqrt: 18, calls: 60 };
+pub static X86_64: Weights = Weights { add: 4, mul: 4, fused: 4, div: 14, sqrt: 18, calls: 60 };
 
 impl Cost {
     /// Cycles in the model.
     pub fn cycles(&self, weights: &Weights) -> usize {
         self.add * weights.add
             + self.mul * weights.mul
+            + self.fused * weights.fused
             + self.div * weights.div
             + self.sqrt * weights.sqrt
             + self.calls * weights.calls
@@ -52,6 +56,7 @@ pub fn of_axes(program: &Program, axes: usize) -> Cost {
     Cost {
         add: tick.add + axes * axis.add,
         mul: tick.mul + axes * axis.mul,
+        fused: tick.fused + axes * axis.fused,
         div: tick.div + axes * axis.div,
         sqrt: tick.sqrt + axes * axis.sqrt,
         calls: tick.calls + axes * axis.calls,
@@ -76,6 +81,7 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
                 cost.add += 1;
             }
             Op::Mul(..) => cost.mul += 1,
+            Op::Fused(..) => cost.fused += 1,
             Op::Power(_, k) => cost.mul += (k.ilog2() + k.count_ones() - 1) as usize,
             Op::Div(..) | Op::Quotient(..) => cost.div += 1,
             Op::Call(Function::Sqrt, _) => cost.sqrt += 1,

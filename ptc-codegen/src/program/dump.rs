@@ -48,6 +48,7 @@ fn operation(program: &Program, op: &Op) -> String {
         Op::Add(..) => "add",
         Op::Sub(..) => "sub",
         Op::Mul(..) => "mul",
+        Op::Fused(..) => "fused",
         Op::Div(..) => "div",
         Op::Quotient(..) => "quotient",
         Op::Max(..) => "max",

@@ -65,6 +65,7 @@ pub fn steady(program: &Program) -> Vec<bool> {
             Op::Neg(a) => steady[a.0],
             Op::Add(a, b) | Op::Sub(a, b) => both(a, b),
             Op::Mul(a, b) => both(a, b) && (is_constant(a) || is_constant(b)),
+            Op::Fused(a, b, c) => both(a, b) && steady[c.0] && (is_constant(a) || is_constant(b)),
             Op::Div(a, b) => both(a, b) && is_constant(b),
             _ => false,
         });

@@ -182,7 +182,8 @@ impl Tape {
             op => {
                 let operands = all(&op.operands());
                 let operand = |i: usize| operands.get(i).copied().unwrap_or(0);
-                Work::Arithmetic(Arithmetic::of(op, operand(0), operand(1), program.precision)?)
+                let operands = [0, 1, 2].map(operand);
+                Work::Arithmetic(Arithmetic::of(op, operands, program.precision)?)
             }
         };
         Some(Instruction { to: self.places[value.0], work })

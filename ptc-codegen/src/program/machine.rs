@@ -171,7 +171,8 @@ impl Step {
             op => {
                 let operands = slots(&op.operands());
                 let operand = |i: usize| operands.get(i).copied().unwrap_or(value.0);
-                let arithmetic = Arithmetic::of(op, operand(0), operand(1), program.precision);
+                let operands = [0, 1, 2].map(operand);
+                let arithmetic = Arithmetic::of(op, operands, program.precision);
                 arithmetic.map_or(Self::Given(None), Self::Arithmetic)
             }
         }

@@ -8,7 +8,8 @@
 //! - an [`Op::Rows`] is an array: it is used only by its [`Op::Element`]s;
 //! - names are unique.
 //!
-//! Passes keep every bit: the interpreter gives the same results before and after each of them.
+//! Passes keep every bit: the interpreter gives the same results before and after each of them. The
+//! exception is `fuse`, which runs where [`Program::fma`] asks for it; the interpreter fuses likewise.
 
 mod arithmetic;
 pub mod cost;
@@ -108,6 +109,8 @@ pub struct Definition {
 pub struct Program {
     /// Precision in which every operation rounds.
     pub precision: Precision,
+    /// Whether products and sums are fused where they can be.
+    pub fma: bool,
     /// All values, operands before users.
     pub values: Vec<Definition>,
     /// What the frame of the emitted functions compares with.

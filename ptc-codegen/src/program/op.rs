@@ -54,6 +54,8 @@ pub enum Op {
     Sub(Value, Value),
     /// a * b.
     Mul(Value, Value),
+    /// a * b + c, rounded once: what the pass `fuse` makes of a product and a sum.
+    Fused(Value, Value, Value),
     /// a / b.
     Div(Value, Value),
     /// a / b, and NaN in place of a division by 0.
@@ -124,6 +126,7 @@ impl Op {
             | Self::Max(a, b)
             | Self::Min(a, b)
             | Self::Pow(a, b) => [*a, *b].into_iter().for_each(give),
+            Self::Fused(a, b, c) => [*a, *b, *c].into_iter().for_each(give),
             Self::Root(root) => root.operands().into_iter().for_each(give),
         }
     }
@@ -144,6 +147,7 @@ impl Op {
             Self::Add(a, b) => Self::Add(to(*a), to(*b)),
             Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),
             Self::Mul(a, b) => Self::Mul(to(*a), to(*b)),
+            Self::Fused(a, b, c) => Self::Fused(to(*a), to(*b), to(*c)),
             Self::Div(a, b) => Self::Div(to(*a), to(*b)),
             Self::Quotient(a, b) => Self::Quotient(to(*a), to(*b)),
             Self::Max(a, b) => Self::Max(to(*a), to(*b)),

@@ -14,6 +14,7 @@ impl Program {
             shows[index] = match &self.values[index].op {
                 Op::Input(own) => *own == input,
                 Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) => of(a) || of(b),
+                Op::Fused(a, b, c) => of(a) || of(b) || of(c),
                 Op::Neg(a)
                 | Op::Div(a, _)
                 | Op::Quotient(a, _)

@@ -36,6 +36,7 @@ impl Spec {
         if self.precision == Precision::F32 {
             words.push("--precision f32".to_owned());
         }
+        words.extend(self.fma.then(|| "--fma".to_owned()));
         match self.guard {
             Guard::Full => {}
             Guard::Result => words.push("--guard result".to_owned()),

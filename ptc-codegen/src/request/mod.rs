@@ -125,6 +125,8 @@ pub struct Spec {
     pub clock: Clock,
     /// Floating-point type.
     pub precision: Precision,
+    /// Whether products and sums are fused: one rounding for both.
+    pub fma: bool,
     /// Run-time checks.
     pub guard: Guard,
     /// The law of the infinite-time system.
@@ -173,6 +175,7 @@ impl Spec {
             what: What::Controller,
             clock: Clock::Time,
             precision: Precision::F64,
+            fma: false,
             guard: Guard::Full,
             feedback: Feedback::Linear,
             drift: None,

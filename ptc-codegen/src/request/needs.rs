@@ -65,6 +65,16 @@ impl Spec {
         unless(self.axes.is_some(), ("axes", "axes"), message, help)
     }
 
+    /// Refuses fused operations for what knows an operation with one rounding of its own alone.
+    ///
+    /// # Errors
+    /// That `what` does not know them.
+    pub fn needs_no_fma(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} does not know fused multiply-adds");
+        let help = "leave `fma` out: the plain controller differs in roundings alone";
+        unless(self.fma, ("unsupported", "fma"), message, help)
+    }
+
     /// Refuses an observer alone for what runs a law.
     ///
     /// # Errors

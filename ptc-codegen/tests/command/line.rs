@@ -54,6 +54,9 @@ fn every_kind_of_mistake_has_its_message() {
         (&["--n=3", "--mu=exp", "--name=a b"], &["[syntax]", "`b`"]),
         (&["--n=3", "--mu=exp", "--precision=f16"], &["`f16`", "f64, f32"]),
         (&["--n=3", "--mu=exp", "--guard=half"], &["`half`", "full, result, none"]),
+        (&["--n=3", "--mu=exp", "--fma=on"], &["fma = `on`", "true, false"]),
+        (&["--n=3", "--mu=exp", "--fma", "--acsl"], &["[unsupported]", "leave `fma` out"]),
+        (&["--n=3", "--mu=exp", "--fma", "--clock=samples"], &["a clock in samples has no fused"]),
         (&["--n=3", "--mu=exp", "--precision=f32", "--tau=1e39"], &["1e39", "f32"]),
         (&["--n=3", "--mu=exp", "--lang=c"], &["--lang"]),
         (&["--n=3", "--mu=exp", "--check"], &["--check", "--out"]),
@@ -213,5 +216,20 @@ fn an_engine_that_is_not_installed_tells_how_to_build_it() {
         assert!(told.contains("`ptc-engine-symbolica`, which is not installed"), "{told}");
         assert!(told.contains("cargo install --path engines/symbolica"), "{told}");
         assert!(told.contains("docs/engines.md"), "{told}");
+    }
+}
+
+/// What has no such operation says so; FMUs hold C, which has.
+#[test]
+fn languages_without_fused_operations_refuse_them() {
+    let design = ["--n=2", "--mu=exp", "--fma", "-o", "-"];
+    for (lang, name) in [("python", "NumPy"), ("matlab", "MATLAB"), ("st", "Structured Text")] {
+        let told = stderr(&[&["emit", "--lang", lang], &design[..]].concat(), 2);
+        assert!(told.contains(&format!("{name} has no fused multiply-add")), "{told}");
+        assert!(told.contains("leave `fma` out, or emit c, cpp, rust, fmu2 or fmu3"), "{told}");
+    }
+    for (lang, word) in [("c", "fma("), ("cpp", "std::fma("), ("rust", "math::mul_add(")] {
+        let code = stdout(&[&["emit", "--lang", lang], &design[..]].concat());
+        assert!(code.contains(word), "{code}");
     }
 }

@@ -118,6 +118,15 @@ fn corners(op: &Op, operands: &[Interval]) -> Vec<Vec<f64>> {
         (Op::Mul(a, b), [x, _]) if a == b => {
             [x.low, x.high].into_iter().chain(turn(x)).map(|x| vec![x, x]).collect()
         }
+        (Op::Fused(a, b, _), [x, _, c]) if a == b => {
+            let squared = [x.low, x.high].into_iter().chain(turn(x));
+            squared.flat_map(|x| [vec![x, x, c.low], vec![x, x, c.high]]).collect()
+        }
+        (Op::Fused(..), [a, b, c]) => {
+            let of = |a: f64, b: f64| [vec![a, b, c.low], vec![a, b, c.high]];
+            let pairs = |a: f64| [of(a, b.low), of(a, b.high)];
+            [pairs(a.low), pairs(a.high)].into_iter().flatten().flatten().collect()
+        }
         (_, [a, b]) => {
             let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
             ends.map(|(a, b)| vec![a, b]).to_vec()
@@ -157,6 +166,7 @@ mod tests {
 
     const A: Value = Value(0);
     const B: Value = Value(1);
+    const C: Value = Value(2);
 
     fn on(op: &Op, operands: &[(f64, f64)]) -> Interval {
         let operands: Vec<_> = operands.iter().map(|(a, b)| Interval::new(*a, *b)).collect();
@@ -168,6 +178,10 @@ mod tests {
         assert_eq!(on(&Op::Sub(A, B), &[(1.0, 2.0), (5.0, 7.0)]), Interval::new(-6.0, -3.0));
         assert_eq!(on(&Op::Mul(A, B), &[(-1.0, 2.0), (-3.0, 5.0)]), Interval::new(-6.0, 10.0));
         assert_eq!(on(&Op::Mul(A, A), &[(-1.0, 2.0), (-1.0, 2.0)]), Interval::new(0.0, 4.0));
+        let fused = [(-1.0, 2.0), (-3.0, 5.0), (-1.0, 0.5)];
+        assert_eq!(on(&Op::Fused(A, B, C), &fused), Interval::new(-7.0, 10.5));
+        let square = [(-1.0, 2.0), (-1.0, 2.0), (-1.0, 0.5)];
+        assert_eq!(on(&Op::Fused(A, A, C), &square), Interval::new(-1.0, 4.5));
         assert_eq!(on(&Op::Power(A, 2), &[(-3.0, 2.0)]), Interval::new(0.0, 9.0));
         assert_eq!(on(&Op::Power(A, 3), &[(-3.0, 2.0)]), Interval::new(-27.0, 8.0));
         assert_eq!(on(&Op::Call(Function::Abs, A), &[(-3.0, 2.0)]), Interval::new(0.0, 3.0));
@@ -232,11 +246,12 @@ mod tests {
         fn results_lie_inside(
             a in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),
             b in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),
+            c in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),
         ) {
             let ops = [
                 Op::Neg(A), Op::Power(A, 2), Op::Power(A, 5), Op::Add(A, B), Op::Sub(A, B),
                 Op::Mul(A, B), Op::Div(A, B), Op::Quotient(A, B), Op::Max(A, B), Op::Min(A, B),
-                Op::Pow(A, B),
+                Op::Pow(A, B), Op::Fused(A, B, C), Op::Fused(A, A, C),
             ];
             let calls = Function::ALL.map(|(_, function)| Op::Call(function, A));
             for precision in [Precision::F64, Precision::F32] {
@@ -246,8 +261,8 @@ mod tests {
                         let (low, high) = (settle(low), settle(low + width));
                         (Interval::new(low, high), settle(low + share * (high - low)))
                     };
-                    let drawn: Vec<_> =
-                        [a, b].into_iter().take(op.operands().len()).map(draw).collect();
+                    let own = op.operands().into_iter().map(|v| draw([a, b, c][v.0]));
+                    let drawn: Vec<_> = own.collect();
                     let (boxes, points): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
                     let bound = apply(op, &boxes, precision);
                     let value = program::apply(op, &points, precision).expect("numbers");

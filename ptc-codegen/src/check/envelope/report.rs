@@ -32,6 +32,7 @@ fn expression(program: &Program, value: Value, depth: u32) -> String {
         Op::Add(a, b) => infix(a, " + ", b),
         Op::Sub(a, b) => infix(a, " - ", b),
         Op::Mul(a, b) => infix(a, "*", b),
+        Op::Fused(a, b, c) => format!("({}*{} + {})", part(a), part(b), part(c)),
         Op::Div(a, b) | Op::Quotient(a, b) => infix(a, "/", b),
         Op::Power(a, exponent) => format!("{}^{exponent}", part(a)),
         Op::Max(a, b) => call_two("max", a, b),

@@ -120,6 +120,10 @@ impl<'a> Enclosure<'a> {
                 Some(sum(a, Rounded { exact: -b.exact, ..b }, unit))
             }
             Op::Mul(a, b) => Some(product(at(*a)?, at(*b)?, unit)),
+            Op::Fused(a, b, c) => {
+                let unrounded = product(at(*a)?, at(*b)?, 0.0);
+                Some(sum(unrounded, at(*c)?, unit))
+            }
             Op::Div(a, b) | Op::Quotient(a, b) => quotient(at(*a)?, at(*b)?, unit),
             Op::Power(a, k) => {
                 let a = at(*a)?;

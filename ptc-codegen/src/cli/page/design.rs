@@ -71,6 +71,7 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         fact("guard", guard.to_owned()),
         fact("precision", spec.precision.name().to_owned()),
     ]);
+    facts.extend(spec.fma.then(|| fact("products and sums", "fused: one rounding".to_owned())));
     facts
 }
 

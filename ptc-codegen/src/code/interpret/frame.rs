@@ -168,6 +168,11 @@ impl<'b> Frame<'_, 'b> {
                 Operator::Mul => self.apply(Op::Mul, a, b),
                 Operator::Div => self.apply(Op::Div, a, b),
             },
+            Expr::Fused(operands) => {
+                let [a, b, c] = [Value(0), Value(1), Value(2)];
+                let operands = operands.each_ref().map(|operand| self.real(operand));
+                apply(&Op::Fused(a, b, c), &operands, self.precision).unwrap_or(f64::NAN)
+            }
             Expr::Quotient(a, b) => self.apply(Op::Quotient, a, b),
             Expr::Pow(a, b) => self.apply(Op::Pow, a, b),
             Expr::Call(function, a) => {

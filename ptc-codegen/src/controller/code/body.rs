@@ -83,9 +83,9 @@ impl Writer<'_> {
     fn expression(&mut self, value: Value) -> Expr {
         let once = self.uses.get(&value) == Some(&1);
         let known = match self.known.get(&value) {
-            Some(Expr::Neg(_) | Expr::Binary(..) | Expr::Call(..) | Expr::Pow(..)) if once => {
-                self.known.remove(&value)
-            }
+            Some(
+                Expr::Neg(_) | Expr::Binary(..) | Expr::Fused(_) | Expr::Call(..) | Expr::Pow(..),
+            ) if once => self.known.remove(&value),
             known => known.cloned(),
         };
         known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
@@ -191,6 +191,7 @@ impl Writer<'_> {
             Op::Add(a, b) => Expr::binary(Operator::Add, value(a), value(b)),
             Op::Sub(a, b) => Expr::binary(Operator::Sub, value(a), value(b)),
             Op::Mul(a, b) => Expr::binary(Operator::Mul, value(a), value(b)),
+            Op::Fused(a, b, c) => Expr::Fused(Box::new([value(a), value(b), value(c)])),
             Op::Div(a, b) => Expr::binary(Operator::Div, value(a), value(b)),
             Op::Quotient(a, b) => Expr::Quotient(Box::new(value(a)), Box::new(value(b))),
             Op::Max(a, b) => Expr::choose(Test::Less(value(a), value(b)), value(b), value(a)),

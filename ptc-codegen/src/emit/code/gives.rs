@@ -74,6 +74,6 @@ pub(super) fn calls_library(function: &Function) -> bool {
 fn is_call(value: &Expr) -> bool {
     match value {
         Expr::Call(function, _) => !matches!(function, Math::Abs | Math::Sign),
-        value => matches!(value, Expr::Pow(..)),
+        value => matches!(value, Expr::Pow(..) | Expr::Fused(_)),
     }
 }

@@ -129,6 +129,19 @@ impl Short {
                 }
                 Expr::Binary(operator, Box::new(a), Box::new(b))
             }
+            Expr::Fused(operands) => {
+                let mut operands = operands.map(|operand| self.operand(operand, out));
+                for _ in 0..operands.len() {
+                    let widths = operands.each_ref().map(|operand| self.width(operand));
+                    if widths.iter().sum::<usize>() <= WIDTH {
+                        break;
+                    }
+                    let longest = (0..widths.len()).max_by_key(|i| widths[*i]).unwrap_or(0);
+                    let part = std::mem::replace(&mut operands[longest], Expr::integer(0));
+                    operands[longest] = self.named(part, out);
+                }
+                Expr::Fused(Box::new(operands))
+            }
             Expr::Call(function, a) => Expr::Call(function, Box::new(self.operand(*a, out))),
             Expr::Pow(a, b) => {
                 let [a, b] = [a, b].map(|side| Box::new(self.operand(*side, out)));
@@ -168,6 +181,9 @@ impl Short {
             Expr::FieldElement(name, _) => name.len() + 9,
             Expr::OfAxis(name, ..) => name.len() + 20,
             Expr::Call(function, a) => function.name().len() + self.width(a) + 2,
+            Expr::Fused(operands) => {
+                operands.iter().map(|operand| self.width(operand)).sum::<usize>() + 19
+            }
             Expr::Pow(a, b) => self.width(a) + self.width(b) + 7,
             Expr::Quotient(a, b) => self.width(a) + 3 * self.width(b) + 30,
             Expr::Callback(name, array, time) => name.len() + array.len() + self.width(time) + 13,

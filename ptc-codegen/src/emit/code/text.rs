@@ -2,6 +2,7 @@
 
 use crate::code::{AXIS, Expr, Operator, Test};
 use crate::expression::Function;
+use crate::internal::fault;
 use crate::parameter::Precision;
 use crate::program::number;
 
@@ -95,6 +96,9 @@ pub(in crate::emit) trait Text {
     /// A function of the mathematical library by its name in formulas: `sqrt`, `ln`, `pow`.
     fn call(&self, function: &str, arguments: &[String]) -> String;
 
+    /// a * b + c, rounded once; none where the language has no word for it, and refuses such a design.
+    fn fused(&self, operands: &[String; 3]) -> Option<String>;
+
     /// |a|.
     fn abs(&self, a: &str) -> String;
 
@@ -168,6 +172,10 @@ pub(in crate::emit) trait Text {
                     && matches!(operator, Operator::Add | Operator::Mul);
                 let left = if same { self.alone(a) } else { self.within(a, Level::Atom) };
                 (level, format!("{left} {sign} {}", self.within(b, Level::Atom)))
+            }
+            Expr::Fused(operands) => {
+                let text = self.fused(&operands.each_ref().map(|operand| self.alone(operand)));
+                (Level::Atom, text.unwrap_or_else(|| fault("a language without fused operations")))
             }
             Expr::Call(Function::Abs, a) => (Level::Atom, self.abs(&self.alone(a))),
             Expr::Call(Function::Sign, a) => self.sign(&self.within(a, Level::Atom)),

@@ -1,7 +1,8 @@
-//! The passes: named, in one visible list, each keeping every bit.
+//! The passes: named, in one visible list, each keeping every bit except `fuse`, which a design asks for.
 
 mod chains;
 mod fold;
+mod fuse;
 mod prune;
 mod share;
 #[cfg(test)]
@@ -20,11 +21,12 @@ pub struct Pass {
 }
 
 /// All passes, in the order in which they run.
-pub static PASSES: [Pass; 5] = [
+pub static PASSES: [Pass; 6] = [
     Pass { name: "fold", doc: "computes what is known at generation", run: fold::run },
     Pass { name: "chains", doc: "writes powers as multiplication chains", run: chains::run },
     Pass { name: "refold", doc: "computes powers of what is known at generation", run: fold::run },
     Pass { name: "share", doc: "keeps one of several equal values", run: share::run },
+    Pass { name: "fuse", doc: "fuses products and sums where asked", run: fuse::run },
     Pass { name: "prune", doc: "drops values that nothing uses", run: prune::run },
 ];
 

@@ -14,6 +14,7 @@ mod units;
 
 use std::collections::BTreeMap;
 
+use model::Read;
 pub(crate) use parameters::known;
 
 use num_traits::ToPrimitive;
@@ -47,10 +48,10 @@ pub struct Entry {
 /// # Errors
 /// Every mistake in the entries, in their order.
 pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
-    let mut reader =
-        Reader { found: Diagnostics::default(), keys: BTreeMap::new(), params: BTreeMap::new() };
-    for entry in entries {
-        reader.admit(entry);
+    let mut reader = Reader::new(entries);
+    let plant = reader.as_linear_plant(entries);
+    if let Some(entries) = &plant {
+        reader = Reader::new(entries);
     }
     let spec = reader.spec();
     reader.found.finish(spec)
@@ -67,6 +68,13 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
+    fn new(entries: &'a [Entry]) -> Self {
+        let (found, keys, params) = (Diagnostics::default(), BTreeMap::new(), BTreeMap::new());
+        let mut reader = Self { found, keys, params };
+        entries.iter().for_each(|entry| reader.admit(entry));
+        reader
+    }
+
     fn admit(&mut self, entry: &'a Entry) {
         let (table, name) = match entry.key.split_once('.') {
             Some((table, name)) => (Some(table), name),
@@ -122,11 +130,16 @@ impl<'a> Reader<'a> {
     }
 
     fn spec(&mut self) -> Option<Spec> {
+        let samples = self.counts_samples();
         let model = self.model();
         let coupled = self.coupled();
         let orders = coupled.as_ref().map(Coupled::orders);
         let first = orders.as_ref().and_then(|orders| orders.first().copied());
-        let n = self.order(model.as_ref().map(|read| read.model.coordinates.len()).or(first));
+        let degree = model.as_ref().map(|Read { model, .. }| match samples {
+            true => model.states.len(),
+            false => model.coordinates.len(),
+        });
+        let n = self.order(degree.or(first), samples);
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
         let highest = orders.as_ref().and_then(|orders| orders.iter().copied().max());
@@ -147,6 +160,7 @@ impl<'a> Reader<'a> {
         );
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
+        let fma = self.choice("fma", &[("true", true), ("false", false)]);
         let guard = self.choice(
             "guard",
             &[("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)],
@@ -163,7 +177,6 @@ impl<'a> Reader<'a> {
             (None, None) => n,
         };
         let promises = self.promises(n, states);
-        let samples = self.counts_samples();
         // A sample of delay is a state more.
         let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
         let law = self.law(n.map(|n| n + late), order + late, &known);
@@ -184,6 +197,7 @@ impl<'a> Reader<'a> {
             what: what.unwrap_or(What::Controller),
             clock: Clock::Time,
             precision,
+            fma: fma.unwrap_or(false),
             guard: guard.unwrap_or(Guard::Full),
             feedback: law.feedback,
             drift,
@@ -256,8 +270,8 @@ impl<'a> Reader<'a> {
         self.found.push("missing-key", key, None, message, format!("give {legal}"));
     }
 
-    /// The order, which is `degree` where the plant has a model.
-    fn order(&mut self, degree: Option<usize>) -> Option<usize> {
+    /// The order, which is `degree` where the plant has a model: in samples as many states as it has.
+    fn order(&mut self, degree: Option<usize>, samples: bool) -> Option<usize> {
         let Some(node) = self.keys.get("n").copied() else {
             // The matrix of a plant has an order.
             let rows = self.keys.get("A").map(|node| items(node).len());
@@ -284,7 +298,10 @@ impl<'a> Reader<'a> {
         if let (Some(n), Some(degree)) =
             (n, degree.filter(|degree| n.is_some_and(|n| n != *degree)))
         {
-            let message = format!("n = {n}, but the relative degree of the output is {degree}");
+            let message = match samples {
+                true => format!("n = {n}, but the model has {degree} states"),
+                false => format!("n = {n}, but the relative degree of the output is {degree}"),
+            };
             let help = format!("leave n out, or give {degree}: it follows from the model");
             self.wrong("n", Some(node.place), message, help);
             return Some(degree);

@@ -129,6 +129,9 @@ impl Units {
             (Op::Neg(_), [a]) => a.error,
             (Op::Add(..) | Op::Sub(..), [a, b]) => a.error + b.error + self.roundoff * size,
             (Op::Mul(..), [a, b]) => a.size() * b.error + b.most() * a.error + rounding,
+            (Op::Fused(..), [a, b, c]) => {
+                a.size() * b.error + b.most() * a.error + c.error + rounding
+            }
             (Op::Div(..) | Op::Quotient(..), [a, b]) if b.least() > 0.0 => {
                 let quotient = size * (1.0 + 2.0 * self.roundoff) + self.subnormal;
                 (a.error + quotient * b.error) / (b.least() * (2.0 - MORE)) + rounding
@@ -189,8 +192,8 @@ mod tests {
     use crate::program::{Input, passes};
     use crate::request::Spec;
 
-    fn program(n: usize, family: Family, precision: Precision) -> Program {
-        let spec = Spec { precision, ..Spec::new(n, family) };
+    fn program(n: usize, (family, fma): (Family, bool), precision: Precision) -> Program {
+        let spec = Spec { precision, fma, ..Spec::new(n, family) };
         passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {})
     }
 
@@ -220,7 +223,7 @@ mod tests {
             Family::Algebraic,
             Family::Soft,
         ];
-        for family in families {
+        for family in families.into_iter().flat_map(|family| [(family, false), (family, true)]) {
             for n in [1, 2, 4, 6] {
                 let [single, double] =
                     [Precision::F32, Precision::F64].map(|p| program(n, family, p));

@@ -62,13 +62,6 @@ fn mistakes_are_shown_at_their_lines() {
         ),
         ("mu = ", "g = \"2\"\nmu = ", 1, "`g` beside a model", "leave it out"),
         ("mu = ", "f = \"2\"\nmu = ", 1, "`f` beside a model", "leave it out"),
-        (
-            "mu = ",
-            "clock = \"samples\"\nmu = ",
-            1,
-            "a model needs a clock in time",
-            "leave `clock` out",
-        ),
         ("poles = [-4, -5, -6]", "pi0 = \"-xi1*x1_0\"", 2, "beside a model pi0 is", "at the start"),
         (
             "k*i - b*w",

@@ -9,6 +9,7 @@ pub(crate) mod in_c;
 mod mistakes;
 #[cfg(feature = "lab")]
 mod plants;
+mod sampled;
 #[cfg(feature = "lab")]
 mod simulated;
 use crate::support;

@@ -87,6 +87,10 @@ impl Text for C<'_> {
         format!("{function}{suffix}({})", arguments.join(", "))
     }
 
+    fn fused(&self, operands: &[String; 3]) -> Option<String> {
+        Some(self.call("fma", operands))
+    }
+
     fn abs(&self, a: &str) -> String {
         self.call("fabs", &[a.to_owned()])
     }

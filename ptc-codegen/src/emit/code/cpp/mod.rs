@@ -46,6 +46,10 @@ impl Text for Cpp<'_> {
         format!("std::{function}({})", arguments.join(", "))
     }
 
+    fn fused(&self, operands: &[String; 3]) -> Option<String> {
+        Some(self.call("fma", operands))
+    }
+
     /// std::fabs is not constant.
     fn abs(&self, a: &str) -> String {
         format!("absolute({a})")

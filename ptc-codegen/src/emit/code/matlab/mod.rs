@@ -114,6 +114,10 @@ impl Text for Matlab<'_> {
         format!("{function}({})", arguments.join(", "))
     }
 
+    fn fused(&self, _operands: &[String; 3]) -> Option<String> {
+        None
+    }
+
     fn abs(&self, a: &str) -> String {
         format!("abs({a})")
     }

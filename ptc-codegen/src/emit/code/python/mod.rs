@@ -98,6 +98,10 @@ impl Text for Python<'_> {
         format!("np.{function}({})", arguments.join(", "))
     }
 
+    fn fused(&self, _operands: &[String; 3]) -> Option<String> {
+        None
+    }
+
     fn abs(&self, a: &str) -> String {
         format!("np.abs({a})")
     }

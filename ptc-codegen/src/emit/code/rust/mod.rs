@@ -98,6 +98,10 @@ impl Text for Rust<'_> {
         format!("{path}::{function}({})", arguments.join(", "))
     }
 
+    fn fused(&self, operands: &[String; 3]) -> Option<String> {
+        Some(self.call("mul_add", operands))
+    }
+
     fn abs(&self, a: &str) -> String {
         let name = a.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
         if name { format!("{a}.abs()") } else { format!("({a}).abs()") }

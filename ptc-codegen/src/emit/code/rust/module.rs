@@ -9,7 +9,7 @@ use crate::parameter::Precision;
 /// A self-contained module: its head, the types that the items use, and the items.
 pub(super) fn text(head: &[String], precision: Precision, items: &str) -> String {
     let calls = |function: &str| items.contains(&format!("math::{function}("));
-    let names = Function::ALL.iter().map(|(name, _)| *name).chain(["pow"]);
+    let names = Function::ALL.iter().map(|(name, _)| *name).chain(["pow", "mul_add"]);
     let functions = names.filter(|f| calls(f));
     let module = Module {
         head: &documented(head),
@@ -54,6 +54,13 @@ impl MathFunction {
                 signature: format!("pow(a: {real}, b: {real}) -> {real}"),
                 method: "a.powf(b)".to_owned(),
                 libm: format!("libm::pow{suffix}(a, b)"),
+            };
+        }
+        if function == "mul_add" {
+            return Self {
+                signature: format!("mul_add(a: {real}, b: {real}, c: {real}) -> {real}"),
+                method: "a.mul_add(b, c)".to_owned(),
+                libm: format!("libm::fma{suffix}(a, b, c)"),
             };
         }
         Self {

@@ -88,6 +88,10 @@ impl Text for StructuredText<'_> {
         format!("{function}({})", arguments.join(", "))
     }
 
+    fn fused(&self, _operands: &[String; 3]) -> Option<String> {
+        None
+    }
+
     fn abs(&self, a: &str) -> String {
         format!("ABS({a})")
     }

@@ -2,6 +2,7 @@
 
 mod coupled;
 mod ill;
+mod linear;
 mod names;
 
 use super::Reader;
@@ -73,23 +74,16 @@ impl Reader<'_> {
 
     /// Refuses what has no meaning beside a model.
     pub(super) fn fits_model(&mut self, spec: &Spec, samples: bool) {
-        if spec.model.is_none() {
-            return;
+        let Some(model) = &spec.model else { return };
+        if samples {
+            self.not_linear(model);
         }
-        self.against(&[
-            (
-                "clock",
-                samples,
-                "a model needs a clock in time: its f and g change with the state",
-                "leave `clock` out, or give a linear plant as A, B and C under [plant]",
-            ),
-            (
-                "pi0",
-                spec.feedback == Feedback::Extern || spec.latches(),
-                "beside a model pi0 is an expression in xi1..xin and t",
-                "leave extern, and states at the start, out",
-            ),
-        ]);
+        self.against(&[(
+            "pi0",
+            spec.feedback == Feedback::Extern || spec.latches(),
+            "beside a model pi0 is an expression in xi1..xin and t",
+            "leave extern, and states at the start, out",
+        )]);
     }
 
     /// An expression in these names and in parameters, in which the `inputs` do not occur.

@@ -187,6 +187,12 @@ impl Reader<'_> {
             "its u is tested under both",
         );
         against(
+            "fma",
+            spec.fma,
+            "a clock in samples has no fused multiply-add yet",
+            "leave `fma` out, or `clock`: code in time fuses",
+        );
+        against(
             "t0",
             spec.fixed.contains_key(&Parameter::StartTime),
             "t0 has no meaning for a clock in samples",

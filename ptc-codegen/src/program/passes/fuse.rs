@@ -1,0 +1,94 @@
+//! fuse: writes a product and the sum that needs it as one operation with one rounding.
+
+use super::{append, rebuild};
+use crate::program::{Definition, Op, Program, Stage, Value};
+
+/// Where the program asks for it, fuses the sums and differences of a tick and a step with a product of
+/// the same stage that nothing else uses. This is the one pass that changes roundings: there is one
+/// less in each.
+///
+/// A difference of two products stays as it is: it is 0 where they are equal, and has the sign that
+/// they give, while with one of them unrounded it would be what the other was rounded by.
+pub(super) fn run(program: Program) -> Program {
+    if !program.fma {
+        return program;
+    }
+    let uses = uses(&program);
+    let mut index = 0;
+    rebuild(&program, |new, definition| {
+        let old = &program.values[index];
+        index += 1;
+        let free = |v: Value| {
+            let product = program.get(v);
+            let alike = product.stage == old.stage && product.looped == old.looped;
+            matches!(product.op, Op::Mul(..)) && uses[v.0] == 1 && alike
+        };
+        let op = match (&old.op, &definition.op) {
+            _ if old.stage < Stage::Tick => None,
+            (Op::Add(_, own), Op::Add(c, b)) if free(*own) => fused(new, *b, *c),
+            (Op::Add(own, _), Op::Add(a, c)) if free(*own) => fused(new, *a, *c),
+            (Op::Sub(one, other), Op::Sub(a, b)) => {
+                let is_product = |v: &Value| matches!(program.get(*v).op, Op::Mul(..));
+                match is_product(one) && is_product(other) {
+                    true => None,
+                    false if free(*other) => less(new, old.stage, *a, *b),
+                    false if free(*one) => minus(new, old.stage, *a, *b),
+                    false => None,
+                }
+            }
+            _ => None,
+        };
+        let Definition { op: plain, name, .. } = definition;
+        append(new, op.unwrap_or(plain), name)
+    })
+}
+
+/// How often each value is used by what the outputs need, and as an output.
+fn uses(program: &Program) -> Vec<usize> {
+    let mut uses = vec![0; program.values.len()];
+    let outputs = program.outputs();
+    for value in program.needed(&outputs) {
+        program.get(value).op.each_operand(|operand| uses[operand.0] += 1);
+    }
+    outputs.iter().for_each(|output| uses[output.0] += 1);
+    uses
+}
+
+/// The factors of a product.
+fn factors(program: &Program, product: Value) -> Option<(Value, Value)> {
+    match program.get(product).op {
+        Op::Mul(x, y) => Some((x, y)),
+        _ => None,
+    }
+}
+
+/// product + c.
+fn fused(new: &Program, product: Value, c: Value) -> Option<Op> {
+    factors(new, product).map(|(x, y)| Op::Fused(x, y, c))
+}
+
+/// c - product, by the negative of the factor that costs no field.
+fn less(new: &mut Program, stage: Stage, c: Value, product: Value) -> Option<Op> {
+    let (x, y) = factors(new, product)?;
+    match negative(new, stage, x) {
+        Some(x) => Some(Op::Fused(x, y, c)),
+        None => negative(new, stage, y).map(|y| Op::Fused(x, y, c)),
+    }
+}
+
+/// product - c.
+fn minus(new: &mut Program, stage: Stage, product: Value, c: Value) -> Option<Op> {
+    let (x, y) = factors(new, product)?;
+    negative(new, stage, c).map(|c| Op::Fused(x, y, c))
+}
+
+/// -a, which is exact, where it is computed in `stage` or is a number; the negative of an earlier value
+/// would be a field more.
+fn negative(new: &mut Program, stage: Stage, a: Value) -> Option<Value> {
+    match new.get(a).op.clone() {
+        Op::Number(number) => Some(append(new, Op::Number(-number), None)),
+        Op::Neg(inner) => Some(inner),
+        _ if new.get(a).stage == stage => Some(append(new, Op::Neg(a), None)),
+        _ => None,
+    }
+}
