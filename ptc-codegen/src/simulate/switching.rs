@@ -31,6 +31,13 @@ pub(super) trait Piecewise {
     /// Holds every kink above or below 0.
     fn choose(&mut self, above: &[bool]);
 
+    /// Why no run goes on across a kink, or, without one, where its integration stops; `None` where
+    /// one does.
+    fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        let _ = kink;
+        None
+    }
+
     /// The form in which the state is integrated from here on, and how far at most.
     fn form(&mut self, s: f64, state: &State, slides: bool) -> (State, f64) {
         let _ = (s, slides);
@@ -124,7 +131,10 @@ impl Walk {
             };
             let begin = Begin { at, state: formed, step, stiff: self.stiff && floors };
             let rates = Rates { order, rates };
-            let (reached, stiff) = integrate(&rates, begin, &piece, &mut pass, &mut visit)?;
+            let end = integrate(&rates, begin, &piece, &mut pass, &mut visit);
+            let (reached, stiff) = end.map_err(|(at, failure)| {
+                (at, system.barrier(None).unwrap_or(failure))
+            })?;
             let moved = reached.at - at > 1e-12 * at.abs().max(1.0);
             here = if moved { 0 } else { here + 1 };
             (at, state) = (reached.at, reached.state);
@@ -137,6 +147,9 @@ impl Walk {
                     events += 1;
                     if events > EVENTS || here > AT_ONCE * (kinks + 1) {
                         return Err((at, endless()));
+                    }
+                    if let Some(failure) = met(system, &mode, which, at, &state) {
+                        return Err((at, failure));
                     }
                     let next = next(system, &mode, which, at, &state);
                     mode = next.map_err(|failure| (at, failure))?;
@@ -172,6 +185,19 @@ impl Walk {
         }
         begin(system, at, state)
     }
+}
+
+/// What ends the run at an event. Close to a place that no run crosses other kinks are met too.
+fn met<S: Piecewise>(
+    system: &mut S,
+    mode: &Mode,
+    which: usize,
+    at: f64,
+    state: &State,
+) -> Option<Failure> {
+    let mut values = Vec::new();
+    margins(system, mode, at, state, &mut values);
+    system.barrier(Some(which)).or_else(|| system.barrier(None))
 }
 
 fn endless() -> Failure {
