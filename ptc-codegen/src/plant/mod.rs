@@ -157,7 +157,8 @@ impl Plant {
         let dynamics = self.dynamics.iter().map(|rate| ("plant.dynamics", rate));
         let inertia = self.mechanics.iter().flat_map(|own| own.inertia.iter().flatten());
         let bias = self.mechanics.iter().flat_map(|own| &own.bias);
-        let mechanics = inertia.map(|e| ("plant.inertia", e)).chain(bias.map(|e| ("plant.bias", e)));
+        let mechanics =
+            inertia.map(|e| ("plant.inertia", e)).chain(bias.map(|e| ("plant.bias", e)));
         of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics)
     }
 

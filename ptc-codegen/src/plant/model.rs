@@ -26,16 +26,17 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
     let mut plant = Plant::own(spec);
     let keys: &[&str] = if plant.mechanics.is_some() { &MECHANICS } else { &DYNAMICS };
     if let (Some((place, _)), true) = (given.get(DYNAMICS[0]), plant.mechanics.is_some()) {
-        let message = "`dynamics` of a mechanical plant, whose rates follow from `inertia` and `bias`";
+        let message =
+            "`dynamics` of a mechanical plant, whose rates follow from `inertia` and `bias`";
         let help = "give those of them that differ from the model";
         found.push("conflict", Subject::PlantRate.key(), Some(*place), message, help);
         return plant;
     }
     let whole = match &mut plant.mechanics {
         Some(mechanics) => equations(mechanics, given, spec, found),
-        None => {
-            given.get(DYNAMICS[0]).is_none_or(|(_, node)| rates(&mut plant.dynamics, node, spec, found))
-        }
+        None => given
+            .get(DYNAMICS[0])
+            .is_none_or(|(_, node)| rates(&mut plant.dynamics, node, spec, found)),
     };
     let used: Vec<_> = plant.expressions().flat_map(Expression::parameters).collect();
     let of_controller = spec.parameters();
@@ -114,7 +115,10 @@ fn equations(
     let m = mechanics.bias.len();
     let mut list = |key: &str, node: &Node| -> Option<Vec<Expression>> {
         if items(node).len() != m {
-            let message = format!("{} items, and {m} are needed, as many as inputs", items(node).len());
+            let count = items(node).len();
+            let message = format!(
+                "`{key}` of the plant has {count} items, and {m} are needed, as many as inputs"
+            );
             let help = "give `inertia` a row for each input, of an expression for each, and `bias` an expression for each";
             found.push("bad-value", format!("{TABLE}.{key}"), Some(node.place), message, help);
             return None;
@@ -144,12 +148,7 @@ fn equations(
 }
 
 /// Puts the given rates in place of those of the model; whether all could be read.
-fn rates(
-    rates: &mut [Expression],
-    node: &Node,
-    spec: &Spec,
-    found: &mut Diagnostics,
-) -> bool {
+fn rates(rates: &mut [Expression], node: &Node, spec: &Spec, found: &mut Diagnostics) -> bool {
     let (given, mut whole) = of_states(node, names(spec).0, found);
     for (state, node) in given {
         match expression(node, spec, found) {
@@ -187,11 +186,8 @@ fn of_states<'a>(
             let message = format!("`{}` is no state of the model", shorten(text));
             let names = states.iter().map(|state| state.text());
             let meant = near_miss(text, names).map(|meant| format!("did you mean `{meant}`? "));
-            let help = format!(
-                "{}the states are {}",
-                meant.unwrap_or_default(),
-                Name::listed(states)
-            );
+            let help =
+                format!("{}the states are {}", meant.unwrap_or_default(), Name::listed(states));
             found.push("bad-value", key, Some(place), message, help);
             whole = false;
             continue;

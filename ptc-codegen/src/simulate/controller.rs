@@ -61,7 +61,8 @@ impl Controller {
         let controls = program.controls();
         outputs.extend(&controls);
         let named = |name: &str| {
-            let own = program.values.iter().position(|d| d.name.as_ref().is_some_and(|n| n.0 == name));
+            let own =
+                program.values.iter().position(|d| d.name.as_ref().is_some_and(|n| n.0 == name));
             own.map(Value)
         };
         let determinant = spec.coupled.as_ref().and_then(|_| named("determinant"));

@@ -31,9 +31,7 @@ impl Motion {
         spec.fixed.retain(|symbol, _| !plant.gives(*symbol));
         let (computed, inputs) = match &plant.mechanics {
             None => (plant.rates(&spec), 0),
-            Some(mechanics) => {
-                (mechanics.expressions().cloned().collect(), mechanics.bias.len())
-            }
+            Some(mechanics) => (mechanics.expressions().cloned().collect(), mechanics.bias.len()),
         };
         let program = lower::plant(&spec, &computed);
         let program = passes::optimise(program, &mut |_, _| {});

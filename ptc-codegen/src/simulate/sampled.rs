@@ -94,7 +94,12 @@ impl Sampled {
         let Some(sampled) = spec.sampled() else {
             let controller = Kind::Time(Box::new(Controller::new(spec)?));
             let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-            return Ok(Self { n: spec.states(), inputs: spec.input_names().len(), controller, moved });
+            return Ok(Self {
+                n: spec.states(),
+                inputs: spec.input_names().len(),
+                controller,
+                moved,
+            });
         };
         if spec.what == What::Observer {
             let message = "an observer alone closes no loop";
@@ -274,7 +279,8 @@ impl Sampled {
             Moved::Linear(plant) => return plant.after(x, u[0], to - from),
         };
         // Of states that have died out the errors of a step would underflow.
-        let nothing = x.iter().all(|x| x.abs() < NOTHING[0]) && u.iter().all(|u| u.abs() < NOTHING[1]);
+        let nothing =
+            x.iter().all(|x| x.abs() < NOTHING[0]) && u.iter().all(|u| u.abs() < NOTHING[1]);
         let rest = vec![0.0; u.len()];
         let (x, u) = if nothing { (State::zeros(), rest.as_slice()) } else { (x, u) };
         let mut between = Between { motion, u, from, length: to - from };

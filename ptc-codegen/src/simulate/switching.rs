@@ -132,9 +132,8 @@ impl Walk {
             let begin = Begin { at, state: formed, step, stiff: self.stiff && floors };
             let rates = Rates { order, rates };
             let end = integrate(&rates, begin, &piece, &mut pass, &mut visit);
-            let (reached, stiff) = end.map_err(|(at, failure)| {
-                (at, system.barrier(None).unwrap_or(failure))
-            })?;
+            let (reached, stiff) =
+                end.map_err(|(at, failure)| (at, system.barrier(None).unwrap_or(failure)))?;
             let moved = reached.at - at > 1e-12 * at.abs().max(1.0);
             here = if moved { 0 } else { here + 1 };
             (at, state) = (reached.at, reached.state);

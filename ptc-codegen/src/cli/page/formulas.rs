@@ -135,8 +135,12 @@ fn coupled_group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group {
             format!("The plant M q'' + b = u with q = ({q}), and the inputs that follow from w, what the laws want of q''.")
         }
     };
-    if *plant != (Plant { fixed: plant.fixed.clone(), bounds: plant.bounds.clone(), ..Plant::own(spec) }) {
-        told.push_str(" The controller takes other equations than the plant has, those of the model.");
+    if *plant
+        != (Plant { fixed: plant.fixed.clone(), bounds: plant.bounds.clone(), ..Plant::own(spec) })
+    {
+        told.push_str(
+            " The controller takes other equations than the plant has, those of the model.",
+        );
     }
     Group { title: "Plant", told, formulas }
 }

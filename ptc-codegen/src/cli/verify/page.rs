@@ -151,9 +151,9 @@ fn formula(objective: &Objective) -> Math {
         }
         Kind::Input { upsilon } => below(size(name("u")), of_expression(upsilon)),
         Kind::Inputs { upsilon } => {
-            let each = upsilon.iter().map(|(input, bound)| {
-                below(size(name(input.text())), of_expression(bound))
-            });
+            let each = upsilon
+                .iter()
+                .map(|(input, bound)| below(size(name(input.text())), of_expression(bound)));
             listed(each)
         }
         Kind::Attractive { error } => {

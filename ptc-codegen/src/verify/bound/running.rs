@@ -63,10 +63,9 @@ fn exceeded(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Option<Proof> {
         Kind::Input { upsilon } if campaign.around.as_ref()?.delay.inputs() == 0 => {
             (worst.way.as_ref()?.u_attained, constant(upsilon).ok()?, "|u|".to_owned())
         }
-        Kind::Input { .. }
-        | Kind::Inputs { .. }
-        | Kind::State { .. }
-        | Kind::Within { .. } => return None,
+        Kind::Input { .. } | Kind::Inputs { .. } | Kind::State { .. } | Kind::Within { .. } => {
+            return None;
+        }
     };
     (reached > bound).then(|| Proof::Refuted {
         why: format!("the worst signals of the loop reach {what} = {}", digits(reached)),

@@ -84,16 +84,12 @@ impl Reader<'_> {
                 Kind::State { sigma: sigma?, zeta: zeta? }
             }
             "input" => match &self.spec.coupled {
-                None => {
-                    Kind::Input { upsilon: given_expression(self, "upsilon", Subject::Bound)? }
-                }
+                None => Kind::Input { upsilon: given_expression(self, "upsilon", Subject::Bound)? },
                 Some(coupled) => {
                     let (_, node) = given.get("upsilon")?;
                     let nodes = self.for_inputs(&table, node, coupled.inputs.len())?;
-                    let bounds: Vec<_> = nodes
-                        .iter()
-                        .map(|node| expression(self, node, Subject::Bound))
-                        .collect();
+                    let bounds: Vec<_> =
+                        nodes.iter().map(|node| expression(self, node, Subject::Bound)).collect();
                     let bounds = bounds.into_iter().collect::<Option<Vec<_>>>()?;
                     let bounds = bounds.iter().cycle().cloned();
                     Kind::Inputs { upsilon: coupled.inputs.iter().copied().zip(bounds).collect() }
@@ -131,12 +127,7 @@ impl Reader<'_> {
     }
 
     /// The bounds of the inputs of a plant: one, which all share, or one for each.
-    fn for_inputs<'b>(
-        &mut self,
-        table: &str,
-        node: &'b Node,
-        inputs: usize,
-    ) -> Option<&'b [Node]> {
+    fn for_inputs<'b>(&mut self, table: &str, node: &'b Node, inputs: usize) -> Option<&'b [Node]> {
         let all = items(node);
         if all.len() == 1 || all.len() == inputs {
             return Some(all);
@@ -177,7 +168,8 @@ fn names(spec: &Spec) -> Vec<(Name, Variable)> {
     let orders = (1..).zip(coupled.orders());
     let all = orders.flat_map(|(j, order)| (1..=order).map(move |i| format!("x{i}_{j}")));
     let chains = (1..).zip(all).flat_map(|(place, text)| {
-        let at_start = Name::new(&format!("{text}_0")).map(|name| (name, Variable::XiAtStart(place)));
+        let at_start =
+            Name::new(&format!("{text}_0")).map(|name| (name, Variable::XiAtStart(place)));
         let now = Name::new(&text).map(|name| (name, Variable::Xi(place)));
         [now, at_start].into_iter().flatten()
     });
