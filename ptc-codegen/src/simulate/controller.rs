@@ -31,8 +31,9 @@ pub struct Controller {
     own_limits: Vec<f64>,
     /// The determinant by which the inputs follow, where it is no number.
     determinant: Option<(Value, Pole)>,
-    /// The inputs of the last call.
+    /// The inputs of the last call, and the largest of a run.
     u: Vec<f64>,
+    peak: f64,
     guard: Guard,
     after: After,
     time: Option<Slot>,
@@ -45,6 +46,9 @@ pub struct Controller {
     armed: Vec<Value>,
     start: f64,
 }
+
+/// An input this large, as a part of the largest of the run, is growing.
+const GROWN: f64 = 0.01;
 
 impl Controller {
     /// The controller of a spec.
@@ -87,6 +91,7 @@ impl Controller {
             own_limits: Vec::new(),
             determinant: determinant.map(|value| (value, Pole::default())),
             u: vec![0.0; controls.len()],
+            peak: 0.0,
             controls,
             guard: spec.guard,
             after: spec.after,
@@ -112,6 +117,7 @@ impl Controller {
             self.own_limits = values.limits(&self.spec);
         }
         self.determinant.iter_mut().for_each(|(_, pole)| *pole = Pole::default());
+        self.peak = 0.0;
         for parameter in self.spec.run_time_parameters() {
             let value = values.get(parameter);
             let legal = match self.spec.domain(parameter) {
@@ -195,6 +201,7 @@ impl Controller {
         }
         if let Some((value, pole)) = &mut self.determinant {
             pole.see(self.smooth.get(*value));
+            self.peak = self.u.iter().fold(self.peak, |peak, u| peak.max(u.abs()));
         }
         &self.u
     }
@@ -208,7 +215,9 @@ impl Controller {
     /// Why no run goes on across a kink, or, without one, where it stops.
     pub(super) fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
         let (_, pole) = self.determinant.as_ref()?;
-        let meets = kink.map_or(pole.is_near(), |kink| kink + 1 == self.kinks());
+        // Where the determinant vanishes with what is wanted u does not grow.
+        let grows = || self.u.iter().any(|u| u.abs() >= GROWN * self.peak);
+        let meets = kink.map_or_else(|| pole.is_near() && grows(), |kink| kink + 1 == self.kinks());
         meets.then(Failure::not_decoupled)
     }
 

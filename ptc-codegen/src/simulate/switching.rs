@@ -69,6 +69,9 @@ const EVENTS: usize = 20_000;
 /// Most events at one instant, for each kink.
 const AT_ONCE: usize = 4;
 
+/// How far ahead of an event a barrier counts as met.
+const AHEAD: f64 = 1e-6;
+
 impl Walk {
     /// Integrates from `start` at `points[0]` to the last of the ascending points, and sees each.
     ///
@@ -147,7 +150,7 @@ impl Walk {
                     if events > EVENTS || here > AT_ONCE * (kinks + 1) {
                         return Err((at, endless()));
                     }
-                    if let Some(failure) = met(system, &mode, which, at, &state) {
+                    if let Some(failure) = met(system, &mode, which, (at, &state)) {
                         return Err((at, failure));
                     }
                     let next = next(system, &mode, which, at, &state);
@@ -186,17 +189,28 @@ impl Walk {
     }
 }
 
-/// What ends the run at an event. Close to a place that no run crosses other kinks are met too.
+/// What ends the run at an event: a kink that no run crosses, or one just ahead, close to which others are
+/// met too.
 fn met<S: Piecewise>(
     system: &mut S,
     mode: &Mode,
     which: usize,
-    at: f64,
-    state: &State,
+    (s, state): (f64, &State),
 ) -> Option<Failure> {
-    let mut values = Vec::new();
-    margins(system, mode, at, state, &mut values);
-    system.barrier(Some(which)).or_else(|| system.barrier(None))
+    if let Some(failure) = system.barrier(Some(which)) {
+        return Some(failure);
+    }
+    let kinks = 0..system.kinks();
+    let barriers: Vec<_> = kinks.filter(|kink| system.barrier(Some(*kink)).is_some()).collect();
+    if barriers.is_empty() {
+        return None;
+    }
+    let (mut rates, mut here, mut ahead) = (State::zeros(), Vec::new(), Vec::new());
+    field(system, mode, s, state, &mut rates);
+    system.distances(s, state, &mut here);
+    system.distances(s + AHEAD, &(state + rates * AHEAD), &mut ahead);
+    let crossed = barriers.into_iter().find(|kink| here[*kink] * ahead[*kink] < 0.0);
+    crossed.and_then(|kink| system.barrier(Some(kink)))
 }
 
 fn endless() -> Failure {

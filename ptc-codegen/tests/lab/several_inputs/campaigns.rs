@@ -119,8 +119,8 @@ fn verdicts_shards_and_reports_are_those_of_any_campaign() {
     let page = fs::read_to_string(folder.join("all.html")).expect("a report");
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     roxmltree::Document::parse_with_options(&page, options).expect("well-formed");
-    for part in ["largest |u_k| in parts of its bound", "<td>M1</td>", "<th>M2</th>"] {
-        assert!(page.contains(part) || page.contains(&part.replace("td>", "th>")), "{part}");
+    for part in ["largest |u_k| in parts of its bound", ">M1<", ">M2<"] {
+        assert!(page.contains(part), "{part}");
     }
 }
 

@@ -31,9 +31,8 @@ fn a_run_ends_where_the_inputs_stop_decoupling_the_outputs() {
     let (code, told) = ended("still", UNICYCLE, &["--x0", "1,0.5,0,0.3", "--at", "0,0.5"]);
     assert!(code == Some(1) && told.contains("stop decoupling the outputs"), "{told}");
     // A sampled loop goes on as the emitted code does: u is 0, and the first such call is told.
-    let design = format!("sample_time = 1e-3\n{UNICYCLE}");
     let (head, rows, told) =
-        run("ends_sampled", &design, &["--x0", "1,0.5,0,0.3", "--until", "0.01"]);
+        run("ends_sampled", UNICYCLE, &["--x0=1,0.5,0,0.3", "--sample-time=1e-3", "--until=0.01"]);
     assert!(head.ends_with(",status") && rows.iter().all(|row| row[6..8] == [0.0, 0.0]));
     assert!(told.contains("step returns PTC_E_RANGE and u = 0, first at t = 0 s"), "{told}");
     assert!(told.contains("in which the inputs do not decouple the outputs"), "{told}");
@@ -50,9 +49,8 @@ fn a_singular_inertia_ends_a_run() {
         assert!(told.contains("the inertia of the plant is singular"), "{told}");
         assert_eq!(code, Some(3), "{told}");
     }
-    let held = format!("sample_time = 0.02\n{design}");
-    let (_, told) =
-        ended("held", &held, &["--x0", "1,-0.5,0,0", "--plant", "inertia=[[1, 1], [1, 1]]"]);
+    let held = ["--x0=1,-0.5,0,0", "--sample-time=0.02", "--plant", "inertia=[[1, 1], [1, 1]]"];
+    let (_, told) = ended("held", &design, &held);
     assert!(
         told.contains("the inertia of the plant is singular") && told.contains("t = 0 s"),
         "{told}"

@@ -40,7 +40,7 @@ fn an_arm_with_another_load_moves_as_one_by_hand() {
         let grid = SHARES.map(|part| part * TAU);
         let rates = |x: &[f64], u: &[f64]| arm.rates(x, u);
         // Torques that are clipped have kinks, which a method of order 4 with fixed steps smears.
-        let (parts, within) = if name == "load" { (2000, 1e-9) } else { (20_000, 1e-6) };
+        let (parts, within) = if name == "load" { (8000, 1e-9) } else { (20_000, 1e-6) };
         let wanted = along(&rates, &torques, (&grid, parts), &x0);
         for ((row, x), t) in rows.iter().zip(&wanted).zip(grid) {
             near(&row[2..6], x, within);

@@ -5,11 +5,12 @@ use super::by_hand::{Arm, advance, torques, wanted_torques};
 use super::{example, near, run};
 
 const PERIOD: f64 = 0.02;
+const EACH: &str = "--sample-time=0.02";
 
-/// The design with its guard where samples of this period are fast enough.
+/// The design without limits.
 fn design(further: &str) -> String {
     let text = example("two_link.toml").replace("limits = [120, 60]", "u_max = inf #");
-    format!("sample_time = 0.02\n{further}{text}")
+    format!("{further}{text}")
 }
 
 /// The multiple of `step` that is nearest.
@@ -44,7 +45,7 @@ fn loop_by_hand(
 #[test]
 fn held_torques_move_the_arm_as_a_simulator_by_hand() {
     let x0 = [1.0, -0.5, 0.2, 0.0];
-    let until = ["--x0", "1,-0.5,0.2,0", "--until", "8"];
+    let until = ["--x0=1,-0.5,0.2,0", EACH, "--until=8"];
     let masses = ["--plant", "m1=2.2", "--plant", "m2=1.6"];
     let arm = Arm { m1: 2.2, m2: 1.6, drag: 0.0 };
     let rough = "sensor_step = [1e-4, 1e-4, 1e-3, 1e-3]\nu_step = 0.05\ndelay = 1\n";
@@ -74,7 +75,7 @@ fn held_torques_move_the_arm_as_a_simulator_by_hand() {
 fn what_is_drawn_stays_within_its_bounds() {
     let keys = "noise = [1e-3, 2e-3, 0, 5e-3]\njitter = 1e-3\ng_error = [1.1, 1.1]\n";
     let (_, rows, _) =
-        run("noise", &design(keys), &["--x0", "1,-0.5,0,0", "--until", "2", "--seed", "3"]);
+        run("noise", &design(keys), &["--x0=1,-0.5,0,0", EACH, "--until=2", "--seed=3"]);
     let bounds = [1e-3, 2e-3, 0.0, 5e-3];
     let mut most = [0.0_f64; 4];
     for row in &rows {
@@ -87,11 +88,7 @@ fn what_is_drawn_stays_within_its_bounds() {
     for (most, bound) in most.iter().zip(bounds) {
         assert!(*most <= bound && *most >= 0.8 * bound, "{most} {bound}");
     }
-    let clipped = run(
-        "clipped",
-        &format!("sample_time = 0.02\n{}", example("two_link.toml")),
-        &["--x0", "3,-2.5,40,-30", "--until", "1"],
-    )
-    .1;
+    let clipped =
+        run("clipped", &example("two_link.toml"), &["--x0=3,-2.5,40,-30", EACH, "--until=1"]).1;
     near(&clipped[0][6..8], &torques(0.0, &[3.0, -2.5, 40.0, -30.0]), 0.0);
 }
