@@ -9,7 +9,7 @@ pub(super) struct Arm {
 }
 
 /// What the law takes the arm to be.
-pub(super) const KNOWN: Arm = Arm { m1: 2.0, m2: 1.5, drag: 0.0 };
+const KNOWN: Arm = Arm { m1: 2.0, m2: 1.5, drag: 0.0 };
 
 const L1: f64 = 0.6;
 const L2: f64 = 0.5;
@@ -105,10 +105,16 @@ pub(super) fn tank(leak: f64) -> impl Fn(&[f64], &[f64]) -> Vec<f64> {
     }
 }
 
+/// What a plant is: its rates by state and inputs.
+type Rates<'a> = &'a dyn Fn(&[f64], &[f64]) -> Vec<f64>;
+
+/// The inputs by time and state.
+type Control<'a> = &'a dyn Fn(f64, &[f64]) -> Vec<f64>;
+
 /// A time `h` later, by Runge and Kutta's method, with the inputs of each instant.
 pub(super) fn advance(
-    rates: &dyn Fn(&[f64], &[f64]) -> Vec<f64>,
-    control: &dyn Fn(f64, &[f64]) -> Vec<f64>,
+    rates: Rates<'_>,
+    control: Control<'_>,
     (t, h): (f64, f64),
     x: &[f64],
 ) -> Vec<f64> {
@@ -123,8 +129,8 @@ pub(super) fn advance(
 
 /// The states at the times of `grid`, the first of which is that of `x0`.
 pub(super) fn along(
-    rates: &dyn Fn(&[f64], &[f64]) -> Vec<f64>,
-    control: &dyn Fn(f64, &[f64]) -> Vec<f64>,
+    rates: Rates<'_>,
+    control: Control<'_>,
     (grid, parts): (&[f64], u32),
     x0: &[f64],
 ) -> Vec<Vec<f64>> {
