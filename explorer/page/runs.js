@@ -1,4 +1,4 @@
-// The trajectories: a chart for each state and for the input, a legend, numbers.
+// The trajectories: a chart for each state and each input, a legend, numbers.
 
 import { $, element, short } from "dom";
 import { chart } from "chart";
@@ -27,7 +27,7 @@ export function draw() {
   const by = $("log").checked;
   const panels = drawn.length === 0 ? [] : [
     ...answered.states.map((name, j) => ({ name, bound: answered.x_max[j], of: (one) => one.x[j] })),
-    { name: answered.input, bound: drawn[0].u_max, of: (one) => one.u, steps: true },
+    ...answered.inputs.map((name, k) => ({ name, bound: drawn[0].u_max[k], of: (one) => one.u[k], steps: true })),
   ];
   const space = $("charts").clientWidth;
   const columns = Math.max(1, Math.min(panels.length, Math.floor((space + GAP) / (WIDTH + GAP))));
@@ -43,7 +43,7 @@ function entry(one, index) {
   if (one.problem) return element("li", { class: "problem" }, name, ` not simulated: ${one.problem}`);
   const parts = [
     `|x| at the deadline ${short(Math.max(...one.end.x.map((x) => Math.abs(x ?? NaN))), 3)}`,
-    `peak |${answered.input}| ${short(one.peak, 3)}`,
+    ...answered.inputs.map((name, k) => `peak |${name}| ${short(one.peak[k], 3)}`),
   ];
   if (one.saturated > 0) parts.push(`saturated for ${short(one.saturated, 3)} s`);
   if (one.failed) parts.push(`step returns ${one.failed.status} at ${short(one.failed.t, 4)} s`);
@@ -61,10 +61,10 @@ function read(told) {
 
 function table(one) {
   const cell = (value) => element("td", {}, short(value));
-  const head = ["t in s", ...answered.states, answered.input].map((name) => element("th", { scope: "col" }, name));
+  const head = ["t in s", ...answered.states, ...answered.inputs].map((name) => element("th", { scope: "col" }, name));
   const last = one.t.length - 1;
   const rows = Array.from({ length: SHOWN }, (_, i) => Math.round((i * last) / (SHOWN - 1)));
-  const row = (at) => element("tr", {}, cell(one.t[at]), ...one.x.map((x) => cell(x[at])), cell(one.u[at]));
+  const row = (at) => element("tr", {}, cell(one.t[at]), ...[...one.x, ...one.u].map((all) => cell(all[at])));
   return element("table", {}, element("caption", {}, one.label), element("thead", {}, element("tr", {}, ...head)),
     element("tbody", {}, ...[...new Set(rows)].map(row)));
 }

@@ -13,7 +13,7 @@ pub(crate) fn of_design(spec: &Spec) -> Value {
         "mapping": spec.mapping_name(),
         "samples": spec.sampled().is_some(),
         "states": spec.state_names(),
-        "input": spec.input_name(),
+        "inputs": spec.input_names(),
         "command": spec.command(),
     })
 }

@@ -39,7 +39,7 @@ pub(crate) fn runs(
     json!({
         "x0": x0,
         "states": spec.state_names(),
-        "input": spec.input_name(),
+        "inputs": spec.input_names(),
         "x_max": bounds,
         "series": series,
     })
@@ -74,8 +74,8 @@ fn one(label: &str, report: &Report, plant: Option<Plant>, (x0, seed): (&[f64], 
             told["label"] = json!(label);
             told["tau"] = json!(values.get(Parameter::Tau));
             told["t0"] = json!(values.get(Parameter::StartTime));
-            told["u_max"] =
-                json!(Some(values.get(Parameter::UMax)).filter(|most| most.is_finite()));
+            // A bound that is infinite becomes null.
+            told["u_max"] = json!(values.limits(spec));
             told["refused_by"] = json!(refusals);
             told["assumed"] = json!(assumed);
             told
@@ -86,7 +86,7 @@ fn one(label: &str, report: &Report, plant: Option<Plant>, (x0, seed): (&[f64], 
 
 /// The values of the loop; what has bounds alone is in their middle, and named.
 fn values(spec: &Spec, plant: &Plant) -> Result<(Values, Vec<String>), String> {
-    let emitted = spec.model.is_some() || Loop::of(spec).is_some();
+    let emitted = spec.has_model() || Loop::of(spec).is_some();
     let mut values = Values::of(spec, plant);
     let mut assumed = Vec::new();
     for parameter in values.missing(spec, plant, emitted) {

@@ -80,6 +80,25 @@ fn a_design_is_run_and_others_are_laid_over_it() {
 }
 
 #[test]
+fn every_input_of_a_plant_is_run() {
+    let design = example("two_link.toml");
+    let told = ask(&json!({ "design": design, "language": "c", "x0": "1, -0.5, 0, 0" }));
+    let runs = &told["runs"];
+    assert_eq!(runs["states"], json!(["q1", "q2", "w1", "w2"]));
+    assert_eq!(runs["inputs"], json!(["M1", "M2"]));
+    let run = &runs["series"][0];
+    assert_eq!(run["u_max"], json!([120.0, 60.0]));
+    let count = run["t"].as_array().expect("times").len();
+    for input in 0..2 {
+        let u = run["u"][input].as_array().expect("an input");
+        let peak = u.iter().filter_map(Value::as_f64).fold(0.0_f64, |peak, u| peak.max(u.abs()));
+        assert_eq!((u.len(), run["peak"][input].as_f64()), (count, Some(peak)));
+    }
+    let end = run["end"]["x"].as_array().expect("a state");
+    assert!(end.iter().all(|x| x.as_f64().is_some_and(|x| x.abs() < 1e-6)), "{run}");
+}
+
+#[test]
 fn what_cannot_be_run_says_why() {
     let open = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n";
     let short = format!("{open}tau = 1e4\nsample_time = 1e-3\n");

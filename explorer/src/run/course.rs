@@ -32,11 +32,12 @@ pub(super) struct Course {
     every: usize,
     t: Vec<f64>,
     x: Vec<Vec<f64>>,
-    u: Vec<f64>,
+    u: Vec<Vec<f64>>,
     /// The state in the last row up to the deadline, with its time.
     at_deadline: (f64, Vec<f64>),
-    peak: f64,
-    /// Time in which u is at its bound, s.
+    /// The largest |u| of each input.
+    peak: Vec<f64>,
+    /// Time in which an input is at its bound, s.
     saturated: f64,
     /// The first call that fails, and when.
     failed: Option<(&'static str, f64)>,
@@ -46,26 +47,28 @@ impl Course {
     pub(super) fn of(spec: &Spec, plant: &Plant, around: &Around<'_>) -> Result<Self, String> {
         let page = "the page";
         for knows in
-            [spec.needs_law(page), spec.needs_one_axis(page), spec.needs_known_reference(page)]
+            [spec.needs_law(page), spec.needs_one_plant(page), spec.needs_known_reference(page)]
         {
             knows.map_err(|found| found.into_iter().map(|one| one.message).collect::<String>())?;
         }
+        let size = (spec.states(), spec.input_names().len());
         match Loop::of(spec) {
-            Some(looped) => sampled(spec, plant, around, looped),
-            None if spec.model.is_some() => continuous(Direct::of(spec, plant), around),
-            None => continuous(Continuous::of(spec, plant), around),
+            Some(looped) => sampled(spec, plant, (around, size), looped),
+            None if spec.has_model() => continuous(Direct::of(spec, plant), (around, size)),
+            None => continuous(Continuous::of(spec, plant), (around, size)),
         }
     }
 
-    fn new(held: bool, every: usize, states: usize) -> Self {
+    /// Of so many states and inputs.
+    fn new(held: bool, every: usize, (states, inputs): (usize, usize)) -> Self {
         Self {
             held,
             every,
             t: Vec::new(),
             x: vec![Vec::new(); states],
-            u: Vec::new(),
+            u: vec![Vec::new(); inputs],
             at_deadline: (f64::NAN, Vec::new()),
-            peak: 0.0,
+            peak: vec![0.0; inputs],
             saturated: 0.0,
             failed: None,
         }
@@ -73,7 +76,9 @@ impl Course {
 
     /// Notes an instant that lasts for `period`.
     fn note(&mut self, index: usize, sample: &Sample<'_>, (end, period): (f64, f64)) {
-        self.peak = self.peak.max(sample.u.abs());
+        for (peak, u) in self.peak.iter_mut().zip(sample.u) {
+            *peak = peak.max(u.abs());
+        }
         let before = sample.t <= end + 0.5 * period;
         if before {
             self.at_deadline = (sample.t, sample.x.to_vec());
@@ -87,9 +92,9 @@ impl Course {
         }
         if index.is_multiple_of(self.every) {
             self.t.push(sample.t);
-            self.u.push(sample.u);
-            for (all, x) in self.x.iter_mut().zip(sample.x) {
-                all.push(*x);
+            let all = self.x.iter_mut().chain(&mut self.u);
+            for (all, value) in all.zip(sample.x.iter().chain(sample.u)) {
+                all.push(*value);
             }
         }
     }
@@ -114,7 +119,7 @@ impl Course {
 fn sampled(
     spec: &Spec,
     plant: &Plant,
-    around: &Around<'_>,
+    (around, size): (&Around<'_>, (usize, usize)),
     looped: Loop,
 ) -> Result<Course, String> {
     let (values, period) = (around.values, looped.period);
@@ -129,7 +134,7 @@ fn sampled(
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let every = (count as usize / ROWS).max(1);
     let looped = Loop { seed: around.seed, until: Some(length), ..looped };
-    let mut course = Course::new(true, every, around.x0.len());
+    let mut course = Course::new(true, every, size);
     let mut index = 0;
     let end = values.get(Parameter::StartTime) + tau;
     let mut see = |sample: Sample<'_>| {
@@ -145,11 +150,11 @@ fn sampled(
 /// The law at every instant.
 fn continuous<S: Side>(
     run: Result<Run<S>, Failure>,
-    around: &Around<'_>,
+    (around, size): (&Around<'_>, (usize, usize)),
 ) -> Result<Course, String> {
     let values = around.values;
     let end = values.get(Parameter::StartTime) + values.get(Parameter::Tau);
-    let mut course = Course::new(false, 1, around.x0.len());
+    let mut course = Course::new(false, 1, size);
     run.and_then(|mut run| {
         run.run(values, around.x0, &grid(), Accuracy::default(), &mut |sample| {
             course.note(0, &sample, (end, 0.0));

@@ -81,7 +81,7 @@ pub static OBJECTIVE_KEYS: [KeyInfo; 8] = [
     KeyInfo {
         key: "upsilon",
         meaning: "of input: |u| <= upsilon",
-        legal: "an expression in dt, T, t",
+        legal: "an expression in dt, T, t; with several inputs also a list of one for each",
         example: "5*T/tau",
     },
     KeyInfo {

@@ -143,11 +143,11 @@ pub fn plant(spec: &Spec, rates: &[Expression]) -> Program {
     Program { watched, ..b.finish(step, limits) }
 }
 
-/// `expressions` of the plant's time, state and control, all watched: inputs are T as the time, x as
-/// the state, and u.
+/// `expressions` of the plant's time, state and inputs, all watched: inputs are T as the time, x as
+/// the state, and u, of which several stand behind x.
 pub fn observed(spec: &Spec, expressions: &[&Expression]) -> Program {
     let mut b = Builder::new(spec);
-    let states = (1..=spec.states()).map(|j| b.push(Op::Input(Input::State(j)))).collect();
+    let states = (1..=spec.variables()).map(|j| b.push(Op::Input(Input::State(j)))).collect();
     b.plant = Some(PlantPoint { states, control: None });
     let watched = expressions.iter().map(|expression| b.scalar(expression)).collect();
     let limits = no_limits(&mut b);

@@ -183,30 +183,32 @@ impl Coupled {
 
     /// Its lines: the rate of each state, and the outputs.
     pub fn lines(&self) -> Vec<String> {
-        let m = self.inputs.len();
-        let text = |e: &Expression| self.text(e);
         match &self.inverse {
             Inverse::Adjugate { dynamics, .. } => {
-                let rate = |(name, rate)| format!("{name}' = {}", text(rate));
-                let rates = self.states.iter().zip(dynamics).map(rate);
-                let outputs =
-                    (0..m).map(|i| format!("output {} = {}", i + 1, text(self.output(i))));
-                rates.chain(outputs).collect()
+                let output = |i: usize| format!("output {} = {}", i + 1, self.text(self.output(i)));
+                let outputs = (0..self.inputs.len()).map(output);
+                self.rates(dynamics).into_iter().chain(outputs).collect()
             }
-            Inverse::Inertia { inertia, bias } => {
-                let bias: Vec<_> = bias.iter().map(text).collect();
-                vec![
-                    format!(
-                        "q = ({}), q' = ({})",
-                        Name::listed(&self.states[..m]),
-                        Name::listed(&self.states[m..])
-                    ),
-                    "M q'' + bias = u".to_owned(),
-                    format!("M = {}", rows(&text, inertia)),
-                    format!("bias = [{}]", bias.join(", ")),
-                ]
-            }
+            Inverse::Inertia { inertia, bias } => self.motion(inertia, bias),
         }
+    }
+
+    /// The rate of each state, a line each.
+    pub fn rates(&self, dynamics: &[Expression]) -> Vec<String> {
+        let rate = |(name, rate)| format!("{name}' = {}", self.text(rate));
+        self.states.iter().zip(dynamics).map(rate).collect()
+    }
+
+    /// The lines of a mechanical plant.
+    pub fn motion(&self, inertia: &[Vec<Expression>], bias: &[Expression]) -> Vec<String> {
+        let (q, rates) = self.states.split_at(self.inputs.len());
+        let bias: Vec<_> = bias.iter().map(|e| self.text(e)).collect();
+        vec![
+            format!("q = ({}), q' = ({})", Name::listed(q), Name::listed(rates)),
+            "M q'' + bias = u".to_owned(),
+            format!("M = {}", self.matrix(inertia)),
+            format!("bias = [{}]", bias.join(", ")),
+        ]
     }
 }
 

@@ -7,7 +7,7 @@ mod decide;
 mod lie;
 pub(crate) mod zeros;
 
-pub use coupled::{Coupled, Output};
+pub use coupled::{Coupled, Inverse, Output};
 pub use lie::{Chain, Ill};
 
 use std::collections::BTreeMap;

@@ -56,7 +56,7 @@ pub(crate) fn force(
 impl Plant {
     /// What the sampled loop of `spec` knows of the plant; `entries` hold the table `[disturbance]`.
     pub(super) fn bounds(&self, spec: &Spec, entries: &[Entry]) -> PlantBounds {
-        if !self.dynamics.is_empty() {
+        if !self.is_chain() {
             return PlantBounds::Unknown(
                 "the plant is a model, and proofs are of chains of integrators".to_owned(),
             );

@@ -12,7 +12,7 @@
 //! gain, and what f is beside the controller's own is not cancelled. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
 //!
 //! With a model the plant is the model, of which `[plant]` may give other rates under `dynamics`, and
-//! other numbers for its parameters.
+//! other numbers for its parameters; of a mechanical one another `inertia` and `bias`.
 
 mod force;
 mod model;
@@ -26,6 +26,7 @@ pub use read::{read, read_partly};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
+use crate::model::Inverse;
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{self, Entry, Spec};
 
@@ -79,16 +80,35 @@ pub struct Plant {
     pub g: Option<Expression>,
     /// The rate of each state of a model, in place of f and g; empty for a chain.
     pub dynamics: Vec<Expression>,
+    /// The equations of motion of a mechanical plant, in place of `dynamics`.
+    pub mechanics: Option<Mechanics>,
     /// Symbols with a value.
     pub fixed: BTreeMap<Parameter, Fixed>,
     /// Symbols that are uncertain, with least and greatest value.
     pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
 }
 
+/// M q'' + bias = u.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mechanics {
+    /// M.
+    pub inertia: Vec<Vec<Expression>>,
+    /// What the inputs balance at q'' = 0.
+    pub bias: Vec<Expression>,
+}
+
+impl Mechanics {
+    /// M, row by row, and the bias.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
+        self.inertia.iter().flatten().chain(&self.bias)
+    }
+}
+
 impl Default for Plant {
     fn default() -> Self {
         let (fixed, bounds) = (BTreeMap::new(), BTreeMap::new());
-        Self { f: Expression::integer(0), g: None, dynamics: Vec::new(), fixed, bounds }
+        let f = Expression::integer(0);
+        Self { f, g: None, dynamics: Vec::new(), mechanics: None, fixed, bounds }
     }
 }
 
@@ -97,6 +117,16 @@ impl Plant {
     pub fn own(spec: &Spec) -> Self {
         if let Some(model) = &spec.model {
             return Self { dynamics: model.dynamics.clone(), ..Self::default() };
+        }
+        if let Some(coupled) = &spec.coupled {
+            let own = match &coupled.inverse {
+                Inverse::Adjugate { dynamics, .. } => (dynamics.clone(), None),
+                Inverse::Inertia { inertia, bias } => {
+                    let (inertia, bias) = (inertia.clone(), bias.clone());
+                    (Vec::new(), Some(Mechanics { inertia, bias }))
+                }
+            };
+            return Self { dynamics: own.0, mechanics: own.1, ..Self::default() };
         }
         let f = spec.drift.clone().unwrap_or(Expression::integer(0));
         Self { f, ..Self::default() }
@@ -109,26 +139,47 @@ impl Plant {
         used.filter(|parameter| !of_controller.contains(parameter)).collect()
     }
 
+    /// Whether it is a chain of integrators, with f and g.
+    pub fn is_chain(&self) -> bool {
+        self.dynamics.is_empty() && self.mechanics.is_none()
+    }
+
     /// What moves it, as it was written.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
-        let chain = self.dynamics.is_empty();
-        let of_chain = std::iter::once(&self.f).chain(&self.g).filter(move |_| chain);
-        of_chain.chain(&self.dynamics)
+        self.keyed().map(|(_, expression)| expression)
+    }
+
+    /// The same, each with its key.
+    pub(crate) fn keyed(&self) -> impl Iterator<Item = (&'static str, &Expression)> {
+        let chain = self.is_chain();
+        let of_chain = std::iter::once(("plant.f", &self.f));
+        let of_chain = of_chain.chain(self.g.iter().map(|g| ("plant.g", g)));
+        let dynamics = self.dynamics.iter().map(|rate| ("plant.dynamics", rate));
+        let inertia = self.mechanics.iter().flat_map(|own| own.inertia.iter().flatten());
+        let bias = self.mechanics.iter().flat_map(|own| &own.bias);
+        let mechanics =
+            inertia.map(|e| ("plant.inertia", e)).chain(bias.map(|e| ("plant.bias", e)));
+        of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics)
     }
 
     /// The same with `to` in place of the leaves for which it gives something.
     #[must_use]
     pub fn substitute(&self, to: &dyn Fn(&Expression) -> Option<Expression>) -> Self {
         let all = |e: &Expression| e.substitute(to);
+        let each = |list: &Vec<Expression>| list.iter().map(all).collect();
         Self {
             f: all(&self.f),
             g: self.g.as_ref().map(all),
-            dynamics: self.dynamics.iter().map(all).collect(),
+            dynamics: each(&self.dynamics),
+            mechanics: self.mechanics.as_ref().map(|mechanics| Mechanics {
+                inertia: mechanics.inertia.iter().map(each).collect(),
+                bias: each(&mechanics.bias),
+            }),
             ..self.clone()
         }
     }
 
-    /// The rate of each state; those of a chain are the next state, and f + g u.
+    /// The rate of each state of a plant that has no mechanics; those of a chain are the next state, and f + g u.
     pub fn rates(&self, spec: &Spec) -> Vec<Expression> {
         if !self.dynamics.is_empty() {
             return self.dynamics.clone();
@@ -145,6 +196,12 @@ impl Plant {
             let rate =
                 |(name, rate): (&Name, &Expression)| format!("{name}' = {}", model.text(rate));
             return model.states.iter().zip(&self.dynamics).map(rate).collect();
+        }
+        if let Some(coupled) = &spec.coupled {
+            return match &self.mechanics {
+                None => coupled.rates(&self.dynamics),
+                Some(Mechanics { inertia, bias }) => coupled.motion(inertia, bias),
+            };
         }
         let g = self.g.iter().map(|g| format!("g = {g}"));
         std::iter::once(format!("f = {}", self.f)).chain(g).collect()

@@ -6,33 +6,41 @@
 //! load = 1e-3
 //! dynamics = { w = "(k*i - b*w - load)/J" }
 //! ```
+//!
+//! Of a mechanical model it is `inertia` and `bias` that may differ.
 
 use super::read::{Given, value};
-use super::{Plant, TABLE};
+use super::{Mechanics, Plant, TABLE};
 use crate::diagnostic::{Diagnostics, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
-use crate::model::Model;
 use crate::parameter::{Name, Parameter};
 use crate::request::{Spec, items, known};
 use crate::syntax::{Argument, Node, Value};
 
-/// The key of the rates that differ from those of the model.
-const DYNAMICS: &str = "dynamics";
+/// The keys of what differs from the model: its rates, or the equations of a mechanical one.
+const DYNAMICS: [&str; 1] = ["dynamics"];
+const MECHANICS: [&str; 2] = ["inertia", "bias"];
 
 /// The plant of the controller of `spec`, with all mistakes.
-pub(super) fn read(
-    given: &Given<'_>,
-    (spec, model): (&Spec, &Model),
-    found: &mut Diagnostics,
-) -> Plant {
-    let (dynamics, whole) = match given.get(DYNAMICS) {
-        Some((_, node)) => rates(node, (spec, model), found),
-        None => (model.dynamics.clone(), true),
+pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
+    let mut plant = Plant::own(spec);
+    let keys: &[&str] = if plant.mechanics.is_some() { &MECHANICS } else { &DYNAMICS };
+    if let (Some((place, _)), true) = (given.get(DYNAMICS[0]), plant.mechanics.is_some()) {
+        let message =
+            "`dynamics` of a mechanical plant, whose rates follow from `inertia` and `bias`";
+        let help = "give those of them that differ from the model";
+        found.push("conflict", Subject::PlantRate.key(), Some(*place), message, help);
+        return plant;
+    }
+    let whole = match &mut plant.mechanics {
+        Some(mechanics) => equations(mechanics, given, spec, found),
+        None => given
+            .get(DYNAMICS[0])
+            .is_none_or(|(_, node)| rates(&mut plant.dynamics, node, spec, found)),
     };
-    let mut plant = Plant { dynamics, ..Plant::default() };
     let used: Vec<_> = plant.expressions().flat_map(Expression::parameters).collect();
     let of_controller = spec.parameters();
-    for (name, (place, node)) in given.iter().filter(|(name, _)| **name != DYNAMICS) {
+    for (name, (place, node)) in given.iter().filter(|(name, _)| !keys.contains(name)) {
         let key = format!("{TABLE}.{name}");
         let symbol = Name::new(name).map(Parameter::Named).filter(|symbol| used.contains(symbol));
         match symbol {
@@ -51,7 +59,7 @@ pub(super) fn read(
             None if !whole => {}
             None => {
                 let message = format!("nothing of the plant is called `{}`", shorten(name));
-                let help = legal(name, &used);
+                let help = legal(name, keys, &used);
                 found.push("unknown-key", key, Some(*place), message, help);
             }
         }
@@ -60,52 +68,109 @@ pub(super) fn read(
 }
 
 /// What `[plant]` may hold beside a model, for a name that it does not.
-fn legal(name: &str, used: &[Parameter]) -> String {
+fn legal(name: &str, keys: &[&str], used: &[Parameter]) -> String {
     let mut names: Vec<_> = used.iter().map(|symbol| symbol.spelling()).collect();
-    names.push(DYNAMICS.to_owned());
+    names.extend(keys.iter().map(|key| (*key).to_owned()));
     names.sort_unstable();
     names.dedup();
     let meant = near_miss(name, names.iter().map(String::as_str));
     let meant = meant.map(|meant| format!("did you mean `{meant}`? ")).unwrap_or_default();
     let all = names.join(", ");
+    let what = if keys == DYNAMICS { "rates" } else { "equations of motion" };
     format!(
-        "{meant}beside a model [plant] holds rates that differ, and values of the parameters in them: {all}"
+        "{meant}beside a model [plant] holds {what} that differ, and values of the parameters in them: {all}"
     )
 }
 
-/// The rates of the model, and those given in place of them; whether all of these could be read.
-fn rates(
-    node: &Node,
-    (spec, model): (&Spec, &Model),
-    found: &mut Diagnostics,
-) -> (Vec<Expression>, bool) {
-    let mut rates = model.dynamics.clone();
-    let states = (1..).zip(&model.states).map(|(j, name)| (*name, Variable::State(j)));
-    let own: Vec<_> = states.chain([(model.input, Variable::Control)]).collect();
+/// An expression of the plant, in the names of its states and inputs.
+fn expression(node: &Node, spec: &Spec, found: &mut Diagnostics) -> Option<Expression> {
+    let (states, inputs) = names(spec);
+    let control = |k: usize| match &spec.coupled {
+        Some(_) => Variable::State(states.len() + k),
+        None => Variable::Control,
+    };
+    let of_states = (1..).zip(states).map(|(j, name)| (*name, Variable::State(j)));
+    let own: Vec<_> =
+        of_states.chain((1..).zip(inputs).map(|(k, name)| (*name, control(k)))).collect();
     let known = known(spec.time_mapping.parameters());
-    let scope = Scope { subject: Subject::PlantRate, n: 0, known: &known, own: &own };
-    let (given, mut whole) = of_states(node, model, found);
+    resolve(node, Scope { subject: Subject::PlantRate, n: 0, known: &known, own: &own }, found)
+}
+
+/// The names of the states and of the inputs of the model.
+fn names(spec: &Spec) -> (&[Name], &[Name]) {
+    match (&spec.model, &spec.coupled) {
+        (Some(model), _) => (&model.states, std::slice::from_ref(&model.input)),
+        (None, Some(coupled)) => (&coupled.states, &coupled.inputs),
+        (None, None) => (&[], &[]),
+    }
+}
+
+/// Puts the given equations in place of those of the model; whether all could be read.
+fn equations(
+    mechanics: &mut Mechanics,
+    given: &Given<'_>,
+    spec: &Spec,
+    found: &mut Diagnostics,
+) -> bool {
+    let m = mechanics.bias.len();
+    let mut list = |key: &str, node: &Node| -> Option<Vec<Expression>> {
+        if items(node).len() != m {
+            let count = items(node).len();
+            let message = format!(
+                "`{key}` of the plant has {count} items, and {m} are needed, as many as inputs"
+            );
+            let help = "give `inertia` a row for each input, of an expression for each, and `bias` an expression for each";
+            found.push("bad-value", format!("{TABLE}.{key}"), Some(node.place), message, help);
+            return None;
+        }
+        let all: Vec<_> = items(node).iter().map(|node| expression(node, spec, found)).collect();
+        all.into_iter().collect()
+    };
+    let mut whole = true;
+    if let Some((_, node)) = given.get("inertia") {
+        let rows = items(node);
+        let read: Vec<_> = match rows.len() == m {
+            true => rows.iter().map(|row| list("inertia", row)).collect(),
+            false => vec![list("inertia", node)],
+        };
+        match read.into_iter().collect::<Option<Vec<_>>>() {
+            Some(rows) => mechanics.inertia = rows,
+            None => whole = false,
+        }
+    }
+    if let Some((_, node)) = given.get("bias") {
+        match list("bias", node) {
+            Some(bias) => mechanics.bias = bias,
+            None => whole = false,
+        }
+    }
+    whole
+}
+
+/// Puts the given rates in place of those of the model; whether all could be read.
+fn rates(rates: &mut [Expression], node: &Node, spec: &Spec, found: &mut Diagnostics) -> bool {
+    let (given, mut whole) = of_states(node, names(spec).0, found);
     for (state, node) in given {
-        match resolve(node, scope, found) {
+        match expression(node, spec, found) {
             Some(rate) => rates[state] = rate,
             None => whole = false,
         }
     }
-    (rates, whole)
+    whole
 }
 
 /// Which rates are given: some, by the names of their states, or all, in their order.
 fn of_states<'a>(
     node: &'a Node,
-    model: &Model,
+    states: &[Name],
     found: &mut Diagnostics,
 ) -> (Vec<(usize, &'a Node)>, bool) {
     let key = Subject::PlantRate.key();
     let Value::Table(given) = &node.value else {
         let all = items(node);
-        let whole = all.len() == model.states.len();
+        let whole = all.len() == states.len();
         if !whole {
-            let message = format!("{} rates for {} states", all.len(), model.states.len());
+            let message = format!("{} rates for {} states", all.len(), states.len());
             let help = "give those that differ from the model, dynamics = { w = \"...\" }, or a rate for each state, in their order";
             found.push("bad-value", key, Some(node.place), message, help);
         }
@@ -117,15 +182,12 @@ fn of_states<'a>(
             Some((text, place)) => (text.as_str(), *place),
             None => ("", value.place),
         };
-        let Some(state) = model.states.iter().position(|state| state.text() == text) else {
+        let Some(state) = states.iter().position(|state| state.text() == text) else {
             let message = format!("`{}` is no state of the model", shorten(text));
-            let names = model.states.iter().map(|state| state.text());
+            let names = states.iter().map(|state| state.text());
             let meant = near_miss(text, names).map(|meant| format!("did you mean `{meant}`? "));
-            let help = format!(
-                "{}the states are {}",
-                meant.unwrap_or_default(),
-                Name::listed(&model.states)
-            );
+            let help =
+                format!("{}the states are {}", meant.unwrap_or_default(), Name::listed(states));
             found.push("bad-value", key, Some(place), message, help);
             whole = false;
             continue;

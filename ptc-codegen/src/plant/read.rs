@@ -54,9 +54,9 @@ pub fn read_partly(entries: &[Entry], spec: &Spec) -> (Option<Plant>, Vec<Diagno
 }
 
 fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
-    match &spec.model {
-        Some(model) => super::model::read(given, (spec, model), found),
-        None => chain(given, spec, found),
+    match spec.has_model() {
+        true => super::model::read(given, spec, found),
+        false => chain(given, spec, found),
     }
 }
 

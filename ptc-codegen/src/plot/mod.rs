@@ -30,12 +30,12 @@ pub struct Figure {
     pub title: String,
     /// The names of the states.
     pub states: Vec<String>,
-    /// The name of the control.
-    pub input: String,
+    /// The names of the inputs.
+    pub inputs: Vec<String>,
     /// The runs, one a tau.
     pub traces: Vec<Trace>,
-    /// Bound of |u|; `None` if it has none.
-    pub u_max: Option<f64>,
+    /// Bound of |u| of each input, infinite for none; empty where there are none.
+    pub u_max: Vec<f64>,
     /// Bounds of |x_i|; empty where there are none.
     pub x_max: Vec<f64>,
     /// What has to hold of the first run.
@@ -70,8 +70,8 @@ pub struct Trace {
     pub stretched: Vec<f64>,
     /// `x[j]` is state j + 1 at these times.
     pub x: Vec<Vec<f64>>,
-    /// Control at these times.
-    pub u: Vec<f64>,
+    /// `u[k]` is input k + 1 at these times.
+    pub u: Vec<Vec<f64>>,
     /// Whether u is held from each of these times to the next.
     pub held: bool,
 }
@@ -119,7 +119,7 @@ impl Figure {
             true => ", and the first state in stretched time",
             false => "",
         };
-        let bounded = self.u_max.is_some() || !self.x_max.is_empty();
+        let bounded = self.u_max.iter().any(|bound| bound.is_finite()) || !self.x_max.is_empty();
         let bounds = if bounded { ", dashed ones in red bounds" } else { "" };
         format!("States and control over time in s{stretched}. Thin lines are deadlines{bounds}.")
     }
@@ -160,7 +160,7 @@ mod tests {
             deadline: 1.0,
             stretched: t.iter().map(|t| if held { f64::NAN } else { -(1.001 - t).ln() }).collect(),
             x: vec![t.iter().map(|t| 1.0 - t).collect(), t.iter().map(|_| -1.0).collect()],
-            u: t.iter().map(|t| t - 0.5).collect(),
+            u: vec![t.iter().map(|t| t - 0.5).collect()],
             t: t.clone(),
             held,
             ..Trace::default()
@@ -168,9 +168,9 @@ mod tests {
         Figure {
             title: "two runs".to_owned(),
             states: vec!["x1".to_owned(), "x2".to_owned()],
-            input: "u".to_owned(),
+            inputs: vec!["u".to_owned()],
             traces: vec![trace("one", false), trace("two", true)],
-            u_max: Some(0.6),
+            u_max: vec![0.6],
             x_max: vec![1.2],
             objectives: Vec::new(),
         }
@@ -233,7 +233,7 @@ mod tests {
         );
         let held = Figure {
             traces: all.traces[1..].to_vec(),
-            u_max: None,
+            u_max: Vec::new(),
             x_max: Vec::new(),
             ..Figure::default()
         };
@@ -258,7 +258,7 @@ mod tests {
     fn runs_of_nothing_are_drawn_too() {
         let still = Trace {
             x: vec![vec![0.0; 2]],
-            u: vec![0.0; 2],
+            u: vec![vec![0.0; 2]],
             t: vec![0.0, 1.0],
             stretched: vec![0.0, f64::INFINITY],
             deadline: 1.0,

@@ -15,8 +15,8 @@ use super::{Figure, Trace, chart, range};
 pub(super) enum Panel {
     /// State of this index from 0, over time.
     State(usize),
-    /// Control over time.
-    Control,
+    /// Input of this index from 0, over time.
+    Control(usize),
     /// The first state over stretched time: xi_1 = x_1.
     Stretched,
     /// What the objective of this index from 0 bounds, over time.
@@ -39,10 +39,12 @@ impl Panel {
     /// The panels of a figure.
     pub(super) fn all(figure: &Figure) -> Vec<Self> {
         let order = figure.traces.first().map_or(0, |trace| trace.x.len());
+        let inputs = figure.traces.first().map_or(1, |trace| trace.u.len());
         let known = |trace: &Trace| trace.stretched.iter().any(|s| s.is_finite());
         let stretched = figure.traces.iter().any(known).then_some(Self::Stretched);
         let objectives = (0..figure.objectives.len()).map(Self::Objective);
-        let of_run = (0..order).map(Self::State).chain([Self::Control]).chain(stretched);
+        let inputs = (0..inputs).map(Self::Control);
+        let of_run = (0..order).map(Self::State).chain(inputs).chain(stretched);
         of_run.chain(objectives).collect()
     }
 
@@ -117,8 +119,10 @@ impl Panel {
         match self {
             Self::Objective(index) => figure.objectives[index].title.clone(),
             Self::State(index) => figure.states.get(index).cloned().unwrap_or_default(),
-            Self::Control if cut => format!("{}, to scale from t0 + {OUTSET} tau on", figure.input),
-            Self::Control => figure.input.clone(),
+            Self::Control(index) => {
+                let name = figure.inputs.get(index).cloned().unwrap_or_default();
+                if cut { format!("{name}, to scale from t0 + {OUTSET} tau on") } else { name }
+            }
             Self::Stretched => "x1 = xi1 in stretched time".to_owned(),
         }
     }
@@ -126,7 +130,9 @@ impl Panel {
     fn bound(self, figure: &Figure) -> Option<f64> {
         match self {
             Self::State(index) => figure.x_max.get(index).copied(),
-            Self::Control => figure.u_max,
+            Self::Control(index) => {
+                figure.u_max.get(index).copied().filter(|bound| bound.is_finite())
+            }
             Self::Stretched | Self::Objective(_) => None,
         }
     }
@@ -174,11 +180,11 @@ impl Panel {
     fn points(self, figure: &Figure, trace: &Trace) -> Vec<(f64, f64)> {
         match self {
             Self::State(index) => self.along(figure, &trace.t, &trace.x[index]),
-            Self::Control if trace.held => {
-                let steps = trace.t.windows(2).zip(&trace.u);
+            Self::Control(index) if trace.held => {
+                let steps = trace.t.windows(2).zip(&trace.u[index]);
                 steps.flat_map(|(t, u)| [(t[0], *u), (t[1], *u)]).collect()
             }
-            Self::Control => self.along(figure, &trace.t, &trace.u),
+            Self::Control(index) => self.along(figure, &trace.t, &trace.u[index]),
             Self::Stretched => self.along(figure, &trace.stretched, &trace.x[0]),
             Self::Objective(index) => {
                 self.along(figure, &trace.t, &figure.objectives[index].values)
@@ -219,7 +225,7 @@ impl Panel {
         };
         let rest = range::of(figure.traces.iter().flat_map(later));
         match self {
-            Self::Control if whole.1 - whole.0 > 4.0 * (rest.1 - rest.0) => (rest, true),
+            Self::Control(_) if whole.1 - whole.0 > 4.0 * (rest.1 - rest.0) => (rest, true),
             _ => (whole, false),
         }
     }

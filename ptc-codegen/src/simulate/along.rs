@@ -1,4 +1,4 @@
-//! A compiled program that is looked at along a run: from time, state and control to its values.
+//! A compiled program that is looked at along a run: from time, state and inputs to its values.
 
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Program, Stage, Value};
@@ -13,12 +13,12 @@ pub(crate) struct Along {
 }
 
 impl Along {
-    /// `program` of order `n`, of which `outputs` are looked at.
-    pub(crate) fn new(program: &Program, outputs: &[Value], n: usize) -> Self {
+    /// `program` of a plant of so many variables, of which `outputs` are looked at.
+    pub(crate) fn new(program: &Program, outputs: &[Value], variables: usize) -> Self {
         let machine = Machine::new(program, outputs);
         Self {
             time: machine.slot(Input::Time),
-            state: (1..=n).map(|j| machine.slot(Input::State(j))).collect(),
+            state: (1..=variables).map(|j| machine.slot(Input::State(j))).collect(),
             control: machine.slot(Input::Control),
             machine,
         }
@@ -38,14 +38,16 @@ impl Along {
         self.machine.run(Stage::Arm, None);
     }
 
-    /// Computes the rest at a time, state and control.
-    pub(crate) fn at(&mut self, time: f64, x: &[f64], u: f64) {
+    /// Computes the rest at a time, a state and its inputs. Several inputs are variables behind the state.
+    pub(crate) fn at(&mut self, time: f64, x: &[f64], u: &[f64]) {
         self.machine.set(self.time, time);
         self.machine.run(Stage::Tick, None);
-        for (slot, x) in self.state.iter().zip(x) {
+        for (slot, x) in self.state.iter().zip(x.iter().chain(u)) {
             self.machine.set(*slot, *x);
         }
-        self.machine.set(self.control, u);
+        if let Some(u) = u.first() {
+            self.machine.set(self.control, *u);
+        }
         self.machine.run(Stage::Step, None);
     }
 }

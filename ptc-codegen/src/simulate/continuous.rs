@@ -226,13 +226,14 @@ impl Side for Continuous {
         self.plant(time_to_go, state);
         self.outputs.at(time_to_go, &self.x);
         let get = |value| self.outputs.machine.get(value);
+        let u = [get(self.closed.control())];
         visit(Sample {
             t,
             time_to_go,
             stretched: get(self.closed.stretched()),
             x: &self.x,
             measured: &self.x,
-            u: get(self.closed.control()),
+            u: &u,
             status: if self.clipped() { Status::Saturated } else { Status::Ok },
         });
     }

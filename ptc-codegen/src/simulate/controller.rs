@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::pole::Pole;
 use super::{Failure, Values};
 use crate::controller::plan::Plan;
 use crate::law::Law;
@@ -22,10 +23,17 @@ pub struct Controller {
     smooth: Machine,
     kinks: Vec<Kink>,
     program: Arc<Program>,
-    /// Whether u is held above and below its limits -u_max and u_max.
-    within: [bool; 2],
+    /// Whether each u is held above and below its limits.
+    within: Vec<[bool; 2]>,
     limits: Limits,
-    step: Value,
+    controls: Vec<Value>,
+    /// Bounds of |u| that each input has of its own; empty where they share one.
+    own_limits: Vec<f64>,
+    /// The determinant by which the inputs follow, where it is no number.
+    determinant: Option<(Value, Pole)>,
+    /// The inputs of the last call, and the largest of a run.
+    u: Vec<f64>,
+    peak: f64,
     guard: Guard,
     after: After,
     time: Option<Slot>,
@@ -39,6 +47,9 @@ pub struct Controller {
     start: f64,
 }
 
+/// An input this large, as a part of the largest of the run, is growing.
+const GROWN: f64 = 0.01;
+
 impl Controller {
     /// The controller of a spec.
     ///
@@ -51,7 +62,15 @@ impl Controller {
         let mut outputs = program.outputs();
         let of_axis = |value: &Value| program.handed_over().any(|handed| handed == value);
         outputs.retain(|value| Some(*value) != program.axis && !of_axis(value));
-        outputs.push(program.step);
+        let controls = program.controls();
+        outputs.extend(&controls);
+        let named = |name: &str| {
+            let own =
+                program.values.iter().position(|d| d.name.as_ref().is_some_and(|n| n.0 == name));
+            own.map(Value)
+        };
+        let determinant = spec.coupled.as_ref().and_then(|_| named("determinant"));
+        outputs.extend(determinant);
         let machine = Machine::new(&program, &outputs);
         let checks = digits::checks(&spec, &program);
         let checked: Vec<_> = checks.iter().flat_map(Condition::values).collect();
@@ -66,10 +85,14 @@ impl Controller {
             state: (1..=spec.states()).map(|j| machine.slot(Input::State(j))).collect(),
             smooth: machine.clone(),
             kinks: machine.kinks(),
-            within: [true, false],
+            within: vec![[true, false]; controls.len()],
             machine,
             limits: program.limits,
-            step: program.step,
+            own_limits: Vec::new(),
+            determinant: determinant.map(|value| (value, Pole::default())),
+            u: vec![0.0; controls.len()],
+            peak: 0.0,
+            controls,
             guard: spec.guard,
             after: spec.after,
             program: Arc::new(program),
@@ -90,6 +113,11 @@ impl Controller {
     pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         values.give(&mut self.machine)?;
         values.give(&mut self.smooth)?;
+        if self.has_own_limits() {
+            self.own_limits = values.limits(&self.spec);
+        }
+        self.determinant.iter_mut().for_each(|(_, pole)| *pole = Pole::default());
+        self.peak = 0.0;
         for parameter in self.spec.run_time_parameters() {
             let value = values.get(parameter);
             let legal = match self.spec.domain(parameter) {
@@ -145,34 +173,63 @@ impl Controller {
         self.armed.iter().all(|value| self.machine.get(*value).is_finite())
     }
 
-    /// u of `step` before the deadline, with the kinks held as chosen.
-    pub(super) fn held(&mut self, t: f64, x: &[f64]) -> f64 {
+    fn has_own_limits(&self) -> bool {
+        self.spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty())
+    }
+
+    /// Bound of |u| of an input, if it has one.
+    fn limit(&self, input: usize, machine: &Machine) -> Option<f64> {
+        let shared = || self.limits.u_max.map(|limit| machine.get(limit));
+        self.own_limits.get(input).copied().or_else(shared)
+    }
+
+    /// Every u of `step` before the deadline, with the kinks held as chosen.
+    pub(super) fn held(&mut self, t: f64, x: &[f64]) -> &[f64] {
         self.smooth.set(self.time, t);
         self.smooth.run(Stage::Tick, None);
         for (slot, x) in self.state.iter().zip(x) {
             self.smooth.set(*slot, *x);
         }
         self.smooth.run(Stage::Step, None);
-        let limit = self.limits.u_max.map_or(f64::INFINITY, |limit| self.smooth.get(limit));
-        match self.within {
-            [true, true] => limit,
-            [false, false] => -limit,
-            _ => self.smooth.get(self.step),
+        for (input, control) in self.controls.iter().enumerate() {
+            let limit = || self.limit(input, &self.smooth).unwrap_or(f64::INFINITY);
+            self.u[input] = match self.within[input] {
+                [true, true] => limit(),
+                [false, false] => -limit(),
+                _ => self.smooth.get(*control),
+            };
         }
+        if let Some((value, pole)) = &mut self.determinant {
+            pole.see(self.smooth.get(*value));
+            self.peak = self.u.iter().fold(self.peak, |peak, u| peak.max(u.abs()));
+        }
+        &self.u
     }
 
-    /// Number of its kinks: those of its program, and two where u is clipped.
+    /// Number of its kinks: those of its program, two for each u that is clipped, and the determinant.
     pub(super) fn kinks(&self) -> usize {
-        self.kinks.len() + if self.limits.u_max.is_some() { 2 } else { 0 }
+        let limited = if self.limits.u_max.is_some() { 2 * self.controls.len() } else { 0 };
+        self.kinks.len() + limited + usize::from(self.determinant.is_some())
+    }
+
+    /// Why no run goes on across a kink, or, without one, where it stops.
+    pub(super) fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        let (_, pole) = self.determinant.as_ref()?;
+        // Where the determinant vanishes with what is wanted u does not grow.
+        let grows = || self.u.iter().any(|u| u.abs() >= GROWN * self.peak);
+        let meets = kink.map_or_else(|| pole.is_near() && grows(), |kink| kink + 1 == self.kinks());
+        meets.then(Failure::not_decoupled)
     }
 
     /// The distances from them where u was last held.
     pub(super) fn distances(&self, into: &mut Vec<f64>) {
         into.extend(self.kinks.iter().map(|kink| self.smooth.distance(kink)));
-        if let Some(limit) = self.limits.u_max {
-            let (u, limit) = (self.smooth.get(self.step), self.smooth.get(limit));
-            into.extend([u + limit, u - limit]);
+        for (input, control) in self.controls.iter().enumerate() {
+            let u = self.smooth.get(*control);
+            let limit = self.limit(input, &self.smooth);
+            into.extend(limit.into_iter().flat_map(|limit| [u + limit, u - limit]));
         }
+        into.extend(self.determinant.iter().map(|(_, pole)| pole.now()));
     }
 
     /// Holds every kink above or below 0.
@@ -180,16 +237,25 @@ impl Controller {
         for (kink, above) in self.kinks.iter().zip(above) {
             self.smooth.hold(kink, *above);
         }
-        if let [.., below, over] = above[self.kinks.len()..] {
-            self.within = [below, over];
+        if self.limits.u_max.is_some() {
+            let (sides, _) = above[self.kinks.len()..].as_chunks();
+            self.within.iter_mut().zip(sides).for_each(|(within, sides)| *within = *sides);
         }
     }
 
-    /// `step`: u and its status; u is 0 where the status is negative.
-    pub fn step(&mut self, t: f64, x: &[f64]) -> (f64, Status) {
+    /// `step`: every u and the status; u is 0 where the status is negative.
+    pub fn step(&mut self, t: f64, x: &[f64]) -> (&[f64], Status) {
+        let status = self.call(t, x);
+        if matches!(status, Status::Input | Status::Range) {
+            self.u.fill(0.0);
+        }
+        (&self.u, status)
+    }
+
+    fn call(&mut self, t: f64, x: &[f64]) -> Status {
         let finite = t.is_finite() && x.iter().all(|x| x.is_finite());
         if self.guard == Guard::Full && !(finite && t >= self.start) {
-            return (0.0, Status::Input);
+            return Status::Input;
         }
         self.machine.set(self.time, t);
         self.machine.run(Stage::Tick, None);
@@ -199,17 +265,31 @@ impl Controller {
         self.machine.run(Stage::Step, None);
         let get = |value| self.machine.get(value);
         let over = self.limits.past.is_some_and(|past| get(past) >= 0.0);
-        let u = if over && self.after != After::Hold { 0.0 } else { get(self.step) };
-        if self.guard == Guard::Result && !finite {
-            return (0.0, Status::Range);
+        let ends = over && self.after != After::Hold;
+        let late = get(self.limits.late) >= get(self.limits.hold_from);
+        let wanted: Vec<_> =
+            self.controls.iter().map(|control| if ends { 0.0 } else { get(*control) }).collect();
+        // Where one of several inputs is no number none acts, whatever its limit is.
+        let lost = self.spec.coupled.is_some() && !wanted.iter().all(|u| u.is_finite());
+        if lost || (self.guard == Guard::Result && !finite) {
+            return Status::Range;
         }
-        match self.limits.u_max.map(get) {
-            Some(limit) if u > limit => (limit, Status::Saturated),
-            Some(limit) if u < -limit => (-limit, Status::Saturated),
-            _ if !u.is_finite() => (0.0, Status::Range),
-            _ if over => (u, Status::After),
-            _ if get(self.limits.late) >= get(self.limits.hold_from) => (u, Status::Hold),
-            _ => (u, Status::Ok),
+        let mut saturated = false;
+        for (input, u) in wanted.iter().enumerate() {
+            let limit = self.limit(input, &self.machine);
+            self.u[input] = match limit {
+                Some(limit) if *u > limit => limit,
+                Some(limit) if *u < -limit => -limit,
+                _ => *u,
+            };
+            saturated |= self.u[input] != *u && !u.is_nan();
+        }
+        match () {
+            () if saturated => Status::Saturated,
+            () if !self.u.iter().all(|u| u.is_finite()) => Status::Range,
+            () if over => Status::After,
+            () if late => Status::Hold,
+            () => Status::Ok,
         }
     }
 }

@@ -54,6 +54,15 @@ impl Side for Direct {
         self.motion.give(values)
     }
 
+    fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        let behind = self.controller.kinks();
+        match kink {
+            None => self.controller.barrier(None).or_else(|| self.motion.barrier(None)),
+            Some(kink) if kink < behind => self.controller.barrier(Some(kink)),
+            Some(kink) => self.motion.barrier(Some(kink - behind)),
+        }
+    }
+
     fn rates(&mut self, At { t, time_to_go }: At, x: &State, rates: &mut State) {
         let x = &x.as_slice()[..self.order()];
         let u = self.controller.held(t, x);
@@ -77,9 +86,8 @@ impl Side for Direct {
 
     fn distances(&mut self, At { t, .. }: At, x: &State, into: &mut Vec<f64>) {
         let x = &x.as_slice()[..self.order()];
-        let u = self.controller.held(t, x);
+        self.motion.at(t, x, self.controller.held(t, x));
         self.controller.distances(into);
-        self.motion.at(t, x, u);
         self.motion.distances(into);
     }
 

@@ -43,6 +43,11 @@ impl Failure {
         Self::of(Cause::Range, message, "the loop is unstable with these values")
     }
 
+    /// A state in which the controller has no control.
+    pub(super) fn uncontrolled(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::of(Cause::Range, message, help)
+    }
+
     /// A start at which `arm` computes a number out of range.
     pub(super) fn not_armed(start: f64) -> Self {
         Self::input(

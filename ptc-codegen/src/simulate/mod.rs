@@ -18,9 +18,11 @@ mod direct;
 mod failure;
 pub mod lanes;
 mod linear;
+mod mechanics;
 mod mode;
 mod pass;
 mod plant;
+mod pole;
 mod sampled;
 mod side;
 mod solver;
@@ -65,8 +67,8 @@ pub struct Sample<'a> {
     pub x: &'a [f64],
     /// The measurement; the state itself if the loop is not sampled.
     pub measured: &'a [f64],
-    /// Control u, as it acts on the plant.
-    pub u: f64,
+    /// The inputs of the plant, as they act on it.
+    pub u: &'a [f64],
     /// The status of `step`.
     pub status: Status,
 }

@@ -229,6 +229,9 @@ pub(super) fn begin<S: Piecewise>(system: &mut S, s: f64, state: &State) -> Resu
         if settled[which] || distances[which] != 0.0 {
             continue;
         }
+        if let Some(failure) = system.barrier(Some(which)) {
+            return Err(failure);
+        }
         system.choose(&mode.above);
         let surface = Surface::of(system, which, s, state);
         settled.iter_mut().zip(&surface.members).for_each(|(settled, member)| *settled |= member);

@@ -1,7 +1,8 @@
-//! The plant by itself: the rates of its states from time, state and control.
+//! The plant by itself: the rates of its states from time, state and inputs.
 
 use std::sync::Arc;
 
+use super::mechanics::Mechanics;
 use super::solver::State;
 use super::{Along, Failure, Values};
 use crate::lower;
@@ -17,6 +18,9 @@ pub(super) struct Motion {
     along: Along,
     kinks: Vec<Kink>,
     rates: Vec<Value>,
+    /// The equations from which the rates of a mechanical plant follow.
+    mechanics: Option<Mechanics>,
+    order: usize,
     program: Arc<Program>,
 }
 
@@ -25,12 +29,18 @@ impl Motion {
         let mut spec = Spec { precision: Precision::F64, ..spec.clone() };
         // What the plant says of a parameter of a model is true of it, and not what the law takes.
         spec.fixed.retain(|symbol, _| !plant.gives(*symbol));
-        let program = lower::plant(&spec, &plant.rates(&spec));
+        let (computed, inputs) = match &plant.mechanics {
+            None => (plant.rates(&spec), 0),
+            Some(mechanics) => (mechanics.expressions().cloned().collect(), mechanics.bias.len()),
+        };
+        let program = lower::plant(&spec, &computed);
         let program = passes::optimise(program, &mut |_, _| {});
-        let along = Along::new(&program, &program.watched, spec.states());
+        let along = Along::new(&program, &program.watched, spec.variables());
         Self {
             kinks: along.machine.kinks(),
             rates: program.watched.clone(),
+            mechanics: (inputs > 0).then(|| Mechanics::new(&program.watched, inputs)),
+            order: spec.states(),
             program: Arc::new(program),
             along,
         }
@@ -53,14 +63,22 @@ impl Motion {
         Ok(())
     }
 
-    /// Number of its kinks.
+    /// Number of its kinks, and of what no run crosses behind them.
     pub(super) fn kinks(&self) -> usize {
-        self.kinks.len()
+        self.kinks.len() + usize::from(self.mechanics.is_some())
+    }
+
+    /// Why no run goes on across a kink, or, without one, where it stops.
+    pub(super) fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        let determinant = self.mechanics.as_ref()?.determinant();
+        let meets = kink.map_or(determinant.is_near(), |kink| kink == self.kinks.len());
+        meets.then(Failure::no_inertia)
     }
 
     /// The distances from its kinks, where it was last computed.
     pub(super) fn distances(&self, into: &mut Vec<f64>) {
         into.extend(self.kinks.iter().map(|kink| self.along.machine.distance(kink)));
+        into.extend(self.mechanics.iter().map(|mechanics| mechanics.determinant().now()));
     }
 
     /// Holds every kink above or below 0.
@@ -72,19 +90,34 @@ impl Motion {
 
     /// Number of states.
     pub(super) fn order(&self) -> usize {
-        self.rates.len()
+        self.order
     }
 
     /// The rates at time `t`, times `scale`.
-    pub(super) fn rates(&mut self, (t, scale): (f64, f64), x: &[f64], u: f64, rates: &mut State) {
+    pub(super) fn rates(
+        &mut self,
+        (t, scale): (f64, f64),
+        x: &[f64],
+        u: &[f64],
+        rates: &mut State,
+    ) {
         self.at(t, x, u);
+        if let Some(mechanics) = &self.mechanics {
+            let accelerations = mechanics.accelerations();
+            let all = x[accelerations.len()..].iter().chain(accelerations);
+            rates.iter_mut().zip(all).for_each(|(rate, own)| *rate = scale * own);
+            return;
+        }
         for (rate, value) in rates.iter_mut().zip(&self.rates) {
             *rate = scale * self.along.machine.get(*value);
         }
     }
 
     /// Computes all at time `t`.
-    pub(super) fn at(&mut self, t: f64, x: &[f64], u: f64) {
+    pub(super) fn at(&mut self, t: f64, x: &[f64], u: &[f64]) {
         self.along.at(t, x, u);
+        if let Some(mechanics) = &mut self.mechanics {
+            mechanics.solve(|value| self.along.machine.get(value), u);
+        }
     }
 }

@@ -25,6 +25,7 @@ use crate::samples;
 #[derive(Clone, Debug)]
 pub struct Sampled {
     n: usize,
+    inputs: usize,
     controller: Kind,
     moved: Moved,
 }
@@ -61,15 +62,18 @@ impl Running<'_> {
         }
     }
 
-    /// u and its status at sample `index` and time `t`.
-    fn step(&mut self, index: u32, t: f64, measured: &[f64]) -> (f64, Status) {
+    /// Every u and the status at sample `index` and time `t`.
+    fn step(&mut self, index: u32, t: f64, measured: &[f64]) -> (Vec<f64>, Status) {
         match self {
-            Self::Time(controller) => controller.step(t, measured),
+            Self::Time(controller) => {
+                let (u, status) = controller.step(t, measured);
+                (u.to_vec(), status)
+            }
             Self::Samples(controller) => {
                 let given = [("k", &[f64::from(index)][..]), ("x", measured), ("y", measured)];
                 let outcome = controller.call("step", &given);
                 let u = outcome.results.get("u").and_then(|u| u.first());
-                (u.copied().unwrap_or(0.0), outcome.status.into())
+                (vec![u.copied().unwrap_or(0.0)], outcome.status.into())
             }
         }
     }
@@ -90,7 +94,12 @@ impl Sampled {
         let Some(sampled) = spec.sampled() else {
             let controller = Kind::Time(Box::new(Controller::new(spec)?));
             let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-            return Ok(Self { n: spec.states(), controller, moved });
+            return Ok(Self {
+                n: spec.states(),
+                inputs: spec.input_names().len(),
+                controller,
+                moved,
+            });
         };
         if spec.what == What::Observer {
             let message = "an observer alone closes no loop";
@@ -101,14 +110,14 @@ impl Sampled {
         if let Some(plant) = &sampled.linear {
             let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
             let moved = Moved::Linear(Linear::new(plant, h));
-            return Ok(Self { n: spec.n, controller, moved });
+            return Ok(Self { n: spec.n, inputs: 1, controller, moved });
         }
         // A chain has the f that the controller knows.
         let f = spec.drift.clone().unwrap_or(Expression::integer(0));
         let own = Plant { f, ..Plant::default() };
         let plant = if *plant == Plant::default() { &own } else { plant };
         let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-        Ok(Self { n: spec.n, controller, moved })
+        Ok(Self { n: spec.n, inputs: 1, controller, moved })
     }
 
     /// Runs from `x0` at t0 to the end of the loop and hands over every sample, with the u that acts
@@ -157,7 +166,8 @@ impl Sampled {
             true => least + (most - least) * 0.5 * (1.0 + even(&mut random)),
             false => least,
         };
-        let mut late = std::collections::VecDeque::from(vec![0.0; around.delay.inputs()]);
+        let none = vec![0.0; self.inputs];
+        let mut late = std::collections::VecDeque::from(vec![none.clone(); around.delay.inputs()]);
         let part = around.delay.part().to_f64().unwrap_or(1.0);
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
@@ -202,16 +212,16 @@ impl Sampled {
                 deadline = since + tau;
             }
             let (u, status) = controller.step(index, t, &measured);
-            late.push_back(quantised(u, around.u_step));
-            let u = late.pop_front().unwrap_or(0.0);
-            let newer = late.front().copied().unwrap_or(u);
+            late.push_back(u.iter().map(|u| quantised(*u, around.u_step)).collect());
+            let u = late.pop_front().unwrap_or_else(|| none.clone());
+            let newer = late.front().unwrap_or(&u);
             visit(Sample {
                 t,
                 time_to_go: deadline - since,
                 stretched: f64::NAN,
                 x: state,
                 measured: &measured,
-                u,
+                u: &u,
                 status,
             });
             if last {
@@ -228,14 +238,15 @@ impl Sampled {
                 true => until,
                 false => until.min(now + part * around.period),
             };
-            for (u, from, to) in [(u, now, over), (newer, over, until)] {
+            for (u, from, to) in [(&u, now, over), (newer, over, until)] {
+                let acts: Vec<_> = u.iter().map(|u| gain * u).collect();
                 let at = |part: u32| match part == around.parts {
                     true => to,
                     false => from + (to - from) * f64::from(part) / f64::from(around.parts),
                 };
                 for part in (0..around.parts).filter(|_| from < to) {
                     let ends = (t0 + at(part), t0 + at(part + 1));
-                    let moved = self.between(&mut walk, x, gain * u, ends);
+                    let moved = self.between(&mut walk, x, &acts, ends);
                     x = moved.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
                     if part + 1 < around.parts {
                         visit(Sample {
@@ -260,16 +271,18 @@ impl Sampled {
         &mut self,
         walk: &mut Walk,
         x: State,
-        u: f64,
+        u: &[f64],
         (from, to): (f64, f64),
     ) -> Result<State, Failure> {
         let motion = match &mut self.moved {
             Moved::Rates(motion) => motion,
-            Moved::Linear(plant) => return plant.after(x, u, to - from),
+            Moved::Linear(plant) => return plant.after(x, u[0], to - from),
         };
         // Of states that have died out the errors of a step would underflow.
-        let nothing = x.iter().all(|x| x.abs() < NOTHING[0]) && u.abs() < NOTHING[1];
-        let (x, u) = if nothing { (State::zeros(), 0.0) } else { (x, u) };
+        let nothing =
+            x.iter().all(|x| x.abs() < NOTHING[0]) && u.iter().all(|u| u.abs() < NOTHING[1]);
+        let rest = vec![0.0; u.len()];
+        let (x, u) = if nothing { (State::zeros(), rest.as_slice()) } else { (x, u) };
         let mut between = Between { motion, u, from, length: to - from };
         let mut end = x;
         let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;
@@ -300,7 +313,7 @@ fn started<'a>(
 /// The plant between two samples, over the part of the time between them.
 struct Between<'a> {
     motion: &'a mut Motion,
-    u: f64,
+    u: &'a [f64],
     from: f64,
     length: f64,
 }
@@ -332,6 +345,10 @@ impl Piecewise for Between<'_> {
 
     fn choose(&mut self, above: &[bool]) {
         self.motion.choose(above);
+    }
+
+    fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        self.motion.barrier(kink)
     }
 
     fn floors(&self) -> bool {

@@ -35,6 +35,13 @@ pub trait Side {
     /// Holds every kink above or below 0.
     fn choose(&mut self, above: &[bool]);
 
+    /// Why no run goes on across a kink, or, without one, where its integration stops; `None` where
+    /// one does.
+    fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        let _ = kink;
+        None
+    }
+
     /// The form in which a state is integrated from here on, where it may slide along a jump, and for
     /// how long in sigma at most.
     fn form(&mut self, at: At, state: &State, slides: bool) -> (State, f64) {
@@ -172,14 +179,16 @@ impl<S: Side> OnSigma<'_, S> {
     ) {
         let beyond = slide.and_then(|(mode, part)| {
             self.side.choose(&mode.slide.as_ref()?.beyond);
-            let mut u = f64::NAN;
-            self.side.tell(at, state, &mut |sample| u = sample.u);
+            let mut u = Vec::new();
+            self.side.tell(at, state, &mut |sample| u = sample.u.to_vec());
             self.side.choose(&mode.above);
             Some((u, part))
         });
         self.side.tell(at, state, &mut |sample| {
-            let u = beyond.map_or(sample.u, |(u, part)| sample.u + part * (u - sample.u));
-            visit(Sample { u, ..sample });
+            let Some((beyond, part)) = &beyond else { return visit(sample) };
+            let both = sample.u.iter().zip(beyond);
+            let u: Vec<_> = both.map(|(u, beyond)| u + part * (beyond - u)).collect();
+            visit(Sample { u: &u, ..sample });
         });
     }
 }
@@ -203,6 +212,10 @@ impl<S: Side> Piecewise for OnSigma<'_, S> {
 
     fn choose(&mut self, above: &[bool]) {
         self.side.choose(above);
+    }
+
+    fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        self.side.barrier(kink)
     }
 
     fn form(&mut self, sigma: f64, state: &State, slides: bool) -> (State, f64) {

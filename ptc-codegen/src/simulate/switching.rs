@@ -31,6 +31,13 @@ pub(super) trait Piecewise {
     /// Holds every kink above or below 0.
     fn choose(&mut self, above: &[bool]);
 
+    /// Why no run goes on across a kink, or, without one, where its integration stops; `None` where
+    /// one does.
+    fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        let _ = kink;
+        None
+    }
+
     /// The form in which the state is integrated from here on, and how far at most.
     fn form(&mut self, s: f64, state: &State, slides: bool) -> (State, f64) {
         let _ = (s, slides);
@@ -61,6 +68,9 @@ const EVENTS: usize = 20_000;
 
 /// Most events at one instant, for each kink.
 const AT_ONCE: usize = 4;
+
+/// How far ahead of an event a barrier counts as met.
+const AHEAD: f64 = 1e-6;
 
 impl Walk {
     /// Integrates from `start` at `points[0]` to the last of the ascending points, and sees each.
@@ -124,7 +134,9 @@ impl Walk {
             };
             let begin = Begin { at, state: formed, step, stiff: self.stiff && floors };
             let rates = Rates { order, rates };
-            let (reached, stiff) = integrate(&rates, begin, &piece, &mut pass, &mut visit)?;
+            let end = integrate(&rates, begin, &piece, &mut pass, &mut visit);
+            let (reached, stiff) =
+                end.map_err(|(at, failure)| (at, system.barrier(None).unwrap_or(failure)))?;
             let moved = reached.at - at > 1e-12 * at.abs().max(1.0);
             here = if moved { 0 } else { here + 1 };
             (at, state) = (reached.at, reached.state);
@@ -137,6 +149,9 @@ impl Walk {
                     events += 1;
                     if events > EVENTS || here > AT_ONCE * (kinks + 1) {
                         return Err((at, endless()));
+                    }
+                    if let Some(failure) = met(system, &mode, which, (at, &state)) {
+                        return Err((at, failure));
                     }
                     let next = next(system, &mode, which, at, &state);
                     mode = next.map_err(|failure| (at, failure))?;
@@ -172,6 +187,30 @@ impl Walk {
         }
         begin(system, at, state)
     }
+}
+
+/// What ends the run at an event: a kink that no run crosses, or one just ahead, close to which others are
+/// met too.
+fn met<S: Piecewise>(
+    system: &mut S,
+    mode: &Mode,
+    which: usize,
+    (s, state): (f64, &State),
+) -> Option<Failure> {
+    if let Some(failure) = system.barrier(Some(which)) {
+        return Some(failure);
+    }
+    let kinks = 0..system.kinks();
+    let barriers: Vec<_> = kinks.filter(|kink| system.barrier(Some(*kink)).is_some()).collect();
+    if barriers.is_empty() {
+        return None;
+    }
+    let (mut rates, mut here, mut ahead) = (State::zeros(), Vec::new(), Vec::new());
+    field(system, mode, s, state, &mut rates);
+    system.distances(s, state, &mut here);
+    system.distances(s + AHEAD, &(state + rates * AHEAD), &mut ahead);
+    let crossed = barriers.into_iter().find(|kink| here[*kink] * ahead[*kink] < 0.0);
+    crossed.and_then(|kink| system.barrier(Some(kink)))
 }
 
 fn endless() -> Failure {

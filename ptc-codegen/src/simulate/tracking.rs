@@ -27,7 +27,7 @@ pub fn tracking_error(
     along.settle();
     // The program counts down to the deadline.
     let [start, tau] = [Parameter::StartTime, Parameter::Tau].map(|p| values.get(p));
-    along.at(start + tau - t, x, 0.0);
+    along.at(start + tau - t, x, &[]);
     let (wanted, chain) = program.watched.split_at(spec.n);
     let get = |values: &[Value]| values.iter().map(|v| along.machine.get(*v)).collect::<Vec<_>>();
     let chain = if chain.is_empty() { x.to_vec() } else { get(chain) };

@@ -46,6 +46,15 @@ impl Values {
         self.0.get(&parameter).copied().unwrap_or(f64::NAN)
     }
 
+    /// Bound of |u| of each input of the controller of `spec`.
+    pub fn limits(&self, spec: &Spec) -> Vec<f64> {
+        let own = spec.axes.as_ref().map(|axes| axes.limits.as_slice()).unwrap_or_default();
+        match own {
+            [] => vec![self.get(Parameter::UMax); spec.input_names().len()],
+            own => own.iter().map(|limit| rounded(limit, spec.precision)).collect(),
+        }
+    }
+
     /// The parameters and symbols without a value, without which the loop of `spec` and `plant` does
     /// not run; eps only where the emitted code is `emitted`.
     pub fn missing(&self, spec: &Spec, plant: &Plant, emitted: bool) -> Vec<Parameter> {
@@ -90,5 +99,10 @@ impl Values {
 }
 
 fn to_f64(value: &Fixed) -> f64 {
-    value.number().map_or(f64::INFINITY, |exact| number::round(exact, Precision::F64))
+    rounded(value, Precision::F64)
+}
+
+/// A value as a precision holds it.
+fn rounded(value: &Fixed, precision: Precision) -> f64 {
+    value.number().map_or(f64::INFINITY, |exact| number::round(exact, precision))
 }

@@ -11,14 +11,14 @@ const PARTS: u8 = 64;
 /// Looks at each step of the grid.
 const LOOKS: u32 = 4;
 
-/// The least and greatest x_1..x_n and u of the first draws, by the time since the start in parts of tau.
+/// The least and greatest states and inputs of the first draws, by the time since the start in parts of tau.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Envelope {
     /// Draws that were run.
     pub draws: u64,
     /// Middles of the parts of the run, (t - t0)/tau.
     pub at: Vec<f64>,
-    /// For x_1..x_n and u, its bounds in each of these parts.
+    /// For each state and each input, its bounds in each of these parts.
     pub within: Vec<Vec<Interval>>,
 }
 
@@ -28,7 +28,7 @@ impl Envelope {
     /// Of the draws below an index.
     pub fn of(campaign: &Campaign, trial: &Trial, draws: u64) -> Self {
         let draws = draws.min(campaign.scenarios);
-        let quantities = campaign.spec.states() + 1;
+        let quantities = campaign.spec.states() + campaign.spec.input_names().len();
         let none =
             || vec![vec![(f64::INFINITY, f64::NEG_INFINITY); usize::from(PARTS)]; quantities];
         let widened = (0..draws)
@@ -65,7 +65,7 @@ impl Campaign {
             let share = (t - start) / span;
             let part =
                 (1..PARTS).filter(|part| share >= f64::from(*part) / f64::from(PARTS)).count();
-            for (one, value) in parts.iter_mut().zip(x.iter().chain([&u])) {
+            for (one, value) in parts.iter_mut().zip(x.iter().chain(&u)) {
                 one[part] = (one[part].0.min(*value), one[part].1.max(*value));
             }
         };

@@ -129,7 +129,7 @@ impl Campaign {
 
     /// Whether both sides of Theorem 1 are run: the law of a chain, at every instant.
     pub fn has_sides(&self) -> bool {
-        self.around.is_none() && self.spec.model.is_none()
+        self.around.is_none() && !self.spec.has_model()
     }
 
     /// T/tau at which the pieces of signals end, > 0.

@@ -1,8 +1,10 @@
 //! What has to hold along a run, and by how much it does not.
 
-use crate::expression::Expression;
-use crate::expression::existence::{self, Condition};
 use std::fmt;
+
+use crate::expression::existence::{self, Condition};
+use crate::expression::{Expression, Variable};
+use crate::parameter::Name;
 
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +31,11 @@ pub enum Kind {
         /// The bound, in the unit of u.
         upsilon: Expression,
     },
+    /// The same of each of several inputs, |u_k| <= upsilon_k(dt): its name and its bound.
+    Inputs {
+        /// The bounds, in the unit of each.
+        upsilon: Vec<(Name, Expression)>,
+    },
     /// Corollary 1: |x| <= error at the end of the run.
     Attractive {
         /// The bound.
@@ -50,7 +57,7 @@ impl Kind {
     pub fn name(&self) -> &'static str {
         match self {
             Self::State { .. } => "state",
-            Self::Input { .. } => "input",
+            Self::Input { .. } | Self::Inputs { .. } => "input",
             Self::Attractive { .. } => "attractive",
             Self::Within { .. } => "within",
         }
@@ -68,6 +75,10 @@ impl Kind {
         match self {
             Self::State { sigma, zeta } => Self::State { sigma: *sigma, zeta: to(zeta) },
             Self::Input { upsilon } => Self::Input { upsilon: to(upsilon) },
+            Self::Inputs { upsilon } => {
+                let each = upsilon.iter().map(|(name, bound)| (*name, to(bound)));
+                Self::Inputs { upsilon: each.collect() }
+            }
             Self::Attractive { error } => Self::Attractive { error: *error },
             Self::Within { h, low, high } => {
                 Self::Within { h: to(h), low: low.as_ref().map(to), high: high.as_ref().map(to) }
@@ -85,6 +96,9 @@ impl Kind {
         match self {
             Self::State { zeta, .. } => vec![("zeta", zeta)],
             Self::Input { upsilon } => vec![("upsilon", upsilon)],
+            Self::Inputs { upsilon } => {
+                upsilon.iter().map(|(_, bound)| ("upsilon", bound)).collect()
+            }
             Self::Attractive { .. } => Vec::new(),
             Self::Within { h, low, high } => {
                 let bounds = [("low", low), ("high", high)];
@@ -103,13 +117,17 @@ impl From<Kind> for Objective {
 }
 
 impl Objective {
-    /// Whether it holds or fails at t0 whatever the control does.
-    pub fn is_of_state(&self) -> bool {
-        let control = Expression::from(crate::expression::Variable::Control);
+    /// Whether it holds or fails at t0 whatever the inputs do, of a plant of so many states.
+    pub fn is_of_state(&self, states: usize) -> bool {
+        let is_input = |e: &Expression| match e.variable() {
+            Some(Variable::Control) => true,
+            Some(Variable::State(j)) => j > states,
+            _ => false,
+        };
         match &self.kind {
             Kind::State { .. } => true,
-            Kind::Within { h, .. } => !h.any(&|e| *e == control),
-            Kind::Input { .. } | Kind::Attractive { .. } => false,
+            Kind::Within { h, .. } => !h.any(&is_input),
+            Kind::Input { .. } | Kind::Inputs { .. } | Kind::Attractive { .. } => false,
         }
     }
 }
@@ -119,6 +137,10 @@ impl fmt::Display for Objective {
         match &self.written {
             Kind::State { sigma, zeta } => write!(f, "|x| <= {sigma} |x0| ({zeta})"),
             Kind::Input { upsilon } => write!(f, "|u| <= {upsilon}"),
+            Kind::Inputs { upsilon } => {
+                let each = upsilon.iter().map(|(name, bound)| format!("|{name}| <= {bound}"));
+                f.write_str(&each.collect::<Vec<_>>().join(", "))
+            }
             Kind::Attractive { error } => write!(f, "|x| <= {error} at the end"),
             Kind::Within { h, low, high } => {
                 low.iter().try_for_each(|low| write!(f, "{low} <= "))?;
@@ -132,7 +154,7 @@ impl fmt::Display for Objective {
 /// What an objective bounds at an instant, and between what.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Level {
-    /// |x|, |u| or h.
+    /// |x|, |u| or h; of several inputs the largest |u_k| in parts of its bound.
     pub value: f64,
     /// Its least legal value here, if it has one.
     pub low: Option<f64>,
@@ -169,6 +191,11 @@ pub(super) fn over(value: f64, bound: f64) -> f64 {
         () if bound > 0.0 => value / bound - 1.0,
         () => f64::INFINITY,
     }
+}
+
+/// The larger of two numbers; no number is larger than any.
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if b.is_nan() { b } else { a.max(b) }
 }
 
 pub(super) fn norm(x: impl Iterator<Item = f64>) -> f64 {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Setting;
-use super::objective::{Kind, Level, Objective, norm};
+use super::objective::{Kind, Level, Objective, larger, norm, over};
 use crate::expression::existence::Condition;
 use crate::lower;
 use crate::parameter::{Parameter, Precision};
@@ -19,7 +19,7 @@ pub(super) struct Observer {
     watched: Watched,
     program: Arc<Program>,
     along: Along,
-    /// The chain's x as functions of the states of a model.
+    /// The x of the chains as functions of the states of a model.
     coordinates: Vec<Value>,
     size_at_start: f64,
 }
@@ -41,10 +41,10 @@ impl Observer {
         let needs: Vec<_> = kinds.iter().map(Kind::needs).collect();
         let parts = needs.iter().flatten().map(|(part, _)| part);
         let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
-        let of_model = spec.model.iter().flat_map(|model| &model.coordinates);
+        let of_model = spec.coordinates();
         let expressions: Vec<_> = own.chain(parts).chain(of_model).collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
-        let along = Along::new(&program, &program.watched, spec.states());
+        let along = Along::new(&program, &program.watched, spec.variables());
         let mut all = program.watched.iter().copied();
         let values = kinds.iter().map(|kind| all.by_ref().take(kind.expressions().len()).collect());
         let values = values.collect();
@@ -67,13 +67,13 @@ impl Observer {
         self.along.start(x0);
         self.along.settle();
         if !self.coordinates.is_empty() {
-            self.along.at(values.get(Parameter::Tau), x0, 0.0);
+            self.along.at(values.get(Parameter::Tau), x0, &[]);
         }
         self.size_at_start = self.size(x0);
         Ok(())
     }
 
-    /// |x| of the chain, in the state that was looked at last.
+    /// |x| of the chains, in the state that was looked at last.
     fn size(&self, x: &[f64]) -> f64 {
         if self.coordinates.is_empty() {
             return norm(x.iter().copied());
@@ -86,7 +86,7 @@ impl Observer {
     /// as a part of the bound, h in its own unit. `last` where the run ends.
     pub(super) fn excess(
         &mut self,
-        here: (f64, &[f64], f64),
+        here: (f64, &[f64], &[f64]),
         last: bool,
         visit: &mut dyn FnMut(usize, f64),
     ) {
@@ -96,7 +96,7 @@ impl Observer {
     /// What each objective bounds here, and its bounds. `last` where the run ends.
     pub(super) fn levels(
         &mut self,
-        (time_to_go, x, u): (f64, &[f64], f64),
+        (time_to_go, x, u): (f64, &[f64], &[f64]),
         last: bool,
         visit: &mut dyn FnMut(usize, &Kind, Level),
     ) {
@@ -111,7 +111,7 @@ impl Watched {
     fn levels(
         &self,
         get: impl Fn(Value) -> f64,
-        ((size, size_at_start), u): ((f64, f64), f64),
+        ((size, size_at_start), u): ((f64, f64), &[f64]),
         last: bool,
         visit: &mut dyn FnMut(usize, &Kind, Level),
     ) {
@@ -122,7 +122,13 @@ impl Watched {
                 Kind::State { sigma, .. } => {
                     Level::below(size, Some(sigma * size_at_start * next()))
                 }
-                Kind::Input { .. } => Level::below(u.abs(), Some(next())),
+                Kind::Input { .. } => {
+                    Level::below(u.first().map_or(f64::NAN, |u| u.abs()), Some(next()))
+                }
+                Kind::Inputs { .. } => {
+                    let parts = u.iter().map(|u| 1.0 + over(u.abs(), next()));
+                    Level::below(parts.fold(0.0, larger), Some(1.0))
+                }
                 Kind::Attractive { error } => Level::below(size, last.then_some(*error)),
                 Kind::Within { low, high, .. } => Level {
                     value: next(),
@@ -202,7 +208,8 @@ impl LaneObserver {
             let (Some(job), Some((_, at_start))) = (jobs[lane], self.jobs[lane]) else { continue };
             let sizes = (norm(x.iter().map(|x| x.0[lane])), at_start);
             let get = |value| self.along.lanes.get(value).0[lane];
-            let here = (sizes, u.0[lane]);
+            let u = [u.0[lane]];
+            let here = (sizes, u.as_slice());
             self.watched.levels(get, here, last[lane], &mut |index, kind, level| {
                 visit(job, index, level.excess(kind));
             });

@@ -42,7 +42,7 @@ pub fn impossible(campaign: &Campaign, trial: &mut Trial) -> Result<Option<Impos
     }
     for (objective, worst) in worst.into_iter().enumerate() {
         let Some((scenario, excess)) = worst else { continue };
-        if !campaign.objectives[objective].is_of_state() {
+        if !campaign.objectives[objective].is_of_state(campaign.spec.states()) {
             continue;
         }
         let (scenario, excess) = climbed(campaign, trial, objective, (scenario, excess))?;
@@ -59,7 +59,7 @@ pub fn impossible(campaign: &Campaign, trial: &mut Trial) -> Result<Option<Impos
 /// # Errors
 /// A parameter without a value.
 pub fn reversed(campaign: &Campaign) -> Result<Option<Scenario>, Failure> {
-    if campaign.spec.model.is_some() {
+    if campaign.spec.has_model() {
         return Ok(None);
     }
     let of_gain = Campaign { objectives: vec![campaign.gain()], ..campaign.clone() };

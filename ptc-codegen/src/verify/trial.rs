@@ -18,6 +18,7 @@ pub struct Trial {
     pub(super) lanes: Option<Box<InLanes>>,
     observer: Observer,
     objectives: usize,
+    inputs: usize,
     /// Difference of the sides above which their integration may show: see [`is_blurred`].
     pub(super) blur: f64,
 }
@@ -42,8 +43,8 @@ pub struct Instant {
     pub time_to_go: f64,
     /// x_1..x_n.
     pub x: Vec<f64>,
-    /// Control u.
-    pub u: f64,
+    /// The inputs.
+    pub u: Vec<f64>,
     /// By how much each objective is exceeded here.
     pub excess: Vec<f64>,
     /// Whether what has to hold at the end has to hold here.
@@ -86,7 +87,8 @@ impl Trial {
         };
         let lanes = lanes.map(Box::new);
         let blur = BLUR * campaign.tolerance;
-        Ok(Self { closed, lanes, observer, objectives: campaign.objectives.len(), blur })
+        let (objectives, inputs) = (campaign.objectives.len(), spec.input_names().len());
+        Ok(Self { closed, lanes, observer, objectives, inputs, blur })
     }
 
     /// Runs a scenario.
@@ -139,20 +141,20 @@ impl Trial {
         self.observer.start(&setting.values, &setting.x0)?;
         let mut levels = vec![Vec::with_capacity(instants.len()); self.objectives];
         for Instant { time_to_go, x, u, at_end, .. } in instants {
-            let here = (*time_to_go, x.as_slice(), *u);
+            let here = (*time_to_go, x.as_slice(), u.as_slice());
             self.observer.levels(here, *at_end, &mut |i, _, level| levels[i].push(level));
         }
         Ok(levels)
     }
 
-    /// Excess of an objective of a scenario in a state `x` under a control `u` at a time-to-go.
+    /// Excess of an objective of a scenario in a state `x` under inputs `u` at a time-to-go.
     ///
     /// # Errors
     /// A parameter without a value.
     pub(super) fn excess_at(
         &mut self,
         setting: &Setting,
-        here: (f64, &[f64], f64),
+        here: (f64, &[f64], &[f64]),
         (objective, last): (usize, bool),
     ) -> Result<f64, Failure> {
         self.observer.start(&setting.values, &setting.x0)?;
@@ -173,7 +175,9 @@ impl Trial {
         self.observer.start(&setting.values, &setting.x0)?;
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
         let tau = setting.values.get(Parameter::Tau);
-        self.observer.excess((tau, &setting.x0, 0.0), false, &mut |i, value| excess[i] = value);
+        let rest = vec![0.0; self.inputs];
+        let here = (tau, setting.x0.as_slice(), rest.as_slice());
+        self.observer.excess(here, false, &mut |i, value| excess[i] = value);
         Ok(excess)
     }
 }
@@ -321,7 +325,7 @@ impl<'a> Watch<'a> {
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
         let here = (time_to_go, x, u);
         self.observer.excess(here, at_end, &mut |i, value| excess[i] = value);
-        Instant { t, time_to_go, x: x.to_vec(), u, excess, at_end }
+        Instant { t, time_to_go, x: x.to_vec(), u: u.to_vec(), excess, at_end }
     }
 }
 
@@ -342,7 +346,7 @@ impl Track {
     }
 
     fn take(&mut self, instant: &Instant) {
-        self.push(instant.x.iter().copied(), instant.u);
+        self.push(instant.x.iter().copied(), instant.u[0]);
         (0..).zip(&instant.excess).for_each(|(objective, excess)| self.exceed(objective, *excess));
     }
 

@@ -74,7 +74,7 @@ impl Stage {
         let mut seen = Vec::new();
         let mut sampled = Sampled::new(&spec, &plant).expect("a loop");
         let values = Values::of(&spec, &plant);
-        let end = sampled.run(&values, x0, &around, &mut |s| seen.push((s.x.to_vec(), s.u)));
+        let end = sampled.run(&values, x0, &around, &mut |s| seen.push((s.x.to_vec(), s.u[0])));
         end.unwrap_or_else(|failure| panic!("{}: {failure}", self.text));
         seen
     }

@@ -8,6 +8,7 @@ mod report;
 mod reproductions;
 #[cfg(unix)]
 mod sampled;
+mod several_inputs;
 mod simulate;
 mod simulate_command;
 #[path = "../support/mod.rs"]

@@ -23,7 +23,7 @@ fn run(text: &str, x0: &[f64], around: &Loop) -> Seen {
     let values = Values::of(&spec, &plant);
     let mut seen = Vec::new();
     let end = Sampled::new(&spec, &plant).expect("a loop").run(&values, x0, around, &mut |s| {
-        seen.push((s.t, s.x.to_vec(), s.u, s.status));
+        seen.push((s.t, s.x.to_vec(), s.u[0], s.status));
     });
     end.unwrap_or_else(|failure| panic!("{text}: {failure}"));
     seen
@@ -133,7 +133,7 @@ fn the_controller_in_the_loop_is_the_emitted_c() {
         Sampled::new(&spec, &plant)
             .expect("a loop")
             .run(&values, &x0[..spec.n], &around, &mut |s| {
-                calls.push((s.t, s.x.to_vec(), s.u, s.status));
+                calls.push((s.t, s.x.to_vec(), s.u[0], s.status));
             })
             .unwrap_or_else(|failure| panic!("{text}: {failure}"));
         assert!(calls.len() > 400, "{}", calls.len());

@@ -20,7 +20,7 @@ fn continuous(text: &str, set: &[(Parameter, f64)], x0: &[f64], shares: &[f64]) 
         x0,
         shares,
         Accuracy::default(),
-        &mut |sample| seen.push((sample.time_to_go / tau, sample.x.to_vec(), sample.u)),
+        &mut |sample| seen.push((sample.time_to_go / tau, sample.x.to_vec(), sample.u[0])),
     );
     run.unwrap_or_else(|failure| panic!("{text}: {failure}"));
     assert_eq!(seen.len(), shares.len());
@@ -167,7 +167,7 @@ fn agree(text: &str, x0: &[f64]) -> Seen {
     let accuracy = Accuracy { relative: 1e-10, absolute: 1e-18, ..Accuracy::default() };
     Direct::of(&spec, &plant)
         .expect("a loop")
-        .run(&values, x0, &shares, accuracy, &mut |s| direct.push((s.x.to_vec(), s.u)))
+        .run(&values, x0, &shares, accuracy, &mut |s| direct.push((s.x.to_vec(), s.u[0])))
         .unwrap_or_else(|failure| panic!("{text}: {failure}"));
     for ((share, x, u), (own, own_u)) in mapped.iter().zip(&direct) {
         for (a, b) in x.iter().zip(own).chain([(u, own_u)]) {

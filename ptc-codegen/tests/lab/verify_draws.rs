@@ -115,7 +115,7 @@ fn the_envelope_holds_its_runs_and_no_more() {
             let Some(part) = envelope.at.iter().position(|at| (share - at).abs() < half) else {
                 return;
             };
-            for (value, within) in instant.x.iter().chain([&instant.u]).zip(&envelope.within) {
+            for (value, within) in instant.x.iter().chain(&instant.u).zip(&envelope.within) {
                 // Other instants are other steps of the integration.
                 let (low, high, slack) =
                     (within[part].0, within[part].1, 1e-6 * (1.0 + value.abs()));

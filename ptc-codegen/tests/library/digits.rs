@@ -85,6 +85,7 @@ fn judge(spec: &Spec, wanted: usize) -> Seen {
                 continue;
             }
             let (u, status) = controller.step(t, &x);
+            let u = u[0];
             if status == Status::Range {
                 continue;
             }

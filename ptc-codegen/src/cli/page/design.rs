@@ -48,13 +48,20 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         None => e.to_string(),
     };
     let gain = spec.input_gain.as_ref().map_or("1".to_owned(), of_plant);
-    let mut facts = vec![
-        fact("name", spec.name()),
-        fact("order n", spec.n.to_string()),
-        fact("time mapping", mapping),
-        fact("law", law),
-        fact("input gain g", gain),
-    ];
+    let mut facts = vec![fact("name", spec.name())];
+    match &spec.coupled {
+        Some(coupled) => facts.extend([
+            fact("plant", coupled.order_text()),
+            fact("time mapping", mapping),
+            fact("law of each output", law),
+        ]),
+        None => facts.extend([
+            fact("order n", spec.n.to_string()),
+            fact("time mapping", mapping),
+            fact("law", law),
+            fact("input gain g", gain),
+        ]),
+    }
     facts.extend(spec.drift.as_ref().map(|f| fact("known f, cancelled", of_plant(f))));
     facts.extend(match &spec.reference {
         Some(Reference::Known(derivatives)) => {
@@ -64,7 +71,8 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         None => None,
     });
     if !spec.poles.is_empty() {
-        facts.push(fact("poles", spec.written_poles()));
+        let each: Vec<_> = spec.designs().iter().map(Spec::written_poles).collect();
+        facts.push(fact("poles", each.join("; ")));
     }
     facts.extend([
         fact("after the deadline", after.to_owned()),

@@ -29,7 +29,7 @@ pub(super) fn drawn(report: &Report) -> Result<Option<Drawn>, Failure> {
     let figure = Figure {
         title: format!("{}: worst run of the loop for {state}", spec.name()),
         states: (1..=run.x.len()).map(|j| format!("x{j}")).collect(),
-        input: "u".to_owned(),
+        inputs: vec!["u".to_owned()],
         traces: vec![Trace {
             label: format!("worst {state}"),
             start: 0.0,
@@ -37,7 +37,7 @@ pub(super) fn drawn(report: &Report) -> Result<Option<Drawn>, Failure> {
             stretched: vec![f64::NAN; run.t.len()],
             t: run.t,
             x: run.x,
-            u: run.u,
+            u: vec![run.u],
             held: true,
         }],
         ..Figure::default()

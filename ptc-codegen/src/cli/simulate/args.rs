@@ -10,7 +10,7 @@ pub(crate) const EXAMPLES: &str = "\
 The plant xn' = f + g*u is in the design, under [plant]: f and g are expressions in x1..xn, t
 and, f alone, u. Every other name in them is a symbol of the plant, which has its value there too.
 Without [plant], f is 0. With a [model] the plant is the model; [plant] may give other values of its
-parameters, and other rates under `dynamics`.
+parameters, and other rates under `dynamics`, of a mechanical one another `inertia` and `bias`.
 
 What the design leaves to run time needs a value: --tau, --eps, --t0 (0 unless it is given),
 --u-max (inf unless it is given), --gains, and --param NAME=VALUE for all others, such as a.
@@ -24,7 +24,7 @@ sample is reported. Noise is uniform within its bounds.
 --tau may list several values, --x0 and --mu may be given several times: a run for each combination,
 all in one picture.
 
-CSV: a line `tau,t,x1,...,xn,u`, of a model the names of its states and its input, then one line for
+CSV: a line `tau,t,x1,...,xn,u`, of a model the names of its states and inputs, then one line for
 each instant; all numbers read back as they were. With several --x0 or --mu the first column is the
 number of the run.
 The sampled loop adds the measurements y1,...,ym and the status of step; u is the input that acts.
@@ -49,7 +49,7 @@ pub(crate) struct Simulate {
     pub(crate) x0: Vec<String>,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
-    /// A key of [plant]: f, g, dynamics, or a symbol that they use; repeatable
+    /// A key of [plant]: f, g, dynamics, inertia, bias, or a symbol that they use; repeatable
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
     /// Report exactly at these fractions of tau, each from 0 to below 1, and nowhere else

@@ -1,4 +1,4 @@
-//! Figures of each run in a report: its final error, the peak of u, the time in saturation.
+//! Figures of each run in a report: its final error, the peak of each input, the time in saturation.
 
 use super::run::{Row, Run};
 use crate::cli::page::{Part, Table, short};
@@ -8,21 +8,25 @@ const AT_BOUND: f64 = 1.0 - 1e-9;
 
 /// One line a run.
 pub(super) fn part(runs: &[Run]) -> Part {
-    let bounded = runs.iter().any(|run| run.u_max.is_finite());
+    let bounded = runs.iter().any(|run| run.limits.iter().any(|limit| limit.is_finite()));
     let mut head: Vec<_> = ["run", "ends at t in s"].map(str::to_owned).into();
     for run in runs.iter().take(1) {
         let error = if run.error.is_some() { "error of " } else { "" };
         head.extend(run.states.iter().map(|x| format!("final {error}{x}")));
-        head.extend([format!("peak |{}|", run.input), "at t in s".to_owned()]);
+        let peak = |input: &String| [format!("peak |{input}|"), "at t in s".to_owned()];
+        head.extend(run.inputs.iter().flat_map(peak));
         head.extend(bounded.then(|| "in saturation, s".to_owned()));
     }
     let rows = runs.iter().filter_map(|run| {
         let last = run.rows.last()?;
-        let peak = run.rows.iter().reduce(|a, b| if b.u.abs() > a.u.abs() { b } else { a })?;
         let mut row = vec![run.label.clone(), short(last.t)];
         row.extend(run.error.as_ref().unwrap_or(&last.x).iter().copied().map(short));
-        row.extend([peak.u.abs(), peak.t].map(short));
-        row.extend(bounded.then(|| short(saturated(&run.rows, run.u_max))));
+        for k in 0..run.inputs.len() {
+            let larger = |a, b| if size(b, k) > size(a, k) { b } else { a };
+            let peak = run.rows.iter().reduce(larger)?;
+            row.extend([size(peak, k), peak.t].map(short));
+        }
+        row.extend(bounded.then(|| short(saturated(&run.rows, &run.limits))));
         Some(row)
     });
     Part {
@@ -35,8 +39,14 @@ pub(super) fn part(runs: &[Run]) -> Part {
     }
 }
 
-/// How long u is at its bound, counted from each instant to the next.
-fn saturated(rows: &[Row], u_max: f64) -> f64 {
-    let steps = rows.windows(2).filter(|step| step[0].u.abs() >= AT_BOUND * u_max);
+/// |u| of an input.
+fn size(row: &Row, input: usize) -> f64 {
+    row.u[input].abs()
+}
+
+/// How long an input is at its bound, counted from each instant to the next.
+fn saturated(rows: &[Row], limits: &[f64]) -> f64 {
+    let at_bound = |row: &Row| (0..).zip(limits).any(|(k, most)| size(row, k) >= AT_BOUND * most);
+    let steps = rows.windows(2).filter(|step| at_bound(&step[0]));
     steps.map(|step| step[1].t - step[0].t).sum()
 }

@@ -51,16 +51,16 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         let (spec, plant) = given.read_with_plant()?;
         let knows = spec
             .needs_law("simulate")
-            .and_then(|()| spec.needs_one_axis("simulate"))
+            .and_then(|()| spec.needs_one_plant("simulate"))
             .and_then(|()| spec.needs_known_reference("simulate"));
         if let Err(found) = knows {
             return given.finish(None, found);
         }
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
-            let plant = match (&spec.model, &spec.drift) {
-                (Some(_), _) => "its model".to_owned(),
-                (None, f) => {
+            let plant = match (spec.has_model(), &spec.drift) {
+                (true, _) => "its model".to_owned(),
+                (false, f) => {
                     let f = f.as_ref().map_or("0".to_owned(), ToString::to_string);
                     format!("the chain of integrators, f = {f}")
                 }
@@ -133,7 +133,7 @@ fn csv(runs: &[Run], numbered: bool) -> String {
                 false => (&[][..], String::new()),
             };
             let given = [run.tau, row.t];
-            let values = given.iter().chain(&row.x).chain([&row.u]).chain(measured);
+            let values = given.iter().chain(&row.x).chain(&row.u).chain(measured);
             let values: Vec<_> = values.map(|value| format!("{value:?}")).collect();
             text.push_str(&format!("{first}{}{status}\n", values.join(",")));
         }

@@ -51,12 +51,12 @@ pub(super) fn text(
 
 fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Failure> {
     let held = runs.iter().any(|run| run.held);
-    let how = match (held, &spec.model) {
+    let how = match (held, spec.has_model()) {
         (true, _) => "The emitted controller at each sample; its u is held until the next.",
-        (false, Some(_)) => {
+        (false, true) => {
             "The emitted controller at every instant, down to T = 1e-9 tau; its gains are held from eps on."
         }
-        (false, None) => {
+        (false, false) => {
             "The law at every instant: the associated infinite-time system [th:1-4] is integrated and \
              mapped back by [th:1-7], down to T = 1e-9 tau."
         }
@@ -120,7 +120,7 @@ fn around(request: &Simulate, spec: &Spec) -> Option<String> {
 fn table(asked: bool, runs: &[Run]) -> Table {
     let mut head = vec!["tau in s".to_owned(), "t in s".to_owned()];
     for run in runs.iter().take(1) {
-        head.extend(run.states.iter().chain([&run.input]).cloned());
+        head.extend(run.states.iter().chain(&run.inputs).cloned());
     }
     let mut rows = Vec::new();
     for run in runs {
@@ -129,7 +129,7 @@ fn table(asked: bool, runs: &[Run]) -> Table {
         let shown = |i: usize| asked || (0..SHOWN).any(|k| k * last / (SHOWN - 1) == i);
         let line = |row: &Row| {
             let numbers = [run.tau, row.t].into_iter().chain(row.x.iter().copied());
-            numbers.chain([row.u]).map(short).collect()
+            numbers.chain(row.u.iter().copied()).map(short).collect()
         };
         let all = reported.iter().enumerate().filter(|(i, _)| shown(*i));
         rows.extend(all.map(|(_, row)| line(row)));

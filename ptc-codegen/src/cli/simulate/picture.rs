@@ -46,17 +46,16 @@ impl Kind {
 }
 
 pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
-    let bound = runs.first().map(|run| run.u_max).filter(|bound| bound.is_finite());
     let loops = if runs.iter().any(|run| run.held) { "sampled" } else { "continuous" };
     let bounds = spec.promises.x_max.iter().filter_map(|bound| bound.number()?.to_f64());
     let several = runs.windows(2).any(|pair| pair[0].mapping != pair[1].mapping);
     let mapping = if several { String::new() } else { format!("{}, ", spec.mapping_name()) };
     Figure {
-        title: format!("{}: n = {}, {mapping}{loops}", spec.name(), spec.n),
+        title: format!("{}: {}, {mapping}{loops}", spec.name(), spec.order_text()),
         states: spec.state_names(),
-        input: spec.input_name(),
+        inputs: spec.input_names(),
         traces: runs.iter().map(trace).collect(),
-        u_max: bound,
+        u_max: runs.first().map(|run| run.limits.clone()).unwrap_or_default(),
         x_max: bounds.collect(),
         objectives: Vec::new(),
     }
@@ -71,7 +70,7 @@ fn trace(run: &Run) -> Trace {
         t: column(&|row| row.t),
         stretched: column(&|row| row.stretched),
         x: (0..run.states.len()).map(|j| column(&|row| row.x[j])).collect(),
-        u: column(&|row| row.u),
+        u: (0..run.inputs.len()).map(|k| column(&|row| row.u[k])).collect(),
         held: run.held,
     }
 }

@@ -20,11 +20,12 @@ pub(super) struct Run {
     pub(super) label: String,
     pub(super) mapping: String,
     pub(super) tau: f64,
-    /// The names of the states and of the input of the plant.
+    /// The names of the states and of the inputs of the plant.
     pub(super) states: Vec<String>,
-    pub(super) input: String,
+    pub(super) inputs: Vec<String>,
     pub(super) t0: f64,
-    pub(super) u_max: f64,
+    /// Bound of |u| of each input.
+    pub(super) limits: Vec<f64>,
     /// What the checks say, where the emitted controller is in the loop.
     pub(super) report: Option<Report>,
     /// Whether u is held between the rows.
@@ -41,13 +42,13 @@ impl Run {
         (report, held): (Option<Report>, bool),
         rows: Vec<Row>,
     ) -> Result<Self, Failure> {
-        let [tau, t0, u_max] =
-            [Parameter::Tau, Parameter::StartTime, Parameter::UMax].map(|p| values.get(p));
+        let [tau, t0] = [Parameter::Tau, Parameter::StartTime].map(|p| values.get(p));
         let last = rows.last().map(|row| tracking_error(spec, values, row.t, &row.x));
         let error = last.transpose().map_err(|failure| ended(failure, tau))?.flatten();
-        let (states, input) = (spec.state_names(), spec.input_name());
+        let (states, inputs) = (spec.state_names(), spec.input_names());
+        let limits = values.limits(spec);
         let (label, mapping) = (format!("tau = {tau} s"), spec.mapping_name().to_owned());
-        Ok(Self { label, mapping, tau, states, input, t0, u_max, report, held, rows, error })
+        Ok(Self { label, mapping, tau, states, inputs, t0, limits, report, held, rows, error })
     }
 
     /// The tracking error in the end, in words.
@@ -61,7 +62,7 @@ impl Run {
     /// The columns of the CSV after tau and t. Only a sampled loop measures.
     pub(super) fn columns(&self) -> Vec<String> {
         let mut columns = self.states.clone();
-        columns.push(self.input.clone());
+        columns.extend(self.inputs.iter().cloned());
         if let (true, Some(row)) = (self.held, self.rows.first()) {
             columns.extend((1..=row.measured.len()).map(|j| format!("y{j}")));
             columns.push("status".to_owned());
@@ -78,7 +79,7 @@ pub(super) struct Row {
     /// The measurement and the status of `step`.
     pub(super) measured: Vec<f64>,
     pub(super) status: Status,
-    pub(super) u: f64,
+    pub(super) u: Vec<f64>,
     /// Whether the CSV holds it.
     pub(super) reported: bool,
 }
@@ -91,7 +92,7 @@ impl Row {
             x: sample.x.to_vec(),
             measured: sample.measured.to_vec(),
             status: sample.status,
-            u: sample.u,
+            u: sample.u.to_vec(),
             reported,
         }
     }
@@ -100,7 +101,7 @@ impl Row {
 /// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a
 /// model.
 pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Run, Failure> {
-    if spec.model.is_none() {
+    if !spec.has_model() {
         let values = complete(spec, plant, false)?;
         let rows = along(Continuous::of(spec, plant), &values, asked)?;
         return Run::new((spec, &values), (None, false), rows);
@@ -109,7 +110,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
     let spec = &report.spec;
     let values = complete(spec, plant, true)?;
     let rows = along(Direct::of(spec, plant), &values, asked)?;
-    refused(&rows, values.get(Parameter::Tau));
+    refused(spec, &rows, values.get(Parameter::Tau));
     Run::new((spec, &values), (Some(report.clone()), false), rows)
 }
 
@@ -136,7 +137,7 @@ fn along<S: Side>(
         })
     });
     end.map_err(|failure| ended(failure, tau))?;
-    let finite = |row: &&Row| row.x.iter().chain([&row.u]).all(|v| v.is_finite());
+    let finite = |row: &&Row| row.x.iter().chain(&row.u).all(|v| v.is_finite());
     if let Some(row) = rows.iter().find(|row| !finite(row)) {
         let title = format!("tau = {tau}: x or u leaves the range of numbers, at t = {} s", row.t);
         let help = "the loop is unstable with these values, or the gains of the law overflow so close to the deadline";
@@ -164,7 +165,7 @@ pub(super) fn sampled(
         run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
     });
     end.map_err(|failure| ended(failure, tau))?;
-    refused(&rows, tau);
+    refused(spec, &rows, tau);
     Run::new((spec, &values), (Some(report.clone()), true), rows)
 }
 
@@ -188,13 +189,19 @@ fn examined(spec: &Spec) -> Report {
 }
 
 /// Warns of the first call that is refused.
-fn refused(rows: &[Row], tau: f64) {
+fn refused(spec: &Spec, rows: &[Row], tau: f64) {
     let refused = |row: &&Row| matches!(row.status, Status::Range | Status::Input);
     if let Some(row) = rows.iter().find(refused) {
         let (name, t) = (row.status.c_name(), row.t);
         let title = format!("tau = {tau}: step returns {name} and u = 0, first at t = {t} s");
-        let help =
-            "an actuator would see 0 there: see the checks of `check`, and the range of the states";
+        let help = match spec.coupled {
+            None => {
+                "an actuator would see 0 there: see the checks of `check`, and the range of the states"
+            }
+            Some(_) => {
+                "every actuator would see 0 there, as in a state in which the inputs do not decouple the outputs: see the checks of `check`, and the range of the states"
+            }
+        };
         report::print(&[Notice { warns: true, help: Some(help.to_owned()), ..Notice::of(title) }]);
     }
 }

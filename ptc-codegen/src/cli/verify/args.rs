@@ -36,7 +36,7 @@ pub(crate) struct Verify {
     pub(crate) design: Design,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
-    /// A key of [plant]: f, g, dynamics, or a symbol that they use; repeatable
+    /// A key of [plant]: f, g, dynamics, inertia, bias, or a symbol that they use; repeatable
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
     /// Number of scenarios, in place of the design's

@@ -103,15 +103,16 @@ fn envelope(
 ) -> Result<Part, Failure> {
     let Envelope { draws, at, within } = Envelope::of(campaign, trial, ENVELOPED);
     let spec = &campaign.spec;
-    let names: Vec<_> = spec.state_names().into_iter().chain([spec.input_name()]).collect();
+    let names: Vec<_> = spec.state_names().into_iter().chain(spec.input_names()).collect();
     let mut charts = Vec::new();
     for (place, (title, within)) in names.into_iter().zip(within).enumerate() {
         let run = trajectory.map_or_else(Vec::new, |worst| {
             let values = campaign.setting(&worst.scenario).values;
             let [tau, start] = [Parameter::Tau, Parameter::StartTime].map(|p| values.get(p));
             let instants = worst.instants.iter();
-            let value = |x: &[f64], u: f64| x.get(place).copied().unwrap_or(u);
-            instants.map(|i| ((i.t - start) / tau, value(&i.x, i.u))).collect()
+            let of_place =
+                instants.filter_map(|i| Some((i.t, *i.x.iter().chain(&i.u).nth(place)?)));
+            of_place.map(|(t, value)| ((t - start) / tau, value)).collect()
         });
         let across = "(t - t0)/tau".to_owned();
         charts.push(Svg::try_from(Band { title, across, at: at.clone(), within, run }.svg())?);

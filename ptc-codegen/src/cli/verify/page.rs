@@ -11,7 +11,7 @@ use super::draws;
 use super::report::{APART, End, Judged, Sides, Summary};
 use super::trajectory::{Trajectory, shown};
 use crate::cli::mathml::{
-    Math, fenced, name, number, of_expression, product, relation, row, sub, words,
+    Math, fenced, name, number, of_expression, operator, product, relation, row, sub, words,
 };
 use crate::cli::page::{self, Content, Section, Svg, Table, command, reporting, short};
 use crate::cli::report::Failure;
@@ -128,6 +128,12 @@ fn judged((number, (objective, judged)): (usize, (&Objective, &Judged))) -> page
     }
 }
 
+/// What holds together, with commas between.
+fn listed(all: impl Iterator<Item = Math>) -> Math {
+    let joined = all.reduce(|one, next| row([one, operator(","), words("  "), next]));
+    joined.unwrap_or_else(|| words(""))
+}
+
 /// The objective in words.
 fn formula(objective: &Objective) -> Math {
     let size = |of: Math| fenced("|", of, "|");
@@ -144,6 +150,12 @@ fn formula(objective: &Objective) -> Math {
             below(size(name("x")), right)
         }
         Kind::Input { upsilon } => below(size(name("u")), of_expression(upsilon)),
+        Kind::Inputs { upsilon } => {
+            let each = upsilon
+                .iter()
+                .map(|(input, bound)| below(size(name(input.text())), of_expression(bound)));
+            listed(each)
+        }
         Kind::Attractive { error } => {
             row([below(size(name("x")), bound(*error)), words(" at the end")])
         }
@@ -167,8 +179,7 @@ fn figure(
     let Trajectory { scenario, instants, .. } = trajectory;
     let setting = campaign.closely(scenario);
     let levels = trial.levels(&setting, instants)?;
-    let [tau, start, u_max] = [Parameter::Tau, Parameter::StartTime, Parameter::UMax]
-        .map(|parameter| setting.values.get(parameter));
+    let [tau, start] = [Parameter::Tau, Parameter::StartTime].map(|p| setting.values.get(p));
     let spec = &campaign.spec;
     let trace = Trace {
         label: format!("worst trajectory, tau = {} s", short(tau)),
@@ -179,16 +190,18 @@ fn figure(
         x: (0..spec.states())
             .map(|j| instants.iter().map(|instant| instant.x[j]).collect())
             .collect(),
-        u: instants.iter().map(|instant| instant.u).collect(),
+        u: (0..spec.input_names().len())
+            .map(|k| instants.iter().map(|instant| instant.u[k]).collect())
+            .collect(),
         held: campaign.around.is_some(),
     };
     let bounded = campaign.objectives.iter().zip(&levels).enumerate();
     Ok(Figure {
-        title: format!("{}: n = {}, {}", spec.name(), spec.n, spec.mapping_name()),
+        title: format!("{}: {}, {}", spec.name(), spec.order_text(), spec.mapping_name()),
         states: spec.state_names(),
-        input: spec.input_name(),
+        inputs: spec.input_names(),
         traces: vec![trace],
-        u_max: u_max.is_finite().then_some(u_max),
+        u_max: setting.values.limits(spec),
         x_max: Vec::new(),
         objectives: bounded
             .map(|(i, (objective, levels))| of_levels(i, objective, levels))
@@ -200,6 +213,7 @@ fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
     let what = match &objective.written {
         Kind::State { .. } | Kind::Attractive { .. } => "|x|".to_owned(),
         Kind::Input { .. } => "|u|".to_owned(),
+        Kind::Inputs { .. } => "largest |u_k| in parts of its bound".to_owned(),
         Kind::Within { h, .. } => h.to_string(),
     };
     let column = |of: &dyn Fn(&Level) -> Option<f64>| -> Vec<f64> {
@@ -215,11 +229,11 @@ fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
 
 fn table(spec: &Spec, Trajectory { instants, .. }: &Trajectory) -> Table {
     let heads = ["t in s".to_owned(), "T in s".to_owned()].into_iter().chain(spec.state_names());
-    let head = heads.chain([spec.input_name(), String::new()]).collect();
+    let head = heads.chain(spec.input_names()).chain([String::new()]).collect();
     let rows = shown(instants).into_iter().map(|(instant, worst)| {
         let numbers = [instant.t, instant.time_to_go].into_iter().chain(instant.x.iter().copied());
         let told = if worst { "worst" } else { "" };
-        numbers.chain([instant.u]).map(short).chain([told.to_owned()]).collect()
+        numbers.chain(instant.u.iter().copied()).map(short).chain([told.to_owned()]).collect()
     });
     Table { head, rows: rows.collect() }
 }

@@ -41,13 +41,13 @@ pub(super) fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
 }
 
 pub(super) fn table(spec: &Spec, instants: &[Instant]) -> String {
-    let heads = spec.state_names().into_iter().chain([spec.input_name()]);
+    let heads = spec.state_names().into_iter().chain(spec.input_names());
     let mut text = format!("  {:>11}", "t");
     heads.for_each(|head| text.push_str(&format!(" {head:>12}")));
     text.push('\n');
     for (instant, worst) in shown(instants) {
         text.push_str(&format!("  {:>11.6}", instant.t));
-        let numbers = instant.x.iter().chain([&instant.u]);
+        let numbers = instant.x.iter().chain(&instant.u);
         numbers.for_each(|number| text.push_str(&format!(" {number:>12.4e}")));
         text.push_str(if worst { "  <- worst\n" } else { "\n" });
     }
@@ -61,13 +61,13 @@ pub(super) fn csv(
     scenario: &Scenario,
 ) -> (String, Option<simulate::Failure>) {
     let states = campaign.spec.state_names().join(",");
-    let input = campaign.spec.input_name();
+    let inputs = campaign.spec.input_names().join(",");
     let excess: String = (1..=campaign.objectives.len()).map(|i| format!(",excess{i}")).collect();
-    let mut text = format!("t,time_to_go,{states},{input}{excess}\n");
+    let mut text = format!("t,time_to_go,{states},{inputs}{excess}\n");
     let (instants, ended) = trajectory(campaign, trial, scenario);
     for instant in instants {
         text.push_str(&format!("{:?},{:?}", instant.t, instant.time_to_go));
-        let numbers = instant.x.iter().chain([&instant.u]).chain(&instant.excess);
+        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.excess);
         numbers.for_each(|number| text.push_str(&format!(",{number:?}")));
         text.push('\n');
     }

@@ -39,6 +39,12 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
         let exists = (1..=n).contains(&index);
         match info.sense {
             Sense::Gain if subject == Law || !exact || !exists => return Found::Free,
+            // Several chains have no order in common.
+            Sense::Indexed(_) if n == 0 && subject == Subject::Objective => {
+                let message = format!("`{shown}` does not exist where there are several outputs");
+                let help = "x1_2 is the output 2, x2_2 its rate, and x1_2_0 the output 2 at t0";
+                return Found::wrong(message, help.to_owned());
+            }
             Sense::Indexed(_) if !exists => {
                 let message = format!("`{shown}` does not exist for order n = {n}");
                 let at_start = if index == 0 { "; the state at t0 is x1_0..xn_0" } else { "" };

@@ -3,6 +3,7 @@
 use super::Kind;
 use super::form::{Form, Values};
 use crate::expression::Expression;
+use crate::internal::fault;
 
 /// An objective with its expressions in canonical form.
 pub(super) enum Aim {
@@ -18,6 +19,8 @@ impl Aim {
         match kind {
             Kind::State { sigma, zeta } => Self::State { sigma: *sigma, zeta: form(zeta) },
             Kind::Input { upsilon } => Self::Input { upsilon: form(upsilon) },
+            // Proofs are of chains, which have one input.
+            Kind::Inputs { .. } => fault("a bound of several inputs of a chain"),
             Kind::Attractive { error } => Self::Attractive { error: *error },
             Kind::Within { h, low, high } => Self::Within {
                 h: Box::new(form(h)),

@@ -102,7 +102,7 @@ pub fn proved(campaign: &Campaign) -> Vec<Proof> {
         return running::proved(campaign);
     }
     let all = |why: String| vec![Proof::NotProved { why }; campaign.objectives.len()];
-    if campaign.spec.model.is_some() {
+    if campaign.spec.has_model() {
         return all("the plant is a model, and proofs are of chains of integrators".to_owned());
     }
     let values = clock::values(campaign);

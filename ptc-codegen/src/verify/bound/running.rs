@@ -63,7 +63,9 @@ fn exceeded(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Option<Proof> {
         Kind::Input { upsilon } if campaign.around.as_ref()?.delay.inputs() == 0 => {
             (worst.way.as_ref()?.u_attained, constant(upsilon).ok()?, "|u|".to_owned())
         }
-        Kind::Input { .. } | Kind::State { .. } | Kind::Within { .. } => return None,
+        Kind::Input { .. } | Kind::Inputs { .. } | Kind::State { .. } | Kind::Within { .. } => {
+            return None;
+        }
     };
     (reached > bound).then(|| Proof::Refuted {
         why: format!("the worst signals of the loop reach {what} = {}", digits(reached)),
@@ -124,6 +126,7 @@ fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Stri
             let (most, of_all) = largest(Part::Control)?;
             within(most, constant(upsilon)?, "|u|").map(|()| between(of_all).to_owned())
         }
+        Kind::Inputs { .. } => Err("the plant has several inputs".to_owned()),
         Kind::Within { h, low, high } => {
             let part = Part::of(h).ok_or("the worst case bounds x1..xn and u, and not h")?;
             let (most, of_all) = largest(part)?;

@@ -174,9 +174,9 @@ impl Line {
         let (kernels, at_start) = self.kernels(target, n);
         let mut setting = self.setting.clone();
         let mut excess = |x0: &[f64], x: &[f64], rates: &mut Rates| {
-            let u = rates.control(*t, x);
+            let u = [rates.control(*t, x)];
             setting.x0.copy_from_slice(x0);
-            let here = (*time_to_go, x, u);
+            let here = (*time_to_go, x, u.as_slice());
             let excess = trial.excess_at(&setting, here, (objective, last));
             excess.unwrap_or(f64::NEG_INFINITY)
         };

@@ -60,13 +60,13 @@ impl Rates {
     }
 
     pub(super) fn control(&mut self, t: f64, x: &[f64]) -> f64 {
-        self.controller.step(t, x).0
+        self.controller.step(t, x).0[0]
     }
 
     /// xn' at a time t, of which `time_to_go` is left.
     pub(super) fn last(&mut self, (t, time_to_go): (f64, f64), x: &[f64]) -> f64 {
         let u = self.control(t, x);
-        self.along.at(time_to_go, x, u);
+        self.along.at(time_to_go, x, &[u]);
         let [f, g] = [0, 1].map(|place| self.along.machine.get(self.watched[place]));
         f + g * u
     }

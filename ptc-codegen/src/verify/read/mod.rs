@@ -12,7 +12,7 @@ use num_traits::ToPrimitive;
 use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::keys::verify::KEYS;
-use crate::parameter::{Fixed, Name, Parameter};
+use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec};
 use crate::simulate::Loop;
@@ -28,14 +28,14 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
     spec.needs_law("a campaign")?;
-    spec.needs_one_axis("a campaign")?;
+    spec.needs_one_plant("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let mut spec = spec.clone();
     let twice = plant::promised(&mut spec, plant.as_ref(), entries);
     found.extend(twice.err().unwrap_or_default());
     let spec = &spec;
     // What has a sample period runs with a chain, or with the plant that it was designed for.
-    let knows = Loop::of(spec).is_some() || spec.model.is_some();
+    let knows = Loop::of(spec).is_some() || spec.has_model();
     let plant = plant.or_else(|| knows.then(|| Plant::own(spec)));
     let Some(plant) = plant else {
         found.push(Diagnostic {
@@ -169,9 +169,9 @@ impl Reader<'_> {
             states.iter().filter(|name| !given.contains_key(name.as_str())).cloned().collect();
         if !missing.is_empty() {
             let message = format!("[verify] has no interval of {}", missing.join(", "));
-            let all = match self.spec.model.as_ref() {
-                Some(model) => Name::listed(&model.states),
-                None => format!("x1..x{n}"),
+            let all = match self.spec.has_model() {
+                true => states.join(", "),
+                false => format!("x1..x{n}"),
             };
             let help =
                 format!("give the box of initial states: one [least, greatest] for each of {all}");
@@ -241,7 +241,7 @@ impl Reader<'_> {
 
     /// The parameters of a model that the controller is given at run time, as they are of the plant.
     fn at_run_time(&self) -> impl Iterator<Item = (&Parameter, &(Fixed, Fixed))> {
-        self.spec.bounds.iter().filter(|_| self.spec.model.is_some())
+        self.spec.bounds.iter().filter(|_| self.spec.has_model())
     }
 
     /// Every name has a value or an interval; one that has none is blamed on what uses it.
@@ -250,7 +250,7 @@ impl Reader<'_> {
         let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax];
         let lacks = |p: &Parameter| {
             let fixed = spec.fixed.contains_key(p) || plant.gives(*p);
-            let drawn = spec.model.is_some() && spec.bounds.contains_key(p);
+            let drawn = spec.has_model() && spec.bounds.contains_key(p);
             !fixed && !drawn && !of_run.contains(p)
         };
         let mut told: BTreeSet<Parameter> = BTreeSet::new();
@@ -268,10 +268,7 @@ impl Reader<'_> {
         let of_controller = "parameters of the controller have their values under [params], gains at `gains` or `poles`";
         tell("verify", &mut spec.parameters().into_iter(), of_controller);
         let of_plant = "a symbol of the plant has its value, or [least, greatest], under [plant]";
-        let keys: &[_] =
-            if plant.dynamics.is_empty() { &["plant.f", "plant.g"] } else { &["plant.dynamics"] };
-        for (place, expression) in plant.expressions().enumerate() {
-            let key = keys[place.min(keys.len() - 1)];
+        for (key, expression) in plant.keyed() {
             tell(key, &mut expression.parameters().into_iter(), of_plant);
         }
         for (number, objective) in objectives {

@@ -3,10 +3,9 @@
 use super::{Given, Reader, number};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::verify::OBJECTIVE_KEYS;
-use crate::model::Model;
 use crate::parameter::{Name, Parameter};
-use crate::request::known;
-use crate::syntax::Value;
+use crate::request::{Spec, items, known};
+use crate::syntax::{Node, Value};
 use crate::verify::{Kind, Objective};
 
 impl Reader<'_> {
@@ -61,31 +60,47 @@ impl Reader<'_> {
             value
         };
         let known = known(self.spec.time_mapping.parameters());
-        let n = self.spec.n;
-        let model = self.spec.model.as_deref();
-        let states = model.map(names).unwrap_or_default();
-        let expression = |reader: &mut Self, name: &str, subject: Subject| {
-            let (_, node) = given.get(name)?;
+        // Several outputs are several chains, which have names of their own.
+        let n = if self.spec.coupled.is_some() { 0 } else { self.spec.n };
+        let names = names(self.spec);
+        let expression = |reader: &mut Self, node: &Node, subject: Subject| {
             // A bound is of time alone.
-            let own = if subject == Subject::Objective { states.as_slice() } else { &[] };
-            resolve(node, Scope { subject, n, known: &known, own }, &mut reader.found)
+            let own = if subject == Subject::Objective { names.as_slice() } else { &[] };
+            let scope = Scope { subject, n, known: &known, own };
+            let read = resolve(node, scope, &mut reader.found)?;
+            reader.of_several(&table, node, read)
+        };
+        let given_expression = |reader: &mut Self, name: &str, subject: Subject| {
+            let (_, node) = given.get(name)?;
+            expression(reader, node, subject)
         };
         let kind = match word {
             "state" => {
                 let sigma = positive(self, "sigma");
                 let zeta = match given.contains_key("zeta") {
-                    true => expression(self, "zeta", Subject::Bound),
+                    true => given_expression(self, "zeta", Subject::Bound),
                     false => Some(Expression::integer(1)),
                 };
                 Kind::State { sigma: sigma?, zeta: zeta? }
             }
-            "input" => Kind::Input { upsilon: expression(self, "upsilon", Subject::Bound)? },
+            "input" => match &self.spec.coupled {
+                None => Kind::Input { upsilon: given_expression(self, "upsilon", Subject::Bound)? },
+                Some(coupled) => {
+                    let (_, node) = given.get("upsilon")?;
+                    let nodes = self.for_inputs(&table, node, coupled.inputs.len())?;
+                    let bounds: Vec<_> =
+                        nodes.iter().map(|node| expression(self, node, Subject::Bound)).collect();
+                    let bounds = bounds.into_iter().collect::<Option<Vec<_>>>()?;
+                    let bounds = bounds.iter().cycle().cloned();
+                    Kind::Inputs { upsilon: coupled.inputs.iter().copied().zip(bounds).collect() }
+                }
+            },
             "attractive" => Kind::Attractive { error: positive(self, "error")? },
             _ => {
-                let h = expression(self, "h", Subject::Objective);
+                let h = given_expression(self, "h", Subject::Objective);
                 let (low, high) = (
-                    expression(self, "low", Subject::Bound),
-                    expression(self, "high", Subject::Bound),
+                    given_expression(self, "low", Subject::Bound),
+                    given_expression(self, "high", Subject::Bound),
                 );
                 if !given.contains_key("low") && !given.contains_key("high") {
                     let message =
@@ -101,42 +116,91 @@ impl Reader<'_> {
                 Kind::Within { h: h?, low, high }
             }
         };
-        Some(match model {
-            None => kind.into(),
-            Some(model) => Objective {
-                written: kind.map(&|e| in_names(e, model)),
-                kind: kind.map(&|e| in_states(e, model)),
+        let spec = self.spec;
+        Some(match spec.has_model() {
+            false => kind.into(),
+            true => Objective {
+                written: kind.map(&|e| in_names(e, &names)),
+                kind: kind.map(&|e| in_states(e, spec)),
             },
         })
     }
+
+    /// The bounds of the inputs of a plant: one, which all share, or one for each.
+    fn for_inputs<'b>(&mut self, table: &str, node: &'b Node, inputs: usize) -> Option<&'b [Node]> {
+        let all = items(node);
+        if all.len() == 1 || all.len() == inputs {
+            return Some(all);
+        }
+        let message = format!("{} bounds of {inputs} inputs", all.len());
+        let help = "give one bound for all inputs, or a list of one for each";
+        self.wrong(&format!("{table}.upsilon"), Some(node.place), message, help);
+        None
+    }
+
+    /// An expression in which nothing has the name that it has with one input.
+    fn of_several(&mut self, table: &str, node: &Node, read: Expression) -> Option<Expression> {
+        let Some(coupled) = &self.spec.coupled else { return Some(read) };
+        let own_limits = self.spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty());
+        let one = [Expression::from(Variable::Control), Parameter::UMax.into()];
+        let known = [false, !own_limits];
+        let wrong = one.iter().zip(known).find(|(one, known)| !known && read.any(&|e| e == *one));
+        let Some((wrong, _)) = wrong else { return Some(read) };
+        let message = format!("`{wrong}` is not known where there are several inputs");
+        let inputs = Name::listed(&coupled.inputs);
+        let help = format!("the inputs are {inputs}, each with its own limit");
+        self.found.push("bad-expression", table, Some(node.place), message, help);
+        None
+    }
 }
 
-/// The names of a model: its input, and its states as what no objective has, since x_1..x_n are the chain's.
-fn names(model: &Model) -> Vec<(Name, Variable)> {
-    let states = (1..).zip(&model.states).map(|(j, name)| (*name, Variable::Xi(j)));
-    states.chain([(model.input, Variable::Control)]).collect()
+/// The names of a model. Its states are what no objective has, since x_1..x_n are the chain's, and an input is u.
+/// With several inputs these are variables behind the states, and coordinate i of output j, `x{i}_{j}`, is
+/// what no objective has.
+fn names(spec: &Spec) -> Vec<(Name, Variable)> {
+    if let Some(model) = &spec.model {
+        let states = (1..).zip(&model.states).map(|(j, name)| (*name, Variable::Xi(j)));
+        return states.chain([(model.input, Variable::Control)]).collect();
+    }
+    let Some(coupled) = &spec.coupled else { return Vec::new() };
+    let of_plant = coupled.states.iter().chain(&coupled.inputs);
+    let of_plant = (1..).zip(of_plant).map(|(j, name)| (*name, Variable::State(j)));
+    let orders = (1..).zip(coupled.orders());
+    let all = orders.flat_map(|(j, order)| (1..=order).map(move |i| format!("x{i}_{j}")));
+    let chains = (1..).zip(all).flat_map(|(place, text)| {
+        let at_start =
+            Name::new(&format!("{text}_0")).map(|name| (name, Variable::XiAtStart(place)));
+        let now = Name::new(&text).map(|name| (name, Variable::Xi(place)));
+        [now, at_start].into_iter().flatten()
+    });
+    // What the plant calls so is meant first.
+    of_plant.chain(chains).collect()
 }
 
 /// The same as it was written.
-fn in_names(expression: &Expression, model: &Model) -> Expression {
-    let of = |name: &Name| Parameter::Named(*name).into();
-    expression.substitute(&|e| match e.variable()? {
-        Variable::Xi(j) => model.states.get(j - 1).map(of),
-        Variable::Control => Some(of(&model.input)),
-        _ => None,
-    })
+fn in_names(expression: &Expression, names: &[(Name, Variable)]) -> Expression {
+    let of = |variable: Variable| names.iter().find(|(_, own)| *own == variable);
+    expression.substitute(&|e| Some(Parameter::Named(of(e.variable()?)?.0).into()))
 }
 
-/// The same in the states of a model, in which the chain is what the law takes it to be.
-fn in_states(expression: &Expression, model: &Model) -> Expression {
-    let at_start = |e: &Expression| match e.variable()? {
-        Variable::State(j) => Some(Variable::StateAtStart(j).into()),
-        _ => None,
+/// The same in the states of a model, in which a chain is what the law takes it to be.
+fn in_states(expression: &Expression, spec: &Spec) -> Expression {
+    let coordinates: Vec<_> = spec.coordinates().collect();
+    let coordinate = |place: usize| Some((*coordinates.get(place - 1)?).clone());
+    let at_start = |place: usize| {
+        let start = |e: &Expression| match e.variable()? {
+            Variable::State(j) => Some(Variable::StateAtStart(j).into()),
+            _ => None,
+        };
+        Some(coordinate(place)?.substitute(&start))
     };
+    let several = spec.coupled.is_some();
     expression.substitute(&|e| match e.variable()? {
+        Variable::Xi(place) if several => coordinate(place),
+        Variable::XiAtStart(place) if several => at_start(place),
         Variable::Xi(j) => Some(Variable::State(j).into()),
-        Variable::State(j) => Some(model.coordinates[j - 1].clone()),
-        Variable::StateAtStart(j) => Some(model.coordinates[j - 1].substitute(&at_start)),
+        Variable::State(j) if !several => coordinate(j),
+        Variable::StateAtStart(j) if !several => at_start(j),
         _ => None,
     })
 }

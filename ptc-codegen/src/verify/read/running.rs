@@ -55,7 +55,7 @@ impl Reader<'_> {
         }
         let mut asked = spec.clone();
         // The box of a model is of its states, and x0_max of the chain.
-        if asked.promises.x0_max.is_empty() && spec.model.is_none() {
+        if asked.promises.x0_max.is_empty() && !spec.has_model() {
             let largest = x0.iter().map(|(low, high)| low.abs().max(high.abs()));
             asked.promises.x0_max =
                 largest.map(|x| exact(&format!("{x:e}"))).collect::<Option<_>>()?;

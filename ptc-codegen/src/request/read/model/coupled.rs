@@ -195,9 +195,6 @@ impl Reader<'_> {
                 "the outputs are brought to 0, not to a reference",
                 "subtract a constant set point in `outputs`: q - 0.3",
             ),
-            ("noise", true, "the loop of such a plant is not checked", "leave it out"),
-            ("noise_rms", true, "the loop of such a plant is not checked", "leave it out"),
-            ("sensor_step", true, "the loop of such a plant is not checked", "leave it out"),
             ("error", differ, "the outputs have different orders", "leave it out, and give eps"),
             ("x0_max", differ, "the outputs have different orders", "leave it out, and give eps"),
             (

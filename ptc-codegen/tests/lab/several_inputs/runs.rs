@@ -1,0 +1,103 @@
+//! The emitted controller at every instant.
+
+use std::fs;
+
+use super::by_hand::{Arm, TAU, along, heating, joint, tank, torques};
+use super::{example, folder_with, near, run, run_in};
+
+const SHARES: [f64; 5] = [0.0, 0.05, 0.3, 0.6, 0.9];
+const AT: &str = "0,0.05,0.3,0.6,0.9";
+
+#[test]
+fn an_arm_moves_as_two_sums_of_exponentials() {
+    let at = ["--x0", "1,-0.5,0.2,0", "--at", AT];
+    let (head, rows, told) = run("arm", &example("two_link.toml"), &at);
+    assert_eq!(head, "tau,t,q1,q2,w1,w2,M1,M2");
+    assert!(told.contains("the design has no [plant]: the plant is its model"), "{told}");
+    for (row, part) in rows.iter().zip(SHARES) {
+        let t = part * TAU;
+        let ([q1, w1], [q2, w2]) = (joint(t, [1.0, 0.2]), joint(t, [-0.5, 0.0]));
+        let x = [q1, q2, w1, w2];
+        near(&row[2..6], &x, 1e-11);
+        near(&row[6..], &torques(t, &x), 1e-9);
+    }
+}
+
+/// The masses of the plant are others than the law takes them to be, and its first joint drags; at first
+/// both torques are at their limits.
+#[test]
+fn an_arm_with_another_load_moves_as_one_by_hand() {
+    let bias = "bias=[-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2) + 0.4*w1, m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)]";
+    let other = ["--plant", "m1=2.5", "--plant", "m2=1.8", "--plant", bias];
+    let arm = Arm { m1: 2.5, m2: 1.8, drag: 0.4 };
+    let fast = [0.0, 0.005, 0.01, 0.02, 0.03];
+    for (name, x0, shares) in
+        [("load", [1.0, -0.5, 0.2, 0.0], SHARES), ("fast", [3.0, -2.5, 40.0, -30.0], fast)]
+    {
+        let [start, at] = [&x0[..], &shares].map(|all| {
+            all.iter().map(|number| format!("{number:?}")).collect::<Vec<_>>().join(",")
+        });
+        let asked = ["--x0", &start, "--at", &at];
+        let (_, rows, told) = run(name, &example("two_link.toml"), &[&asked[..], &other].concat());
+        assert_eq!(told, "");
+        let grid = shares.map(|part| part * TAU);
+        let rates = |x: &[f64], u: &[f64]| arm.rates(x, u);
+        // Torques that are clipped have kinks, which a method of order 4 with fixed steps smears.
+        let (parts, within) = if name == "load" { (8000, 1e-9) } else { (20_000, 1e-5) };
+        let wanted = along(&rates, &torques, (&grid, parts), &x0);
+        for ((row, x), t) in rows.iter().zip(&wanted).zip(grid) {
+            near(&row[2..6], x, within);
+            near(&row[6..], &torques(t, x), 1e3 * within);
+        }
+        assert_eq!(rows[0][6].abs() == 120.0 && rows[0][7].abs() == 60.0, name == "fast");
+    }
+    // The equations of the law as those of the plant are no other plant.
+    let own = "inertia=[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]";
+    let at = ["--x0", "1,-0.5,0.2,0", "--at", AT, "--plant", own];
+    let (_, same, _) = run("own", &example("two_link.toml"), &at);
+    let (_, known, _) = run("known", &example("two_link.toml"), &at[..4]);
+    near(&same.concat(), &known.concat(), 1e-12);
+}
+
+#[test]
+fn a_tank_with_a_leak_fills_as_one_by_hand() {
+    let design = format!(
+        "{}[plant]\nleak = 0.12\ndynamics = {{ h = \"q - leak*h\" }}\n",
+        example("tank.toml")
+    );
+    let (head, rows, _) = run("tank", &design, &["--x0", "0.2,1,2", "--at", "0,0.2,0.5,0.9,0.97"]);
+    assert_eq!(head, "tau,t,h,c,e,q,p");
+    let grid = [0.0, 0.2, 0.5, 0.9, 0.97].map(|part| part * 30.0);
+    let wanted = along(&tank(0.12), &heating, (&grid, 4000), &[0.2, 1.0, 2.0]);
+    for ((row, x), t) in rows.iter().zip(&wanted).zip(grid) {
+        near(&row[2..5], x, 1e-9);
+        near(&row[5..], &heating(t, x), 1e-7);
+    }
+    // With the leak that the law knows the level goes like T^4.
+    let (_, rows, _) = run("tight", &example("tank.toml"), &["--x0", "0.2,1,2", "--at", "0.5,0.9"]);
+    for (row, share) in rows.iter().zip([0.5_f64, 0.1]) {
+        near(&row[2..3], &[0.2 * share.powi(4)], 1e-11);
+    }
+}
+
+#[test]
+fn reports_and_pictures_show_every_input() {
+    let folder = folder_with("several_inputs_pages", "arm.toml", example("two_link.toml"));
+    let asked =
+        ["simulate", "arm.toml", "--x0", "1,-0.5,0,0", "--at", "0,0.5", "--plant", "m2=1.6"];
+    let files = ["--plot", "run.svg", "--report", "run.html"];
+    let (code, _, told) = run_in(&folder, &[&asked[..], &files].concat());
+    assert_eq!((code, told.as_str()), (Some(0), ""));
+    let [svg, page] =
+        ["run.svg", "run.html"].map(|file| fs::read_to_string(folder.join(file)).expect("a file"));
+    for name in ["q1", "q2", "w1", "w2", "M1", "M2"] {
+        assert!(svg.contains(&format!(">\n{name}\n<")), "{name}");
+    }
+    // A bound for each input, and the peak of each.
+    for part in ["peak |M1|", "peak |M2|", "outputs of order 2, 2", "The plant M q'' + b = u"] {
+        let escaped = part.replace('\'', "&#39;");
+        assert!(page.contains(part) || page.contains(&escaped), "{part}");
+    }
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    roxmltree::Document::parse_with_options(&page, options).expect("well-formed");
+}
