@@ -123,8 +123,7 @@ fn judge(campaign: &Campaign, keeps: bool, watch: &Watch) -> Result<(Summary, Ve
     let mut trial = Trial::new(campaign)?;
     possible(campaign, &mut trial)?;
     let total = Mutex::new((Drawn::new(campaign), Vec::new()));
-    sample(campaign, &trial, &chunks(0..campaign.scenarios), &|chunk, rows| {
-        watch.tick(chunk.end - chunk.start);
+    let ran = sample(campaign, &trial, &chunks(0..campaign.scenarios), &|chunk, rows| {
         let mut drawn = Drawn::new(campaign);
         rows.iter().for_each(|row| drawn.add(campaign, row));
         let (all, kept) = &mut *total.lock().unwrap_or_else(PoisonError::into_inner);
@@ -132,8 +131,11 @@ fn judge(campaign: &Campaign, keeps: bool, watch: &Watch) -> Result<(Summary, Ve
         if keeps {
             kept.extend(rows);
         }
-        Ok::<(), Failure>(())
-    })?;
+        watch.add(chunk.end - chunk.start)
+    });
+    if ran.is_err() {
+        watch.tick(0);
+    }
     let (drawn, mut rows) = total.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|row| row.index);
     let known = Known::beyond(campaign, &trial, &drawn.tally, &|runs| watch.tick(runs as u64));

@@ -24,17 +24,23 @@ pub(crate) struct Watch {
     stopped: AtomicBool,
 }
 
-/// What unwinds work that was stopped.
-struct Stopped;
+/// The work was stopped.
+pub(crate) struct Stopped;
 
 impl Watch {
-    /// Notes what is done. It ends the work where it was stopped, by unwinding to [`run`]: so every
-    /// loop that reports what it has done can be stopped, and needs no other way out.
-    pub(crate) fn tick(&self, more: u64) {
+    /// Notes what is done.
+    ///
+    /// # Errors
+    /// The work was stopped.
+    pub(crate) fn add(&self, more: u64) -> Result<(), Stopped> {
         self.done.fetch_add(more, Ordering::Relaxed);
-        if self.stopped.load(Ordering::Relaxed) {
-            resume_unwind(Box::new(Stopped));
-        }
+        if self.stopped.load(Ordering::Relaxed) { Err(Stopped) } else { Ok(()) }
+    }
+
+    /// Notes what is done, in a loop that has no other way out: where the work was stopped it unwinds
+    /// to [`run`].
+    pub(crate) fn tick(&self, more: u64) {
+        self.add(more).unwrap_or_else(|stopped| resume_unwind(Box::new(stopped)));
     }
 }
 
