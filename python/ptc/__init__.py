@@ -12,7 +12,8 @@ The numbers are bit for bit those of the command ``ptc-codegen``, which comes wi
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Callable, Sequence
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from ptc import _ptc
 from ptc._design import Design
@@ -187,7 +188,15 @@ def verify(
     return Verdict(
         holds=told["holds"],
         objectives=tuple(
-            Objective(**{**one, "details": tuple(one["details"])}) for one in told["objectives"]
+            Objective(
+                text=one["text"],
+                holds=one["holds"],
+                verdict=one["verdict"],
+                excess=one["excess"],
+                worst=one["worst"],
+                details=tuple(one["details"]),
+            )
+            for one in told["objectives"]
         ),
         worst=trajectory,
         draws=rows,

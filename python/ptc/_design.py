@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Iterator, Mapping, Sequence, Union
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Union
 
 from ptc import _ptc
 
@@ -11,9 +12,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    Value = Union[
-        str, int, float, complex, Sequence[Any], NDArray[Any], np.generic, Mapping[str, Any]
-    ]
+    Value = Union[str, complex, Sequence[Any], NDArray[Any], np.generic, Mapping[str, Any]]
 
 
 def _text(key: str, value: Any) -> str:

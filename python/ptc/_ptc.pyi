@@ -1,12 +1,15 @@
 """The extension module; `ptc` has its documentation."""
 
-from __future__ import annotations
-
+from collections.abc import Callable, Sequence
 from os import PathLike
-from typing import Callable, Sequence, TypedDict
+from typing import TypedDict, final
 
-_Given = Sequence[tuple[str, str]]
-_Progress = Callable[[int, int], object] | None
+from typing_extensions import Self, TypeAlias
+
+__all__ = ["Design", "check", "command", "emit", "simulate", "verify"]
+
+_Given: TypeAlias = Sequence[tuple[str, str]]
+_Progress: TypeAlias = Callable[[int, int], object] | None
 
 class _Run(TypedDict):
     tau: float
@@ -47,8 +50,9 @@ class _Verdict(TypedDict):
     rows: bytearray | None
     worst: _Trajectory | None
 
+@final
 class Design:
-    def __new__(cls, text: str, given: _Given) -> Design: ...
+    def __new__(cls, text: str, given: _Given) -> Self: ...
     @staticmethod
     def load(path: str | PathLike[str], given: _Given) -> Design: ...
     @property
