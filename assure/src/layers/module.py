@@ -265,7 +265,8 @@ def stopped():
         threading.Timer(0.5, interrupt).start()
         raised(KeyboardInterrupt, lambda work=work: work(None))
         took = time.monotonic() - began
-        expect(took < 20, f"it takes {took} s to stop")
+        # All of it takes many minutes; a chunk of scenarios is run to its end.
+        expect(took < 60, f"it takes {took} s to stop")
     # The interpreter is free meanwhile.
     ticks = []
     done = threading.Event()
