@@ -4,6 +4,8 @@ Usage: module.py GENERATOR COMMAND WORKSPACE [--defect], where COMMAND is the wh
 the module is asked for a start that is one rounding away, which has to be seen.
 """
 
+import contextlib
+import io
 import json
 import os
 import re
@@ -285,6 +287,24 @@ def stopped():
     expect(len(ticks) > 10 * took, f"other threads wait: {len(ticks)} ticks in {took} s")
 
 
+def documented():
+    """The examples of the page, one after the other, print what stands below each."""
+    text = (Path(WORKSPACE) / "docs/guide/python.md").read_text()
+    blocks = re.findall(r"```(python|text)\n(.*?)```", text, re.DOTALL)
+    own = {}
+    os.chdir(f"{WORKSPACE}/examples")
+    for kind, block in blocks:
+        if kind == "python":
+            printed = io.StringIO()
+            with contextlib.redirect_stdout(printed), warnings.catch_warnings():
+                warnings.simplefilter("error")
+                exec(block, own)
+            lines = [line.split("\r")[-1] for line in printed.getvalue().split("\n")]
+        else:
+            expect(lines == block.split("\n"), f"the page has {block}, in place of {lines}")
+    return f"{len(blocks) // 2} examples of the page"
+
+
 def commanded():
     """The command of the wheel is the program: exit codes, both streams, pipes and signals."""
     for line in LINES:
@@ -315,7 +335,7 @@ def commanded():
 
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
-parts = [simulated] if DEFECT else [emitted, checked, simulated, verified, refused, stopped, commanded]
+parts = [simulated] if DEFECT else [emitted, checked, simulated, verified, refused, stopped, documented, commanded]
 told = [part() for part in parts]
 for failure in FAILURES:
     print(failure, file=sys.stderr)
