@@ -53,6 +53,7 @@ fn run(context: &Context) -> Result<Finding> {
     let told = String::from_utf8_lossy(&defect.stderr).lines().next().map(str::to_owned);
     let caught = told.filter(|_| !defect.status.success());
     finding.seed("a start that is one rounding away", caught);
+    source(context, &folder)?;
     types(&python, &mut finding);
     versions(&mut finding)?;
     Ok(finding)
@@ -69,6 +70,22 @@ pub(super) fn wheel(context: &Context, folder: &Path) -> Result<PathBuf> {
             .current_dir(workspace()),
     )?;
     Ok(fs::read_dir(&wheels)?.next().context("a wheel")??.path())
+}
+
+/// The source distribution holds all manifests that its crates need.
+fn source(context: &Context, folder: &Path) -> Result<()> {
+    let python = runtime::python(&context.shared("maturin"), &[MATURIN])?;
+    let home = empty(&folder.join("source"));
+    let mut maturin = Command::new(python);
+    maturin.args(["-m", "maturin", "sdist", "--quiet", "--out"]).arg(&home);
+    succeed(maturin.current_dir(workspace()))?;
+    let archive = fs::read_dir(&home)?.next().context("a source distribution")??.path();
+    let unpacked = empty(&folder.join("unpacked"));
+    let mut tar = Command::new("tar");
+    succeed(tar.arg("-xzf").arg(archive).arg("-C").arg(&unpacked).arg("--strip-components=1"))?;
+    let mut cargo = Command::new("cargo");
+    cargo.args(["metadata", "--locked", "--format-version=1", "--quiet"]);
+    succeed(cargo.current_dir(unpacked.join("python"))).map(|_| ())
 }
 
 /// The types of the package, those that it gives the extension module, and its style.
