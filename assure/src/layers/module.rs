@@ -77,7 +77,7 @@ fn source(context: &Context, folder: &Path) -> Result<()> {
     let python = runtime::python(&context.shared("maturin"), &[MATURIN])?;
     let home = empty(&folder.join("source"));
     let mut maturin = Command::new(python);
-    maturin.args(["-m", "maturin", "sdist", "--quiet", "--out"]).arg(&home);
+    maturin.args(["-m", "maturin", "sdist", "--out"]).arg(&home);
     succeed(maturin.current_dir(workspace()))?;
     let archive = fs::read_dir(&home)?.next().context("a source distribution")??.path();
     let unpacked = empty(&folder.join("unpacked"));
