@@ -93,6 +93,19 @@ pub mod verify;
 pub mod accepted;
 mod interface;
 
+// The command, which names the library as other programs do.
+#[cfg(feature = "command")]
+mod cli;
+#[cfg(feature = "command")]
+extern crate self as ptc_codegen;
+
+/// Runs the command of a command line, its own name first, and gives its exit code.
+#[cfg(feature = "command")]
+#[doc(hidden)]
+pub fn command(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    cli::run(line)
+}
+
 #[doc(hidden)]
 pub use accepted::{
     Accepted, dump, generate, generate_selftest, generate_with_proof, macro_items, project,

@@ -68,7 +68,7 @@ const AXES: &str = include_str!("../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 37] = [
+const PAGES: [(&str, &str); 38] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../docs/guide/period.md")),
@@ -76,6 +76,7 @@ const PAGES: [(&str, &str); 37] = [
     ("guide/torque.md", include_str!("../../docs/guide/torque.md")),
     ("guide/sensors.md", include_str!("../../docs/guide/sensors.md")),
     ("guide/axes.md", AXES),
+    ("guide/python.md", include_str!("../../docs/guide/python.md")),
     ("guide/elsewhere.md", include_str!("../../docs/guide/elsewhere.md")),
     ("start.md", START),
     ("explorer.md", include_str!("../../docs/explorer.md")),

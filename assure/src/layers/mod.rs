@@ -15,6 +15,7 @@ mod fuzz;
 mod identity;
 mod matlab;
 mod miri;
+mod module;
 mod packages;
 mod projects;
 mod python;
@@ -50,6 +51,7 @@ pub const LAYERS: &[Layer] = &[
     fmu::LAYER,
     projects::LAYER,
     packages::LAYER,
+    module::LAYER,
     campaign::LAYER,
     attack::LAYER,
     report::LAYER,

@@ -1,4 +1,4 @@
-//! What users install: the packaged crates, built as they are unpacked, and the wheel.
+//! What users install: the packaged crates, built as they are unpacked, and the command of the wheel.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -7,14 +7,12 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
 
+use super::module;
 use crate::context::{Context, workspace};
 use crate::harness::command::{succeed, text};
-use crate::harness::{empty, runtime};
+use crate::harness::empty;
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{GCC, PYTHON, RUSTC};
-
-/// What `pip install .` builds a wheel with, installed for the layer alone.
-const MATURIN: &str = "maturin>=1.9,<2";
 
 pub(super) const LAYER: Layer = Layer {
     name: "packages",
@@ -28,7 +26,6 @@ fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("packages");
     let target = context.target();
     let mut finding = Finding::default();
-    let python = runtime::python(&context.shared("maturin"), &[MATURIN])?;
     let crates = package(workspace(), target)?;
     let mut rows = Vec::new();
     for package in &crates {
@@ -55,12 +52,13 @@ fn run(context: &Context) -> Result<Finding> {
             .arg(&installed),
     )?;
     emits(&installed.join("bin/ptc-codegen"), &folder)?;
-    let (wheel, size, command) = wheel(&python, workspace(), &folder, target)?;
+    let wheel = module::wheel(context, &folder)?;
+    let command = installed_by_pip(&wheel, &folder)?;
     emits(&command, &folder)?;
     rows.push(vec![
-        wheel,
-        "1 command".to_owned(),
-        size.to_string(),
+        wheel.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
+        "a module and a command".to_owned(),
+        fs::metadata(&wheel)?.len().to_string(),
         "installed by pip in a fresh environment, where `ptc-codegen emit` writes C, an FMU and a \
          project"
             .to_owned(),
@@ -85,7 +83,7 @@ fn run(context: &Context) -> Result<Finding> {
 
 /// A program that builds in `target` without lines for a debugger, as the workspace builds its
 /// dependencies, so that these serve again.
-fn building(program: &OsStr, target: &Path) -> Command {
+pub(super) fn building(program: &OsStr, target: &Path) -> Command {
     let mut command = Command::new(program);
     command.env("CARGO_TARGET_DIR", target).env("CARGO_PROFILE_DEV_DEBUG", "false");
     command
@@ -152,28 +150,13 @@ fn unpack(package: &Path, folder: &Path) -> Result<PathBuf> {
     Ok(inner.path())
 }
 
-/// Builds the wheel and installs it in a fresh environment: its name, its size, its command.
-fn wheel(
-    python: &Path,
-    workspace: &Path,
-    folder: &Path,
-    target: &Path,
-) -> Result<(String, u64, PathBuf)> {
-    let wheels = empty(&folder.join("wheels"));
-    succeed(
-        building(python.as_ref(), target)
-            .args(["-m", "maturin", "build", "--quiet", "--profile", "dev", "--out"])
-            .arg(&wheels)
-            .current_dir(workspace),
-    )?;
-    let wheel = fs::read_dir(&wheels)?.next().context("a wheel")??.path();
+/// Installs the wheel alone in a fresh environment: its command, which needs nothing else.
+fn installed_by_pip(wheel: &Path, folder: &Path) -> Result<PathBuf> {
     let environment = empty(&folder.join("environment"));
-    succeed(Command::new(python).args(["-m", "venv"]).arg(&environment))?;
+    succeed(Command::new("python3").args(["-m", "venv"]).arg(&environment))?;
     let pip = environment.join("bin/pip");
-    succeed(Command::new(pip).args(["install", "--quiet", "--no-index"]).arg(&wheel))?;
-    let name = wheel.file_name().map(|name| name.to_string_lossy().into_owned());
-    let size = fs::metadata(&wheel)?.len();
-    Ok((name.unwrap_or_default(), size, environment.join("bin/ptc-codegen")))
+    succeed(Command::new(pip).args(["install", "--quiet", "--no-index", "--no-deps"]).arg(wheel))?;
+    Ok(environment.join("bin/ptc-codegen"))
 }
 
 /// Has an installed command print its version and emit what needs each kind of template.

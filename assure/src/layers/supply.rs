@@ -41,9 +41,12 @@ fn run(context: &Context) -> Result<Finding> {
     let mut rows = Vec::new();
     let root = workspace();
     for check in ["licenses", "bans", "sources"] {
-        let told = deny(root, &root.join("deny.toml"), check)?;
-        rows.push(row(check, if told.is_none() { "passed" } else { "FAILED" }));
-        finding.failures.extend(told);
+        for (folder, name) in [("", check.to_owned()), ("python", format!("{check} of the wheel"))]
+        {
+            let told = deny(&root.join(folder), &root.join("deny.toml"), check)?;
+            rows.push(row(&name, if told.is_none() { "passed" } else { "FAILED" }));
+            finding.failures.extend(told);
+        }
     }
     let advisories = deny(root, &root.join("deny.toml"), "advisories")?;
     let unreachable = |told: &String| told.contains("failed to fetch advisory database");

@@ -39,7 +39,7 @@ mod verify;
 mod write;
 
 use std::borrow::Cow;
-use std::process::ExitCode;
+use std::ffi::OsString;
 
 use clap::{CommandFactory, Parser};
 
@@ -48,19 +48,19 @@ use ptc_codegen::diagnostic::visible;
 use ptc_codegen::internal::guarded;
 use report::Failure;
 
-/// Runs the command that the process was started with.
-pub(crate) fn run() -> ExitCode {
-    let command = CommandLine::try_parse().unwrap_or_else(|wrong| refuse(&wrong)).command;
+/// Runs the command of a command line, its own name first: the exit code.
+pub(crate) fn run(line: impl IntoIterator<Item = OsString>) -> u8 {
+    let command = CommandLine::try_parse_from(line).unwrap_or_else(|wrong| refuse(&wrong)).command;
     // A panic is reported as an internal fault; of the hook's text only its place is kept.
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!("at {place}:\n"));
         report::print_text(&place.unwrap_or_default());
     }));
     match guarded(|| execute(command)).unwrap_or_else(|fault| Err(Failure::internal(&fault))) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => {
             report::print(&failure.notices);
-            ExitCode::from(failure.exit as u8)
+            failure.exit as u8
         }
     }
 }

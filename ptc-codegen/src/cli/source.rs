@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use ptc_codegen::design::{self, mistakes, root};
+use ptc_codegen::design::{self, mistakes, overrides, root};
 use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place};
 use ptc_codegen::internal::INTERNAL;
 use ptc_codegen::keys::KeyInfo;
@@ -48,12 +48,6 @@ pub(crate) struct Parsed<'a> {
     places: Vec<Spot>,
     pub(crate) entries: Vec<Entry>,
     found: Vec<Diagnostic>,
-}
-
-/// Whether one key overrides the other: they are the same, or two spellings of the same value.
-fn rivals(one: &str, other: &str) -> bool {
-    let groups = [["mu", "kappa", ""], ["gains", "poles", "pi0"]];
-    one == other || groups.iter().any(|group| group.contains(&one) && group.contains(&other))
 }
 
 /// The flag of a key.
@@ -170,7 +164,7 @@ impl Source {
         }
         if let Some((_, text)) = &self.file {
             let (entries, found) = design::read(text, &mut |range| parsed.place(Spot::File(range)));
-            let stands = |key: &str| self.given.iter().all(|flag| !rivals(&flag.key, whole(key)));
+            let stands = |key: &str| self.given.iter().all(|flag| !overrides(&flag.key, key));
             parsed.entries.extend(entries.into_iter().filter(|entry| stands(&entry.key)));
             // Invalid TOML is always reported, even if flags override its keys.
             let kept = |wrong: &Diagnostic| wrong.code == design::SYNTAX || stands(&wrong.key);
@@ -281,11 +275,6 @@ impl Parsed<'_> {
             }
         }
     }
-}
-
-/// The key of an entry, of that of an item in its list.
-fn whole(key: &str) -> &str {
-    key.split('[').next().unwrap_or(key)
 }
 
 /// What is said at the underlined text.

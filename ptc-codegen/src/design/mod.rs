@@ -14,6 +14,7 @@
 
 mod file;
 mod mistakes;
+mod over;
 mod quote;
 mod reader;
 mod statement;
@@ -22,6 +23,7 @@ mod value;
 
 pub use file::load;
 pub use mistakes::{explains_missing, mistakes, root};
+pub use over::overrides;
 pub use quote::Quote;
 pub use template::template;
 

@@ -11,6 +11,7 @@
 
 mod along;
 mod around;
+mod choice;
 mod continuous;
 mod controller;
 mod crossing;
@@ -23,6 +24,7 @@ mod mode;
 mod pass;
 mod plant;
 mod pole;
+pub mod record;
 mod sampled;
 mod side;
 mod solver;
@@ -35,6 +37,7 @@ pub(crate) use along::Along;
 pub use around::Loop;
 #[cfg(feature = "lab")]
 pub(crate) use around::SAME;
+pub use choice::MAX_SAMPLES;
 pub use continuous::Continuous;
 pub use controller::Controller;
 pub use direct::Direct;

@@ -25,8 +25,10 @@ mod run;
 mod scenario;
 pub mod search;
 mod start;
+mod summary;
 mod survey;
 mod tally;
+mod trajectory;
 mod trial;
 mod verdict;
 
@@ -39,9 +41,11 @@ pub use outcome::{Judgement, Other, Outcome, Status};
 pub use read::{read, read_with_plant};
 pub use run::{Done, chunks, sample};
 pub use scenario::{Scenario, Setting};
-pub use start::{Impossible, impossible, reversed};
+pub use start::{Impossible, impossible, possible, reversed};
+pub use summary::{APART, End, Judged, Known, Sides, Summary, against, summary};
 pub use survey::{Drawn, Driver, Spread};
 pub use tally::{Tally, Worst};
+pub use trajectory::{Trajectory, csv, shown};
 pub use trial::{Instant, Trial};
 pub use verdict::{Doubt, Evidence, Verdict, confidence};
 

@@ -20,6 +20,38 @@ const DRAWS: u64 = 1024;
 /// Smallest move within a box, as a part of it.
 const SMALLEST: f64 = 1.0 / 1024.0;
 
+/// Refuses a campaign that no run can decide.
+///
+/// # Errors
+/// A gain that has another sign than the law takes it to have, an objective that no control can keep, or
+/// a parameter without a value.
+pub fn possible(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
+    if let Some(scenario) = reversed(campaign)? {
+        return Err(Failure::input(
+            format!(
+                "the gain of the plant is 0 or has another sign than g, at {}",
+                campaign.text_of(&scenario)
+            ),
+            "Theorem 1 requires |b| < |g| of a gain that is not known: narrow its bounds under [plant]",
+        ));
+    }
+    let Some(Impossible { objective, scenario, at_start }) = impossible(campaign, trial)? else {
+        return Ok(());
+    };
+    let at = campaign.text_of(&scenario);
+    let which = format!("objective {}, {}", objective + 1, campaign.objectives[objective]);
+    Err(match at_start {
+        true => Failure::input(
+            format!("{which}, fails at t0 already, at {at}"),
+            "whatever the control does: widen the bound at dt = 0, or narrow the box of initial states under [verify]",
+        ),
+        false => Failure::input(
+            format!("{which}, is impossible at {at}: |x0| is 0, and x does not stay there"),
+            "whatever the control does: keep x0 = 0 out of the box under [verify], or bound |x| by `within` and `attractive`",
+        ),
+    })
+}
+
 /// The scenarios that are looked at: corners, and draws.
 fn looked_at(campaign: &Campaign) -> impl Iterator<Item = Scenario> {
     let draws = 0..campaign.scenarios.min(DRAWS);

@@ -6,14 +6,14 @@ mod report;
 use std::path::Path;
 
 use ptc_codegen::synthesis::{self, Outcome, Wish, file};
-use ptc_codegen::verify::Trial;
+use ptc_codegen::verify::{Trial, possible};
 
 pub(crate) use args::{EXAMPLES, Request};
 
 use super::output::{self, Outputs};
 use super::report::Failure;
 use super::source::Source;
-use super::verify::{progress, starts};
+use super::verify::progress;
 use super::write;
 
 /// Runs `design`.
@@ -29,7 +29,7 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
     };
     // What fails at t0 fails with every choice.
     let of_law = wish.campaign().of_law();
-    starts(&of_law, &mut Trial::new(&of_law)?)?;
+    possible(&of_law, &mut Trial::new(&of_law)?)?;
     let bar = progress("designing", u64::from(request.tries));
     let most = usize::try_from(request.tries).unwrap_or(usize::MAX);
     let outcome = synthesis::design(&wish, most, &|probe, tries| {

@@ -2,10 +2,9 @@
 
 use ptc_codegen::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
 use ptc_codegen::verify::bound::limits;
-use ptc_codegen::verify::{Verdict, confidence};
+use ptc_codegen::verify::{Verdict, against, confidence};
 
 use crate::cli::report::{Failure, Notice};
-use crate::cli::verify::against;
 
 /// What was chosen, and each objective with its margin.
 pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {

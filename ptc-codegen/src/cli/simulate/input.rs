@@ -2,32 +2,22 @@
 
 use std::ops::Range;
 
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive};
 use ptc_codegen::algebra::BigRational;
-use ptc_codegen::parameter::Fixed;
 use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::Loop;
+use ptc_codegen::simulate::record::{Asked, instant};
+use ptc_codegen::simulate::{Loop, MAX_SAMPLES};
 use ptc_codegen::syntax::number;
 
 use super::args::Simulate;
 use crate::cli::report::{Failure, Notice, Quote};
 
-/// What the flags give beside the design.
-pub(super) struct Asked {
-    pub(super) x0: Vec<f64>,
-    /// Where to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
-    pub(super) at: Vec<(f64, f64)>,
-    /// Whether the rest of the run is looked at too.
-    pub(super) whole: bool,
-    /// The sampled loop, if selected.
-    pub(super) around: Option<Loop>,
-}
-
-/// Most samples of a run: what is more is a period that was mistyped.
-const MAX_SAMPLES: f64 = 1e7;
-
-/// Reads the flags, for the run from `x0`.
-pub(super) fn read(request: &Simulate, x0: &str, spec: &Spec) -> Result<Asked, Failure> {
+/// Reads the flags, for the run from `x0`: what is asked of it, and the sampled loop, if selected.
+pub(super) fn read(
+    request: &Simulate,
+    x0: &str,
+    spec: &Spec,
+) -> Result<(Asked, Option<Loop>), Failure> {
     let states = spec.state_names();
     let x0 = List::new("--x0", x0)?;
     if x0.items.len() != states.len() {
@@ -52,49 +42,35 @@ pub(super) fn read(request: &Simulate, x0: &str, spec: &Spec) -> Result<Asked, F
     }
     let at = at.as_ref().map(instants).transpose()?.unwrap_or_default();
     let whole = at.is_empty() || request.plot.is_some() || request.report.is_some();
-    Ok(Asked { x0: x0.doubles()?, at, whole, around })
+    Ok((Asked { x0: x0.doubles()?, at, whole }, around))
 }
 
-/// 1 - fraction and fraction, each rounded once.
 fn instants(at: &List<'_>) -> Result<Vec<(f64, f64)>, Failure> {
-    let one = BigRational::one();
     let share = |(value, range): &(BigRational, Range<usize>)| {
-        if value.is_negative() || *value >= one {
+        instant(value).ok_or_else(|| {
             let message = "a fraction of tau outside [0, 1)".to_owned();
             let help = "0 is the start, and 1 the deadline, where the gains are infinite; 0.999999999 is as near as any";
-            return Err(at.wrong(Some(range), message, help));
-        }
-        let nearest = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
-        Ok((nearest(&(&one - value)), nearest(value)))
+            at.wrong(Some(range), message, help)
+        })
     };
     at.items.iter().map(share).collect()
 }
 
 /// The sampled loop, if any of its flags is given.
 fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
-    let promises = &spec.promises;
-    let disturbed = [
-        (!promises.noise.is_empty(), "noise"),
-        (!promises.noise_rms.is_empty(), "noise_rms"),
-        (!promises.sensor_step.is_empty(), "sensor_step"),
-        (promises.u_step.is_some(), "u_step"),
-        (!promises.g_error.is_empty(), "g_error"),
-        (promises.jitter.is_some(), "jitter"),
-        (promises.delay.is_some(), "delay"),
-        (request.spec.0.gives("sample_time"), "sample_time"),
-        (spec.sampled().is_some(), "clock"),
-    ];
-    let Some((_, asked)) = disturbed.iter().find(|(given, _)| *given) else { return Ok(None) };
+    let given = request.spec.0.gives("sample_time");
+    let Some(asked) = Loop::asked(spec, given) else { return Ok(None) };
     let Some(around) = Loop::of(spec) else {
         return Err(Failure::because(
             format!("`{asked}` needs the sampled loop, which has no sample period"),
             "give --sample-time, or sample_time in the design",
         ));
     };
-    let period = around.period;
-    let tau = spec.fixed.get(&ptc_codegen::parameter::Parameter::Tau).and_then(to_f64);
     let until = request.until.as_deref().map(end).transpose()?;
-    if let Some(length) = until.or(tau).filter(|length| length / period > MAX_SAMPLES) {
+    let arm_at = request.arm_at.as_deref().map(List::times).transpose()?.unwrap_or_default();
+    let around = Loop { seed: request.seed, until, arm_at, ..around };
+    if let Some(length) = around.too_long(spec) {
+        let period = around.period;
         return Err(Failure::because(
             format!(
                 "a sample period of {period} s makes more than {MAX_SAMPLES:e} samples in {length} s"
@@ -102,8 +78,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
             "give a longer --sample-time",
         ));
     }
-    let arm_at = request.arm_at.as_deref().map(List::times).transpose()?.unwrap_or_default();
-    Ok(Some(Loop { seed: request.seed, until, arm_at, ..around }))
+    Ok(Some(around))
 }
 
 /// The time at which a run ends.
@@ -117,10 +92,6 @@ fn end(text: &str) -> Result<f64, Failure> {
             "give the time after t0 at which the run ends, in s",
         )),
     }
-}
-
-fn to_f64(value: &Fixed) -> Option<f64> {
-    value.number().and_then(ToPrimitive::to_f64)
 }
 
 /// Numbers separated by commas, with their places in the text.

@@ -1,6 +1,8 @@
 //! Figures of each run in a report: its final error, the peak of each input, the time in saturation.
 
-use super::run::{Row, Run};
+use ptc_codegen::simulate::record::Row;
+
+use super::run::Run;
 use crate::cli::page::{Part, Table, short};
 
 /// |u| this near to its bound is at it.

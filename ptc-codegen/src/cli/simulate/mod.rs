@@ -68,8 +68,8 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             note(&format!("the design has no [plant]: the plant is {plant}"));
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
-        let asked = input::read(request, x0, &spec)?;
-        let mut run = match &asked.around {
+        let (asked, around) = input::read(request, x0, &spec)?;
+        let mut run = match &around {
             None => continuous(&spec, &plant, &asked)?,
             Some(around) => sampled(&spec, &plant, &asked, around)?,
         };

@@ -4,11 +4,12 @@ use ptc_codegen::check::examine::examine;
 use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plant::Plant;
 use ptc_codegen::request::Spec;
+use ptc_codegen::simulate::record::Row;
 
 use super::args::Simulate;
 use super::merit;
 use super::picture::figure;
-use super::run::{Row, Run};
+use super::run::Run;
 use crate::cli::page::{self, Content, Section, Svg, Table, command, reporting, short};
 use crate::cli::report::Failure;
 use crate::cli::source::Source;

@@ -5,6 +5,7 @@ use std::path::Path;
 use num_traits::ToPrimitive;
 use ptc_codegen::plot::{Figure, Trace};
 use ptc_codegen::request::Spec;
+use ptc_codegen::simulate::record::Row;
 
 use super::run::Run;
 use crate::cli::page::undrawn;
@@ -62,7 +63,7 @@ pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
 }
 
 fn trace(run: &Run) -> Trace {
-    let column = |of: &dyn Fn(&super::run::Row) -> f64| run.rows.iter().map(of).collect::<Vec<_>>();
+    let column = |of: &dyn Fn(&Row) -> f64| run.rows.iter().map(of).collect::<Vec<_>>();
     Trace {
         label: run.label.clone(),
         start: run.t0,

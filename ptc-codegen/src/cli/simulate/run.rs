@@ -4,14 +4,10 @@ use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::diagnostic::digits;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::{
-    Accuracy, Cause, Continuous, Direct, Failure as Ended, Loop, Run as Instants, Sample, Sampled,
-    Side, Values, grid, tracking_error,
-};
+use ptc_codegen::simulate::record::{self, Asked, Row};
+use ptc_codegen::simulate::{Cause, Failure as Ended, Loop, Values, tracking_error};
 
-use super::input::Asked;
 use crate::cli::report::{self, Failure, Notice};
 
 /// A run.
@@ -71,82 +67,19 @@ impl Run {
     }
 }
 
-/// An instant of it.
-pub(super) struct Row {
-    pub(super) t: f64,
-    pub(super) stretched: f64,
-    pub(super) x: Vec<f64>,
-    /// The measurement and the status of `step`.
-    pub(super) measured: Vec<f64>,
-    pub(super) status: Status,
-    pub(super) u: Vec<f64>,
-    /// Whether the CSV holds it.
-    pub(super) reported: bool,
-}
-
-impl Row {
-    fn of(sample: Sample<'_>, reported: bool) -> Self {
-        Self {
-            t: sample.t,
-            stretched: sample.stretched,
-            x: sample.x.to_vec(),
-            measured: sample.measured.to_vec(),
-            status: sample.status,
-            u: sample.u.to_vec(),
-            reported,
-        }
-    }
-}
-
 /// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a
 /// model.
 pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Run, Failure> {
-    if !spec.has_model() {
-        let values = complete(spec, plant, false)?;
-        let rows = along(Continuous::of(spec, plant), &values, asked)?;
-        return Run::new((spec, &values), (None, false), rows);
+    let report = spec.has_model().then(|| examined(spec));
+    let spec = report.as_ref().map_or(spec, |report| &report.spec);
+    let values = complete(spec, plant, report.is_some())?;
+    let tau = values.get(Parameter::Tau);
+    let rows = record::continuous((spec, plant), &values, asked, &mut || ())
+        .map_err(|failure| ended(failure, tau))?;
+    if report.is_some() {
+        refused(spec, &rows, tau);
     }
-    let report = examined(spec);
-    let spec = &report.spec;
-    let values = complete(spec, plant, true)?;
-    let rows = along(Direct::of(spec, plant), &values, asked)?;
-    refused(spec, &rows, values.get(Parameter::Tau));
-    Run::new((spec, &values), (Some(report.clone()), false), rows)
-}
-
-/// The rows of a run in which the control acts at every instant.
-fn along<S: Side>(
-    run: Result<Instants<S>, Ended>,
-    values: &Values,
-    asked: &Asked,
-) -> Result<Vec<Row>, Failure> {
-    let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-    let mut shares = if asked.whole { grid() } else { Vec::new() };
-    shares.extend(asked.at.iter().map(|(share, _)| share));
-    shares.sort_by(|a, b| b.total_cmp(a));
-    shares.dedup();
-    let mut rows = Vec::with_capacity(shares.len());
-    let mut index = 0;
-    let end = run.and_then(|mut run| {
-        run.run(values, &asked.x0, &shares, Accuracy::default(), &mut |sample| {
-            let at = asked.at.iter().find(|(share, _)| *share == shares[index]);
-            let t = at.map_or(sample.t, |(_, elapsed)| t0 + tau * elapsed);
-            let reported = asked.at.is_empty() || at.is_some();
-            rows.push(Row::of(Sample { t, ..sample }, reported));
-            index += 1;
-        })
-    });
-    end.map_err(|failure| ended(failure, tau))?;
-    let finite = |row: &&Row| row.x.iter().chain(&row.u).all(|v| v.is_finite());
-    if let Some(row) = rows.iter().find(|row| !finite(row)) {
-        let title = format!("tau = {tau}: x or u leaves the range of numbers, at t = {} s", row.t);
-        let help = "the loop is unstable with these values, or the gains of the law overflow so close to the deadline";
-        return Err(Failure::refused(vec![Notice {
-            help: Some(help.to_owned()),
-            ..Notice::of(title)
-        }]));
-    }
-    Ok(rows)
+    Run::new((spec, &values), (report.clone(), false), rows)
 }
 
 /// The emitted controller at each sample.
@@ -160,11 +93,8 @@ pub(super) fn sampled(
     let spec = &report.spec;
     let values = complete(spec, plant, true)?;
     let tau = values.get(Parameter::Tau);
-    let mut rows = Vec::new();
-    let end = Sampled::new(spec, plant).and_then(|mut run| {
-        run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
-    });
-    end.map_err(|failure| ended(failure, tau))?;
+    let rows = record::sampled((spec, plant), &values, (&asked.x0, around), &mut || ())
+        .map_err(|failure| ended(failure, tau))?;
     refused(spec, &rows, tau);
     Run::new((spec, &values), (Some(report.clone()), true), rows)
 }
@@ -190,8 +120,7 @@ fn examined(spec: &Spec) -> Report {
 
 /// Warns of the first call that is refused.
 fn refused(spec: &Spec, rows: &[Row], tau: f64) {
-    let refused = |row: &&Row| matches!(row.status, Status::Range | Status::Input);
-    if let Some(row) = rows.iter().find(refused) {
+    if let Some(row) = rows.iter().find(|row| row.is_refused()) {
         let (name, t) = (row.status.c_name(), row.t);
         let title = format!("tau = {tau}: step returns {name} and u = 0, first at t = {t} s");
         let help = match spec.coupled {

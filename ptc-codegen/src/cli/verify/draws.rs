@@ -3,9 +3,8 @@
 use ptc_codegen::diagnostic::digits;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Band, Histogram};
-use ptc_codegen::verify::{Campaign, Drawn, Envelope, Kind, Trial, Worst};
+use ptc_codegen::verify::{Campaign, Drawn, Envelope, Kind, Trajectory, Trial, Worst};
 
-use super::trajectory::Trajectory;
 use crate::cli::page::{Part, Svg, Table};
 use crate::cli::report::Failure;
 

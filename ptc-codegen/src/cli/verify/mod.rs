@@ -6,20 +6,16 @@ mod journal;
 mod page;
 mod parts;
 mod progress;
-mod report;
-mod trajectory;
 
 use std::ops::Range;
 
 use ptc_codegen::request;
-use ptc_codegen::verify::{self, Campaign, Corners, Impossible, Trial};
+use ptc_codegen::verify::{self, Campaign, End, Known, Trial, csv, possible, summary};
 
 pub(crate) use args::{EXAMPLES, Verify};
 use journal::Journal;
 use parts::Rows;
 pub(crate) use progress::progress;
-use report::End;
-pub(crate) use report::against;
 
 use super::output::{self, Outputs};
 use super::page as html;
@@ -40,7 +36,7 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     request.plant.iter().for_each(|text| source.give_plant(text));
     let campaign = campaign(request, &source)?;
     let mut trial = Trial::new(&campaign)?;
-    starts(&campaign, &mut trial)?;
+    possible(&campaign, &mut trial)?;
     if let Some(text) = &request.scenario {
         return replay(&campaign, &mut trial, text);
     }
@@ -61,23 +57,14 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
         journal.into_iter().for_each(Journal::finish);
         return Ok(());
     }
-    let bar = progress("searching", searched(&campaign));
-    let corners = Corners::run(&campaign, &trial, &|| bar.inc(1));
-    let search = |objective: usize| {
-        let mut starts = corners.starts(&campaign, objective);
-        starts.insert(0, campaign.scenario(drawn.tally.excess[objective].index));
-        let told = |runs| bar.inc(runs as u64);
-        verify::search::search(&campaign, &trial, (objective, &starts), &told)
-    };
-    let found: Vec<_> = (0..campaign.objectives.len()).map(search).collect();
+    let bar = progress("searching", campaign.searched());
+    let told = |runs| bar.inc(runs as u64);
+    let known = Known::beyond(&campaign, &trial, &drawn.tally, &told);
     bar.finish_and_clear();
-    let proofs = verify::bound::proved(&campaign);
-    let all =
-        report::Known { drawn: &drawn.tally, corners: &corners, found: &found, proofs: &proofs };
-    let summary = report::summary(&campaign, &mut trial, &all)?;
+    let summary = summary(&campaign, &mut trial, &known);
     let mut files = Vec::new();
-    if let (Some(place), Some(worst)) = (worst_to, report::foremost(&found)) {
-        let (csv, _) = trajectory::csv(&campaign, &mut trial, &worst.scenario);
+    if let (Some(place), Some(worst)) = (worst_to, known.foremost()) {
+        let (csv, _) = csv(&campaign, &mut trial, &worst.scenario);
         files.push((place, csv));
     }
     if let Some(place) = report {
@@ -106,7 +93,7 @@ fn replay(campaign: &Campaign, trial: &mut Trial, text: &str) -> Result<(), Fail
             campaign.replayed(text).map_err(|(message, help)| Failure::because(message, &help))?
         }
     };
-    let (csv, ended) = trajectory::csv(campaign, trial, &scenario);
+    let (csv, ended) = csv(campaign, trial, &scenario);
     write::to_stdout(&csv)?;
     ended.map_or(Ok(()), |ended| Err(ended.into()))
 }
@@ -130,35 +117,6 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
     }
 }
 
-/// An objective that no control can keep says nothing of the loop.
-pub(crate) fn starts(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
-    if let Some(scenario) = verify::reversed(campaign)? {
-        return Err(Failure::because(
-            format!(
-                "the gain of the plant is 0 or has another sign than g, at {}",
-                campaign.text_of(&scenario)
-            ),
-            "Theorem 1 requires |b| < |g| of a gain that is not known: narrow its bounds under [plant]",
-        ));
-    }
-    let Some(Impossible { objective, scenario, at_start }) = verify::impossible(campaign, trial)?
-    else {
-        return Ok(());
-    };
-    let at = campaign.text_of(&scenario);
-    let which = format!("objective {}, {}", objective + 1, campaign.objectives[objective]);
-    Err(match at_start {
-        true => Failure::because(
-            format!("{which}, fails at t0 already, at {at}"),
-            "whatever the control does: widen the bound at dt = 0, or narrow the box of initial states under [verify]",
-        ),
-        false => Failure::because(
-            format!("{which}, is impossible at {at}: |x0| is 0, and x does not stay there"),
-            "whatever the control does: keep x0 = 0 out of the box under [verify], or bound |x| by `within` and `attractive`",
-        ),
-    })
-}
-
 /// The scenarios of part I of N.
 fn part(text: &str, scenarios: u64) -> Result<Range<u64>, Failure> {
     let numbers = text.split_once('/').and_then(|(i, n)| {
@@ -176,8 +134,4 @@ fn part(text: &str, scenarios: u64) -> Result<Range<u64>, Failure> {
         u64::try_from(share).unwrap_or(scenarios)
     };
     Ok(at(i - 1)..at(i))
-}
-
-fn searched(campaign: &Campaign) -> u64 {
-    (campaign.corners().len() + campaign.search * campaign.objectives.len()) as u64
 }

@@ -4,12 +4,13 @@ use ptc_codegen::check::examine::examine;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Bounded, Figure, Trace};
 use ptc_codegen::request::Spec;
-use ptc_codegen::verify::{Campaign, Drawn, Kind, Level, Objective, Trial, Verdict};
+use ptc_codegen::verify::{
+    APART, Campaign, Drawn, End, Judged, Kind, Level, Objective, Sides, Summary, Trajectory, Trial,
+    Verdict, shown,
+};
 
 use super::args::Verify;
 use super::draws;
-use super::report::{APART, End, Judged, Sides, Summary};
-use super::trajectory::{Trajectory, shown};
 use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, operator, product, relation, row, sub, words,
 };

@@ -2,7 +2,7 @@
 
 use super::axes::{AXES, LISTS};
 use super::{Python, annotation};
-use crate::code::{Expr, Owner, Shape, Statement};
+use crate::code::{Expr, Owner, Shape, Statement, Variable};
 use crate::parameter::type_name;
 
 impl Python<'_> {
@@ -54,12 +54,13 @@ impl Python<'_> {
         if rate {
             self.out.line(RATE);
         }
-        self.out.line("\n@dataclass(frozen=True)");
+        self.out.line("\n@dataclass(frozen=True, kw_only=True)");
         self.out.open("class Params:");
         self.out.line("\"\"\"Run-time parameters.\"\"\"\n");
         for parameter in &code.parameters {
             let (name, kind) = (&parameter.name, annotation(parameter.shape));
-            self.out.line(format!("{name}: {kind}\n\"\"\"{}\"\"\"", parameter.about));
+            let default = default(parameter);
+            self.out.line(format!("{name}: {kind}{default}\n\"\"\"{}\"\"\"", parameter.about));
         }
         self.out.leave();
         self.out.line("\n");
@@ -138,6 +139,15 @@ impl Python<'_> {
         self.owner = "self._";
         self.out.leave();
         self.out.line("\n");
+    }
+}
+
+/// What `simulate` takes too where nothing is given: a start at 0, and u without a bound.
+fn default(parameter: &Variable) -> &'static str {
+    match (parameter.name.as_str(), parameter.shape.length()) {
+        ("t0", None) => " = 0.0",
+        ("u_max", None) => " = np.inf",
+        _ => "",
     }
 }
 

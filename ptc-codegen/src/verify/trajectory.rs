@@ -1,16 +1,20 @@
 //! The trajectory of a scenario, as a table and as CSV.
 
-use ptc_codegen::request::Spec;
-use ptc_codegen::simulate;
-use ptc_codegen::verify::{Campaign, Instant, Scenario, Trial};
+use super::{Campaign, Instant, Scenario, Trial};
+use crate::request::Spec;
+use crate::simulate;
 
 /// A run, and the words of its scenario.
-pub(super) struct Trajectory {
-    pub(super) scenario: Scenario,
-    pub(super) told: String,
-    pub(super) instants: Vec<Instant>,
+#[derive(Clone, Debug)]
+pub struct Trajectory {
+    /// The scenario.
+    pub scenario: Scenario,
+    /// The words of the scenario, with which it can be run again.
+    pub told: String,
+    /// Its instants.
+    pub instants: Vec<Instant>,
     /// Why it is not whole, if it is not.
-    pub(super) ended: Option<String>,
+    pub ended: Option<String>,
 }
 
 /// Rows of the worst trajectory that are shown.
@@ -28,7 +32,7 @@ pub(super) fn trajectory(
 }
 
 /// A few instants, one of them the worst.
-pub(super) fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
+pub fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
     let excess =
         |instant: &Instant| instant.excess.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let worst = (0..instants.len())
@@ -55,7 +59,7 @@ pub(super) fn table(spec: &Spec, instants: &[Instant]) -> String {
 }
 
 /// A trajectory as CSV, and why it is not whole, if it is not.
-pub(super) fn csv(
+pub fn csv(
     campaign: &Campaign,
     trial: &mut Trial,
     scenario: &Scenario,

@@ -1,79 +1,114 @@
-//! The verdict, and the worst trajectory.
+//! The verdicts on a campaign in words, and the worst trajectory.
 
-use ptc_codegen::simulate;
-use ptc_codegen::verify::bound::Proof;
-use ptc_codegen::verify::search::Found;
-use ptc_codegen::verify::{
+use super::bound::{self, Proof};
+use super::search::{self, Found};
+use super::trajectory::{Trajectory, table, trajectory};
+use super::{
     Campaign, Corners, Doubt, Evidence, Kind, Scenario, Signal, Tally, Trial, Verdict, Worst,
     confidence,
 };
-
-use super::trajectory::{Trajectory, table, trajectory};
-use crate::cli::report::Failure;
+use crate::simulate;
 
 /// All that is known in the end.
-pub(super) struct Known<'a> {
-    pub(super) drawn: &'a Tally,
-    pub(super) corners: &'a Corners,
+#[derive(Clone, Debug)]
+pub struct Known<'a> {
+    /// The draws.
+    drawn: &'a Tally,
+    corners: Corners,
     /// For each objective what the search found.
-    pub(super) found: &'a [Found],
+    found: Vec<Found>,
     /// For each objective its proof, or why there is none.
-    pub(super) proofs: &'a [Proof],
+    proofs: Vec<Proof>,
+}
+
+impl<'a> Known<'a> {
+    /// Runs the corners of a campaign whose draws are done, searches for what is worse and proves what
+    /// can be proved. `told` of the runs as they are taken, [`Campaign::searched`] at most.
+    pub fn beyond(
+        campaign: &Campaign,
+        trial: &Trial,
+        drawn: &'a Tally,
+        told: &(dyn Fn(usize) + Sync),
+    ) -> Self {
+        let corners = Corners::run(campaign, trial, &|| told(1));
+        let search = |objective: usize| {
+            let mut starts = corners.starts(campaign, objective);
+            starts.insert(0, campaign.scenario(drawn.excess[objective].index));
+            search::search(campaign, trial, (objective, &starts), &|runs| told(runs))
+        };
+        let found = (0..campaign.objectives.len()).map(search).collect();
+        Self { drawn, corners, found, proofs: bound::proved(campaign) }
+    }
+
+    /// The worst that was found of all objectives.
+    pub fn foremost(&self) -> Option<&Found> {
+        self.found.iter().reduce(|a, b| if b.excess > a.excess { b } else { a })
+    }
+}
+
+impl Campaign {
+    /// Most runs of the corners and of the search.
+    pub fn searched(&self) -> u64 {
+        (self.corners().len() + self.search * self.objectives.len()) as u64
+    }
 }
 
 /// The final report.
-pub(super) struct Summary {
+#[derive(Clone, Debug)]
+pub struct Summary {
     /// How much was run.
-    pub(super) run: String,
+    pub run: String,
     /// What the draws are drawn from.
-    pub(super) distribution: String,
+    pub distribution: String,
     /// One for each objective.
-    pub(super) objectives: Vec<Judged>,
+    pub objectives: Vec<Judged>,
     /// How far the sides of Theorem 1 are apart; `None` for the loop that runs.
-    pub(super) sides: Option<Sides>,
+    pub sides: Option<Sides>,
     /// The trajectory of the objective that comes off worst.
-    pub(super) trajectory: Option<Trajectory>,
+    pub trajectory: Option<Trajectory>,
 }
 
 /// Both sides of Theorem 1.
-pub(super) struct Sides {
+#[derive(Clone, Debug)]
+pub struct Sides {
     /// How far they are apart, in words.
-    pub(super) told: String,
+    pub told: String,
     /// Whether that is too far.
-    pub(super) apart: bool,
+    pub apart: bool,
 }
 
 /// An objective, judged.
-pub(super) struct Judged {
-    pub(super) verdict: Verdict,
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// What is said of it.
+    pub verdict: Verdict,
+    /// The worst that was met of it, as an excess over its bound: below 0 it holds.
+    pub excess: f64,
+    /// The scenario in which it was met, in words with which it can be run again.
+    pub worst: String,
     /// What of the emitted program a proof includes.
     scope: String,
     /// What it was judged by.
-    pub(super) details: Vec<String>,
+    pub details: Vec<String>,
 }
 
 /// What a verification comes to.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum End {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// Every objective holds.
     Holds,
+    /// An objective fails.
     Fails,
+    /// None fails, and not every one is known to hold.
     Undecided,
 }
 
 /// What is to be done where the sides differ.
-pub(super) const APART: &str =
+pub const APART: &str =
     "a larger `until` under [verify] keeps away from where rounding is all that is left";
 
-/// The worst that was found of all objectives.
-pub(super) fn foremost(found: &[Found]) -> Option<&Found> {
-    found.iter().reduce(|a, b| if b.excess > a.excess { b } else { a })
-}
-
-pub(super) fn summary(
-    campaign: &Campaign,
-    trial: &mut Trial,
-    known: &Known<'_>,
-) -> Result<Summary, Failure> {
+/// The report of what is known of a campaign.
+pub fn summary(campaign: &Campaign, trial: &mut Trial, known: &Known<'_>) -> Summary {
     let Known { drawn, corners, found, proofs } = known;
     let runs: usize = found.iter().map(|found| found.runs).sum();
     let run = format!(
@@ -89,7 +124,7 @@ pub(super) fn summary(
         let proof = &proofs[index];
         let evidence = Evidence { drawn, corners: tally, found, proof };
         let verdict = Verdict::of(campaign, index, evidence);
-        let mut details = reasons((campaign, trial), (index, verdict), (known, found))?;
+        let mut details = reasons((campaign, trial), (index, verdict), (known, found));
         if let (Verdict::Sampled { .. } | Verdict::Undecided(_), Proof::NotProved { why }) =
             (verdict, proof)
         {
@@ -102,6 +137,7 @@ pub(super) fn summary(
         let Worst { value, index: draw } = drawn.excess[index];
         details.push(format!("worst draw: scenario {draw}, {}", against(kind, value)));
         let mut most = value;
+        let mut worst = campaign.text_of(&campaign.scenario(draw));
         let corner = tally.excess[index];
         let scenario = usize::try_from(corner.index).ok().and_then(|i| corners.scenarios.get(i));
         let others =
@@ -110,7 +146,7 @@ pub(super) fn summary(
             if let Some(scenario) = scenario.filter(|_| value > most) {
                 let (told, at) = (campaign.text_of(scenario), against(kind, value));
                 details.push(format!("worst {name}: {told}, {at}"));
-                most = value;
+                (most, worst) = (value, told);
             }
         }
         let scope = match proof {
@@ -120,17 +156,17 @@ pub(super) fn summary(
             },
             Proof::Refuted { .. } | Proof::NotProved { .. } => String::new(),
         };
-        objectives.push(Judged { verdict, scope, details });
+        objectives.push(Judged { verdict, excess: most, worst, scope, details });
     }
     let sides = campaign.has_sides().then(|| sides(campaign, known));
-    let trajectory = foremost(found).map(|worst| {
+    let trajectory = known.foremost().map(|worst| {
         let scenario = worst.scenario.clone();
         let (instants, ended) = trajectory(campaign, trial, &scenario);
         let ended = ended.map(|ended| ended.message);
         Trajectory { told: campaign.text_of(&scenario), instants, scenario, ended }
     });
     let distribution = distribution(campaign);
-    Ok(Summary { run, distribution, objectives, sides, trajectory })
+    Summary { run, distribution, objectives, sides, trajectory }
 }
 
 /// What of a run is looked at.
@@ -166,7 +202,7 @@ fn reasons(
     (campaign, trial): (&Campaign, &mut Trial),
     (objective, verdict): (usize, Verdict),
     (known, found): (&Known<'_>, &Found),
-) -> Result<Vec<String>, Failure> {
+) -> Vec<String> {
     let (draws, corners) = (known.drawn, &known.corners.tally);
     let of = |count: &dyn Fn(&Tally) -> u64| {
         format!(
@@ -178,7 +214,7 @@ fn reasons(
         )
     };
     let failed = || format!("{} fail it", of(&|tally| tally.failed[objective]));
-    Ok(match verdict {
+    match verdict {
         Verdict::Proved => Vec::new(),
         Verdict::Sampled { draws } => vec![match confidence(draws) {
             Some((most, beta)) => format!(
@@ -216,7 +252,7 @@ fn reasons(
             details.extend(ended.map(|ended| format!("{scenario}: {}; {}", ended.message, ended.help)));
             details
         }
-    })
+    }
 }
 
 /// Why a scenario ends early.
@@ -264,7 +300,7 @@ fn listed(words: &[String]) -> String {
 
 impl Judged {
     /// The verdict in words.
-    pub(super) fn verdict(&self) -> String {
+    pub fn verdict(&self) -> String {
         match self.verdict {
             Verdict::Proved => {
                 format!("holds, proved {}", self.scope)
@@ -278,7 +314,7 @@ impl Judged {
 
 impl Summary {
     /// What it comes to: an objective that fails decides it.
-    pub(super) fn end(&self) -> End {
+    pub fn end(&self) -> End {
         let any = |wanted: &dyn Fn(Verdict) -> bool| {
             self.objectives.iter().any(|judged| wanted(judged.verdict))
         };
@@ -294,7 +330,7 @@ impl Summary {
     }
 
     /// As it is printed.
-    pub(super) fn text(&self, campaign: &Campaign) -> String {
+    pub fn text(&self, campaign: &Campaign) -> String {
         let mut text = format!("{}: {}\n", campaign.spec.name(), self.run);
         text.push_str(&format!("draws: {}\n\n", self.distribution));
         let judged = campaign.objectives.iter().zip(&self.objectives);
@@ -325,7 +361,7 @@ impl Summary {
 }
 
 /// An excess in words.
-pub(crate) fn against(kind: &Kind, excess: f64) -> String {
+pub fn against(kind: &Kind, excess: f64) -> String {
     match kind {
         _ if excess == f64::INFINITY => {
             "which leaves the range of numbers, or of its bound".to_owned()

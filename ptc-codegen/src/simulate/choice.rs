@@ -1,0 +1,38 @@
+//! Whether a run is that of the sampled loop.
+
+use num_traits::ToPrimitive;
+
+use super::Loop;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
+
+/// Most samples of a run: what is more is a period that was mistyped.
+pub const MAX_SAMPLES: f64 = 1e7;
+
+impl Loop {
+    /// The key for which a run of a design is that of the sampled loop; `None` where the law acts at
+    /// every instant. `sampled` tells whether a sample period is given for the run itself: one in the
+    /// design alone is that of the checks.
+    pub fn asked(spec: &Spec, sampled: bool) -> Option<&'static str> {
+        let promises = &spec.promises;
+        let disturbed = [
+            (!promises.noise.is_empty(), "noise"),
+            (!promises.noise_rms.is_empty(), "noise_rms"),
+            (!promises.sensor_step.is_empty(), "sensor_step"),
+            (promises.u_step.is_some(), "u_step"),
+            (!promises.g_error.is_empty(), "g_error"),
+            (promises.jitter.is_some(), "jitter"),
+            (promises.delay.is_some(), "delay"),
+            (sampled, "sample_time"),
+            (spec.sampled().is_some(), "clock"),
+        ];
+        disturbed.into_iter().find_map(|(given, key)| given.then_some(key))
+    }
+
+    /// The length in s of a run of more samples than there may be.
+    pub fn too_long(&self, spec: &Spec) -> Option<f64> {
+        let tau = spec.fixed.get(&Parameter::Tau).and_then(Fixed::number);
+        let length = self.until.or(tau.and_then(ToPrimitive::to_f64));
+        length.filter(|length| length / self.period > MAX_SAMPLES)
+    }
+}

@@ -1,0 +1,141 @@
+//! Runs with all their rows.
+
+use num_traits::{One, Signed, ToPrimitive};
+
+use super::{
+    Accuracy, Cause, Continuous, Direct, Failure, Loop, Run, Sample, Sampled, Side, Values, grid,
+};
+use crate::algebra::BigRational;
+use crate::parameter::Parameter;
+use crate::plant::Plant;
+use crate::reference::Status;
+use crate::request::Spec;
+
+/// An instant of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Time t in s.
+    pub t: f64,
+    /// Stretched time since the start in s; NaN where it is not computed.
+    pub stretched: f64,
+    /// State of the plant.
+    pub x: Vec<f64>,
+    /// The measurement; the state itself if the loop is not sampled.
+    pub measured: Vec<f64>,
+    /// The status of `step`.
+    pub status: Status,
+    /// Each control u, as it acts on the plant.
+    pub u: Vec<f64>,
+    /// Whether it was asked for.
+    pub reported: bool,
+}
+
+impl Row {
+    fn of(sample: Sample<'_>, reported: bool) -> Self {
+        Self {
+            t: sample.t,
+            stretched: sample.stretched,
+            x: sample.x.to_vec(),
+            measured: sample.measured.to_vec(),
+            status: sample.status,
+            u: sample.u.to_vec(),
+            reported,
+        }
+    }
+
+    /// Whether the controller refused the call.
+    pub fn is_refused(&self) -> bool {
+        matches!(self.status, Status::Range | Status::Input)
+    }
+}
+
+/// What is asked of a run that acts at every instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// The state at t0.
+    pub x0: Vec<f64>,
+    /// Where to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
+    pub at: Vec<(f64, f64)>,
+    /// Whether the rest of the run is kept too.
+    pub whole: bool,
+}
+
+/// Time-to-go and elapsed time in parts of tau, each rounded once, where `elapsed` of tau has passed;
+/// `None` outside [0, 1).
+pub fn instant(elapsed: &BigRational) -> Option<(f64, f64)> {
+    let one = BigRational::one();
+    if elapsed.is_negative() || *elapsed >= one {
+        return None;
+    }
+    Some(((&one - elapsed).to_f64()?, elapsed.to_f64()?))
+}
+
+/// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a
+/// model. `seen` is called at each row.
+///
+/// # Errors
+/// A parameter without a value, or a loop that leaves the range of numbers.
+pub fn continuous(
+    (spec, plant): (&Spec, &Plant),
+    values: &Values,
+    asked: &Asked,
+    seen: &mut dyn FnMut(),
+) -> Result<Vec<Row>, Failure> {
+    if spec.has_model() {
+        along(Direct::of(spec, plant), values, asked, seen)
+    } else {
+        along(Continuous::of(spec, plant), values, asked, seen)
+    }
+}
+
+/// The rows of a run in which the control acts at every instant.
+fn along<S: Side>(
+    run: Result<Run<S>, Failure>,
+    values: &Values,
+    asked: &Asked,
+    seen: &mut dyn FnMut(),
+) -> Result<Vec<Row>, Failure> {
+    let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
+    let mut shares = if asked.whole { grid() } else { Vec::new() };
+    shares.extend(asked.at.iter().map(|(share, _)| share));
+    shares.sort_by(|a, b| b.total_cmp(a));
+    shares.dedup();
+    let mut rows = Vec::with_capacity(shares.len());
+    let mut index = 0;
+    run?.run(values, &asked.x0, &shares, Accuracy::default(), &mut |sample| {
+        let at = asked.at.iter().find(|(share, _)| *share == shares[index]);
+        let t = at.map_or(sample.t, |(_, elapsed)| t0 + tau * elapsed);
+        let reported = asked.at.is_empty() || at.is_some();
+        rows.push(Row::of(Sample { t, ..sample }, reported));
+        index += 1;
+        seen();
+    })?;
+    let finite = |row: &&Row| row.x.iter().chain(&row.u).all(|v| v.is_finite());
+    match rows.iter().find(|row| !finite(row)) {
+        None => Ok(rows),
+        Some(row) => Err(Failure {
+            cause: Cause::Range,
+            at: Some(row.t),
+            message: format!("x or u leaves the range of numbers, at t = {} s", row.t),
+            help: "the loop is unstable with these values, or the gains of the law overflow so close to the deadline".to_owned(),
+        }),
+    }
+}
+
+/// The emitted controller at each sample, from `x0`. `seen` is called at each row.
+///
+/// # Errors
+/// A parameter without a value, or a loop that leaves the range of numbers.
+pub fn sampled(
+    (spec, plant): (&Spec, &Plant),
+    values: &Values,
+    (x0, around): (&[f64], &Loop),
+    seen: &mut dyn FnMut(),
+) -> Result<Vec<Row>, Failure> {
+    let mut rows = Vec::new();
+    Sampled::new(spec, plant)?.run(values, x0, around, &mut |sample| {
+        rows.push(Row::of(sample, true));
+        seen();
+    })?;
+    Ok(rows)
+}

@@ -1,0 +1,160 @@
+"""What the functions of the package give."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+
+class Status(IntEnum):
+    """Status of a call of the emitted controller; u is 0 on a negative one."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps."""
+    SATURATED = 2
+    """u was clipped to u_max."""
+    AFTER = 3
+    """The deadline is over."""
+    PARAM = -1
+    """A parameter is outside its domain."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+
+@dataclass(frozen=True)
+class Check:
+    """What one check says of a design."""
+
+    name: str
+    """Name of the check."""
+    verdict: str
+    """``sound``, ``unsound``, ``refuted``, ``undecided`` or ``not checked``."""
+    summary: str
+    """What is wrong, or that nothing is, with its numbers."""
+    details: tuple[str, ...]
+    """Further facts, a sentence each."""
+    fix: str | None
+    """What would put it right."""
+    refuses: bool
+    """Whether it refuses the design."""
+
+
+@dataclass(frozen=True)
+class Report:
+    """What all checks say of a design."""
+
+    name: str
+    """Name of the controller."""
+    accepted: bool
+    """Whether no check refuses it, so that code can be emitted."""
+    undecided: tuple[str, ...]
+    """Names of the checks that could not be decided."""
+    checks: tuple[Check, ...]
+    """All of them."""
+
+    def __getitem__(self, name: str) -> Check:
+        """The check of a name."""
+        for check in self.checks:
+            if check.name == name:
+                return check
+        names = ", ".join(check.name for check in self.checks)
+        raise KeyError(f"no check `{name}`; the checks are {names}")
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One closed loop, with k instants of n states."""
+
+    tau: float
+    """Settling time [s]."""
+    t0: float
+    """Start time [s]."""
+    states: tuple[str, ...]
+    """Names of the states."""
+    inputs: tuple[str, ...]
+    """Names of the inputs."""
+    t: Array = field(repr=False)
+    """Times [s], shape (k,)."""
+    x: Array = field(repr=False)
+    """States of the plant in their units, shape (k, n)."""
+    u: Array = field(repr=False)
+    """Input, as it acts on the plant from t on, in its unit, shape (k,); of a plant with m inputs (k, m)."""
+    y: Array | None = field(repr=False)
+    """Measurements of the sampled loop, shape (k, m); None if the law acts at every instant."""
+    status: NDArray[np.int8] | None = field(repr=False)
+    """Values of `Status`, shape (k,); None if no emitted controller is in the loop."""
+    error: Array | None = field(repr=False)
+    """Tracking error and its derivatives at the last instant, shape (n,); None without a reference."""
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+
+@dataclass(frozen=True)
+class Objective:
+    """The verdict on one objective."""
+
+    text: str
+    """The objective."""
+    holds: bool | None
+    """Whether it holds for all that is uncertain; None if that is undecided."""
+    verdict: str
+    """The same in words: proved, by sampling, fails or undecided."""
+    excess: float
+    """The worst that was met, by how much the objective is exceeded: positive fails. Of a bound of |x|
+    or |u| as a part of the bound, of others in the unit of their expression."""
+    worst: str
+    """The scenario in which it was met; ``ptc-codegen verify DESIGN --scenario TEXT`` runs it again."""
+    details: tuple[str, ...] = field(repr=False)
+    """What the verdict was made of, a sentence each."""
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """The worst trajectory of a campaign, with k instants of n states and m objectives."""
+
+    scenario: str
+    """Its scenario, in words."""
+    t: Array = field(repr=False)
+    """Times [s], shape (k,)."""
+    time_to_go: Array = field(repr=False)
+    """Time-to-go [s], shape (k,)."""
+    x: Array = field(repr=False)
+    """States, shape (k, n)."""
+    u: Array = field(repr=False)
+    """Input, shape (k,); of a plant with m inputs (k, m)."""
+    excess: Array = field(repr=False)
+    """By how much each objective is exceeded, shape (k, m)."""
+    ended: str | None
+    """Why it ends early, if it does."""
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """What a campaign comes to."""
+
+    holds: bool | None
+    """Whether every objective holds; None if none fails and one is undecided."""
+    objectives: tuple[Objective, ...]
+    """One for each objective, in the order of the design."""
+    worst: Trajectory | None
+    """The worst trajectory of the objective that comes off worst."""
+    draws: dict[str, Array] | None = field(repr=False)
+    """The draws by column, shape (scenarios,) each, if they were asked for: what was drawn, the excess
+    of each objective, and the status."""
+    text: str = field(repr=False)
+    """The report, as ``ptc-codegen verify`` prints it."""
+
+    def __str__(self) -> str:
+        return self.text
