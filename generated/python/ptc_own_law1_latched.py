@@ -94,17 +94,17 @@ class Control(NamedTuple):
     status: NDArray[np.int8]
     """Its Status."""
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Params:
     """Run-time parameters."""
 
     tau: float
     """prescribed settling time [s], from 1e-150 to 1e150"""
-    t0: float
+    t0: float = 0.0
     """start time [s], finite"""
     eps: float
     """time-to-go at which the gains are held [s], >= 1e-150, < tau"""
-    u_max: float
+    u_max: float = np.inf
     """bound of |u| [unit of u], > 0, infinity allowed"""
 
 def _numbers(given: ArrayLike, length: int, name: str) -> Array:
