@@ -95,8 +95,12 @@ pub struct Campaign {
     pub objectives: Vec<Objective>,
 }
 
+/// What the rows of a campaign depend on beside the campaign: the version, and behind it a number that
+/// every change of the engine raises that gives a run other bits.
+pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+1");
+
 impl Campaign {
-    /// All that decides the rows, as text: two campaigns with the same text have the same rows.
+    /// All that decides the rows, as text: two campaigns with the same text have the same rows from the same [`ENGINE`].
     pub fn text(&self) -> String {
         let mut lines = vec![self.spec.command()];
         lines.extend(self.plant.lines(&self.spec));

@@ -24,7 +24,7 @@ use parquet::schema::types::{PrimitiveTypeBuilder, Type};
 
 pub use seal::hash;
 
-use super::Campaign;
+use super::{Campaign, ENGINE};
 
 /// One scenario and what it gave.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl<W: Read + Write + Seek + Send> Writer<W> {
         let text = campaign.text();
         let pair = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
         let pairs = vec![
-            pair(VERSION, env!("CARGO_PKG_VERSION").to_owned()),
+            pair(VERSION, ENGINE.to_owned()),
             pair(DESIGN, hash(text.as_bytes())),
             pair(CAMPAIGN, text),
             pair(seal::KEY, seal::OPEN.to_owned()),
@@ -175,9 +175,9 @@ fn open(path: &Path, campaign: &Campaign) -> Result<SerializedFileReader<File>> 
         let pair = pairs.iter().find(|pair| pair.key == key);
         pair.and_then(|pair| pair.value.as_deref()).unwrap_or_default()
     };
-    if value(VERSION) != env!("CARGO_PKG_VERSION") {
-        let (there, here) = (value(VERSION), env!("CARGO_PKG_VERSION"));
-        return wrong(format!("it is of version {there} of ptc-codegen, and this is {here}"));
+    if value(VERSION) != ENGINE {
+        let there = value(VERSION);
+        return wrong(format!("it is of version {there} of ptc-codegen, and this is {ENGINE}"));
     }
     if value(CAMPAIGN) != campaign.text() {
         let differing = differing(value(CAMPAIGN), &campaign.text());

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use ptc_codegen::verify::Campaign;
+use ptc_codegen::verify::{Campaign, ENGINE};
 use ptc_codegen::verify::record::{PROGRAM, hash};
 
 /// Bytes of the line that names the owner.
@@ -20,7 +20,7 @@ pub(super) struct Header {
 
 impl Header {
     pub(super) fn new(campaign: &Campaign, range: &Range<u64>) -> Self {
-        let version = env!("CARGO_PKG_VERSION").to_owned();
+        let version = ENGINE.to_owned();
         let range = format!("the scenarios from {} to below {}", range.start, range.end);
         let campaign = campaign.text();
         let design = hash(campaign.as_bytes());
