@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::pole::Pole;
+use super::inputs::Inputs;
 use super::{Failure, Values};
 use crate::controller::plan::Plan;
 use crate::law::Law;
@@ -23,17 +23,8 @@ pub struct Controller {
     smooth: Machine,
     kinks: Vec<Kink>,
     program: Arc<Program>,
-    /// Whether each u is held above and below its limits.
-    within: Vec<[bool; 2]>,
     limits: Limits,
-    controls: Vec<Value>,
-    /// Bounds of |u| that each input has of its own; empty where they share one.
-    own_limits: Vec<f64>,
-    /// The determinant by which the inputs follow, where it is no number.
-    determinant: Option<(Value, Pole)>,
-    /// The inputs of the last call, and the largest of a run.
-    u: Vec<f64>,
-    peak: f64,
+    inputs: Inputs,
     guard: Guard,
     after: After,
     time: Option<Slot>,
@@ -47,9 +38,6 @@ pub struct Controller {
     start: f64,
 }
 
-/// An input this large, as a part of the largest of the run, is growing.
-const GROWN: f64 = 0.01;
-
 impl Controller {
     /// The controller of a spec.
     ///
@@ -62,15 +50,8 @@ impl Controller {
         let mut outputs = program.outputs();
         let of_axis = |value: &Value| program.handed_over().any(|handed| handed == value);
         outputs.retain(|value| Some(*value) != program.axis && !of_axis(value));
-        let controls = program.controls();
-        outputs.extend(&controls);
-        let named = |name: &str| {
-            let own =
-                program.values.iter().position(|d| d.name.as_ref().is_some_and(|n| n.0 == name));
-            own.map(Value)
-        };
-        let determinant = spec.coupled.as_ref().and_then(|_| named("determinant"));
-        outputs.extend(determinant);
+        let inputs = Inputs::new(&spec, &program);
+        outputs.extend(inputs.values());
         let machine = Machine::new(&program, &outputs);
         let checks = digits::checks(&spec, &program);
         let checked: Vec<_> = checks.iter().flat_map(Condition::values).collect();
@@ -85,14 +66,9 @@ impl Controller {
             state: (1..=spec.states()).map(|j| machine.slot(Input::State(j))).collect(),
             smooth: machine.clone(),
             kinks: machine.kinks(),
-            within: vec![[true, false]; controls.len()],
             machine,
             limits: program.limits,
-            own_limits: Vec::new(),
-            determinant: determinant.map(|value| (value, Pole::default())),
-            u: vec![0.0; controls.len()],
-            peak: 0.0,
-            controls,
+            inputs,
             guard: spec.guard,
             after: spec.after,
             program: Arc::new(program),
@@ -113,11 +89,7 @@ impl Controller {
     pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         values.give(&mut self.machine)?;
         values.give(&mut self.smooth)?;
-        if self.has_own_limits() {
-            self.own_limits = values.limits(&self.spec);
-        }
-        self.determinant.iter_mut().for_each(|(_, pole)| *pole = Pole::default());
-        self.peak = 0.0;
+        self.inputs.start(&self.spec, values);
         for parameter in self.spec.run_time_parameters() {
             let value = values.get(parameter);
             let legal = match self.spec.domain(parameter) {
@@ -173,16 +145,6 @@ impl Controller {
         self.armed.iter().all(|value| self.machine.get(*value).is_finite())
     }
 
-    fn has_own_limits(&self) -> bool {
-        self.spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty())
-    }
-
-    /// Bound of |u| of an input, if it has one.
-    fn limit(&self, input: usize, machine: &Machine) -> Option<f64> {
-        let shared = || self.limits.u_max.map(|limit| machine.get(limit));
-        self.own_limits.get(input).copied().or_else(shared)
-    }
-
     /// Every u of `step` before the deadline, with the kinks held as chosen.
     pub(super) fn held(&mut self, t: f64, x: &[f64]) -> &[f64] {
         self.smooth.set(self.time, t);
@@ -191,45 +153,26 @@ impl Controller {
             self.smooth.set(*slot, *x);
         }
         self.smooth.run(Stage::Step, None);
-        for (input, control) in self.controls.iter().enumerate() {
-            let limit = || self.limit(input, &self.smooth).unwrap_or(f64::INFINITY);
-            self.u[input] = match self.within[input] {
-                [true, true] => limit(),
-                [false, false] => -limit(),
-                _ => self.smooth.get(*control),
-            };
-        }
-        if let Some((value, pole)) = &mut self.determinant {
-            pole.see(self.smooth.get(*value));
-            self.peak = self.u.iter().fold(self.peak, |peak, u| peak.max(u.abs()));
-        }
-        &self.u
+        self.inputs.held(&self.smooth)
     }
 
-    /// Number of its kinks: those of its program, two for each u that is clipped, and the determinant.
+    /// Number of its kinks: those of its program, and those of its inputs.
     pub(super) fn kinks(&self) -> usize {
-        let limited = if self.limits.u_max.is_some() { 2 * self.controls.len() } else { 0 };
-        self.kinks.len() + limited + usize::from(self.determinant.is_some())
+        self.kinks.len() + self.inputs.kinks()
     }
 
     /// Why no run goes on across a kink, or, without one, where it stops.
     pub(super) fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
-        let (_, pole) = self.determinant.as_ref()?;
-        // Where the determinant vanishes with what is wanted u does not grow.
-        let grows = || self.u.iter().any(|u| u.abs() >= GROWN * self.peak);
-        let meets = kink.map_or_else(|| pole.is_near() && grows(), |kink| kink + 1 == self.kinks());
-        meets.then(Failure::not_decoupled)
+        match kink {
+            None => self.inputs.barrier(None),
+            Some(kink) => self.inputs.barrier(Some(kink.checked_sub(self.kinks.len())?)),
+        }
     }
 
     /// The distances from them where u was last held.
     pub(super) fn distances(&self, into: &mut Vec<f64>) {
         into.extend(self.kinks.iter().map(|kink| self.smooth.distance(kink)));
-        for (input, control) in self.controls.iter().enumerate() {
-            let u = self.smooth.get(*control);
-            let limit = self.limit(input, &self.smooth);
-            into.extend(limit.into_iter().flat_map(|limit| [u + limit, u - limit]));
-        }
-        into.extend(self.determinant.iter().map(|(_, pole)| pole.now()));
+        self.inputs.distances(&self.smooth, into);
     }
 
     /// Holds every kink above or below 0.
@@ -237,19 +180,16 @@ impl Controller {
         for (kink, above) in self.kinks.iter().zip(above) {
             self.smooth.hold(kink, *above);
         }
-        if self.limits.u_max.is_some() {
-            let (sides, _) = above[self.kinks.len()..].as_chunks();
-            self.within.iter_mut().zip(sides).for_each(|(within, sides)| *within = *sides);
-        }
+        self.inputs.choose(&above[self.kinks.len()..]);
     }
 
     /// `step`: every u and the status; u is 0 where the status is negative.
     pub fn step(&mut self, t: f64, x: &[f64]) -> (&[f64], Status) {
         let status = self.call(t, x);
         if matches!(status, Status::Input | Status::Range) {
-            self.u.fill(0.0);
+            self.inputs.rest();
         }
-        (&self.u, status)
+        (self.inputs.last(), status)
     }
 
     fn call(&mut self, t: f64, x: &[f64]) -> Status {
@@ -267,26 +207,15 @@ impl Controller {
         let over = self.limits.past.is_some_and(|past| get(past) >= 0.0);
         let ends = over && self.after != After::Hold;
         let late = get(self.limits.late) >= get(self.limits.hold_from);
-        let wanted: Vec<_> =
-            self.controls.iter().map(|control| if ends { 0.0 } else { get(*control) }).collect();
         // Where one of several inputs is no number none acts, whatever its limit is.
-        let lost = self.spec.coupled.is_some() && !wanted.iter().all(|u| u.is_finite());
+        let lost = self.spec.coupled.is_some() && !self.inputs.are_finite(&self.machine);
         if lost || (self.guard == Guard::Result && !finite) {
             return Status::Range;
         }
-        let mut saturated = false;
-        for (input, u) in wanted.iter().enumerate() {
-            let limit = self.limit(input, &self.machine);
-            self.u[input] = match limit {
-                Some(limit) if *u > limit => limit,
-                Some(limit) if *u < -limit => -limit,
-                _ => *u,
-            };
-            saturated |= self.u[input] != *u && !u.is_nan();
-        }
+        let saturated = self.inputs.clipped(&self.machine, ends);
         match () {
             () if saturated => Status::Saturated,
-            () if !self.u.iter().all(|u| u.is_finite()) => Status::Range,
+            () if !self.inputs.last().iter().all(|u| u.is_finite()) => Status::Range,
             () if over => Status::After,
             () if late => Status::Hold,
             () => Status::Ok,

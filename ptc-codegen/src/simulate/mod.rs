@@ -17,6 +17,7 @@ mod controller;
 mod crossing;
 mod direct;
 mod failure;
+mod inputs;
 pub mod lanes;
 mod linear;
 mod mechanics;

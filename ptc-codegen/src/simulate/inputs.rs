@@ -1,0 +1,153 @@
+//! The inputs that a controller gives: within their limits, and where they stop following from the outputs.
+
+use super::pole::Pole;
+use super::{Failure, Values};
+use crate::program::machine::Machine;
+use crate::program::{Program, Value};
+use crate::request::Spec;
+
+/// Every u, one or several.
+#[derive(Clone, Debug)]
+pub(super) struct Inputs {
+    /// Each u before it is clipped.
+    controls: Vec<Value>,
+    /// The bound that all |u| share, if there is one.
+    shared: Option<Value>,
+    /// A bound for each |u| in its place; empty where they share one.
+    own: Vec<f64>,
+    /// Whether each u is held above and below its limits.
+    within: Vec<[bool; 2]>,
+    /// The determinant of the decoupling matrix, where it is no number.
+    determinant: Option<(Value, Pole)>,
+    /// The inputs that were computed last, and the largest of a run.
+    u: Vec<f64>,
+    peak: f64,
+}
+
+/// An input this large, as a part of the largest of the run, is growing.
+const GROWN: f64 = 0.01;
+
+impl Inputs {
+    /// Those of the program of a spec.
+    pub(super) fn new(spec: &Spec, program: &Program) -> Self {
+        let controls = program.controls();
+        let is_named = |name: &Option<(String, String)>| {
+            name.as_ref().is_some_and(|(name, _)| name == "determinant")
+        };
+        let determinant = spec
+            .coupled
+            .as_ref()
+            .and_then(|_| program.values.iter().position(|own| is_named(&own.name)));
+        Self {
+            shared: program.limits.u_max,
+            own: Vec::new(),
+            within: vec![[true, false]; controls.len()],
+            determinant: determinant.map(|place| (Value(place), Pole::default())),
+            u: vec![0.0; controls.len()],
+            peak: 0.0,
+            controls,
+        }
+    }
+
+    /// What is read of the program.
+    pub(super) fn values(&self) -> impl Iterator<Item = Value> {
+        let determinant = self.determinant.iter().map(|(value, _)| *value);
+        self.controls.iter().copied().chain(determinant)
+    }
+
+    /// Before a run.
+    pub(super) fn start(&mut self, spec: &Spec, values: &Values) {
+        if spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty()) {
+            self.own = values.limits(spec);
+        }
+        self.determinant.iter_mut().for_each(|(_, pole)| *pole = Pole::default());
+        self.peak = 0.0;
+    }
+
+    /// Bound of |u| of an input, if it has one.
+    fn limit(&self, input: usize, machine: &Machine) -> Option<f64> {
+        let shared = || self.shared.map(|limit| machine.get(limit));
+        self.own.get(input).copied().or_else(shared)
+    }
+
+    /// The inputs with their limits held as chosen, of a machine that has computed them.
+    pub(super) fn held(&mut self, machine: &Machine) -> &[f64] {
+        for (input, control) in self.controls.iter().enumerate() {
+            let limit = || self.limit(input, machine).unwrap_or(f64::INFINITY);
+            self.u[input] = match self.within[input] {
+                [true, true] => limit(),
+                [false, false] => -limit(),
+                _ => machine.get(*control),
+            };
+        }
+        if let Some((value, pole)) = &mut self.determinant {
+            pole.see(machine.get(*value));
+            self.peak = self.u.iter().fold(self.peak, |peak, u| peak.max(u.abs()));
+        }
+        &self.u
+    }
+
+    /// The inputs where `over` says that none acts any more, or as they are computed, each within its limit;
+    /// and whether one is at it.
+    pub(super) fn clipped(&mut self, machine: &Machine, over: bool) -> bool {
+        let mut saturated = false;
+        for (input, control) in self.controls.iter().enumerate() {
+            let wanted = if over { 0.0 } else { machine.get(*control) };
+            let limit = self.limit(input, machine);
+            (self.u[input], saturated) = match limit {
+                Some(limit) if wanted > limit => (limit, true),
+                Some(limit) if wanted < -limit => (-limit, true),
+                _ => (wanted, saturated),
+            };
+        }
+        saturated
+    }
+
+    /// Whether every u is finite before it is clipped.
+    pub(super) fn are_finite(&self, machine: &Machine) -> bool {
+        self.controls.iter().all(|control| machine.get(*control).is_finite())
+    }
+
+    /// The inputs that were computed last.
+    pub(super) fn last(&self) -> &[f64] {
+        &self.u
+    }
+
+    /// None acts.
+    pub(super) fn rest(&mut self) {
+        self.u.fill(0.0);
+    }
+
+    /// Number of kinks: two for each u that is clipped, and the determinant.
+    pub(super) fn kinks(&self) -> usize {
+        let limited = if self.shared.is_some() { 2 * self.controls.len() } else { 0 };
+        limited + usize::from(self.determinant.is_some())
+    }
+
+    /// Why no run goes on across a kink, or, without one, where it stops.
+    pub(super) fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
+        let (_, pole) = self.determinant.as_ref()?;
+        // Where the determinant vanishes with what is wanted u does not grow.
+        let grows = || self.u.iter().any(|u| u.abs() >= GROWN * self.peak);
+        let meets = kink.map_or_else(|| pole.is_near() && grows(), |kink| kink + 1 == self.kinks());
+        meets.then(Failure::not_decoupled)
+    }
+
+    /// The distances from the kinks, where the inputs were last held.
+    pub(super) fn distances(&self, machine: &Machine, into: &mut Vec<f64>) {
+        for (input, control) in self.controls.iter().enumerate() {
+            let u = machine.get(*control);
+            let limit = self.limit(input, machine);
+            into.extend(limit.into_iter().flat_map(|limit| [u + limit, u - limit]));
+        }
+        into.extend(self.determinant.iter().map(|(_, pole)| pole.now()));
+    }
+
+    /// Holds every kink above or below 0.
+    pub(super) fn choose(&mut self, above: &[bool]) {
+        if self.shared.is_some() {
+            let (sides, _) = above.as_chunks();
+            self.within.iter_mut().zip(sides).for_each(|(within, sides)| *within = *sides);
+        }
+    }
+}
