@@ -37,8 +37,8 @@ fn several() -> Failure {
 }
 
 /// The rates of a mode.
-pub(super) fn field<S: Piecewise>(
-    system: &mut S,
+pub(super) fn field(
+    system: &mut dyn Piecewise,
     mode: &Mode,
     s: f64,
     state: &State,
@@ -58,8 +58,8 @@ pub(super) struct Tangent {
 }
 
 impl Tangent {
-    pub(super) fn of<S: Piecewise>(
-        system: &mut S,
+    pub(super) fn of(
+        system: &mut dyn Piecewise,
         mode: &Mode,
         slide: &Slide,
         s: f64,
@@ -82,8 +82,8 @@ impl Tangent {
 
 /// What is positive as long as a mode lasts: the distances from the kinks, and of a slide, whose kinks
 /// do not count, how far it is to both sides.
-pub(super) fn margins<S: Piecewise>(
-    system: &mut S,
+pub(super) fn margins(
+    system: &mut dyn Piecewise,
     mode: &Mode,
     s: f64,
     state: &State,
@@ -114,8 +114,8 @@ pub(super) fn margins<S: Piecewise>(
 }
 
 /// The mode after an event.
-pub(super) fn next<S: Piecewise>(
-    system: &mut S,
+pub(super) fn next(
+    system: &mut dyn Piecewise,
     mode: &Mode,
     which: usize,
     s: f64,
@@ -153,8 +153,8 @@ pub(super) fn next<S: Piecewise>(
 }
 
 /// Crosses a surface from the sides `from` to the sides `to`, or slides along it.
-fn meet<S: Piecewise>(
-    system: &mut S,
+fn meet(
+    system: &mut dyn Piecewise,
     from: &[bool],
     to: Vec<bool>,
     (which, surface): (usize, &Surface),
@@ -186,8 +186,8 @@ fn jumps(here: &State, there: &State, i: usize) -> bool {
 }
 
 /// The slide along a jump, which is followed where the last rate alone jumps.
-fn slide<S: Piecewise>(
-    system: &mut S,
+fn slide(
+    system: &mut dyn Piecewise,
     (s, state): (f64, &State),
     above: Vec<bool>,
     (beyond, kink): (Vec<bool>, usize),
@@ -208,7 +208,7 @@ fn slide<S: Piecewise>(
 }
 
 /// The mode in which a state begins.
-pub(super) fn begin<S: Piecewise>(system: &mut S, s: f64, state: &State) -> Result<Mode, Failure> {
+pub(super) fn begin(system: &mut dyn Piecewise, s: f64, state: &State) -> Result<Mode, Failure> {
     let kinks = system.kinks();
     let mut above = vec![true; kinks];
     let mut distances = Vec::new();
@@ -260,7 +260,7 @@ pub(super) fn begin<S: Piecewise>(system: &mut S, s: f64, state: &State) -> Resu
             }
             continue;
         }
-        let speed = |system: &mut S, sides: &[bool]| {
+        let speed = |system: &mut dyn Piecewise, sides: &[bool]| {
             let mut rates = State::zeros();
             system.choose(sides);
             system.rates(s, state, &mut rates);

@@ -25,7 +25,7 @@ const NEAR: f64 = 1e-11;
 
 impl Surface {
     /// The surface of a kink.
-    pub(super) fn of<S: Piecewise>(system: &mut S, kink: usize, s: f64, state: &State) -> Self {
+    pub(super) fn of(system: &mut dyn Piecewise, kink: usize, s: f64, state: &State) -> Self {
         let order = system.order();
         let mut rates = State::zeros();
         system.rates(s, state, &mut rates);
@@ -105,15 +105,15 @@ fn scale(value: f64, rate: f64) -> f64 {
 
 /// Rate of the distance from a kink without the last rate, its slope by the last state, and the
 /// distance, between the last rates of two sides.
-pub(super) fn tangent<S: Piecewise>(
-    system: &mut S,
+pub(super) fn tangent(
+    system: &mut dyn Piecewise,
     kink: usize,
     (s, state): (f64, &State),
     (rates, beyond): (&State, &State),
 ) -> (f64, f64, f64) {
     let last = system.order() - 1;
     let mut values = Vec::new();
-    let mut distance = |system: &mut S, s: f64, state: &State| {
+    let mut distance = |system: &mut dyn Piecewise, s: f64, state: &State| {
         values.clear();
         system.distances(s, state, &mut values);
         values[kink]

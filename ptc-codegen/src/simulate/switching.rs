@@ -112,7 +112,11 @@ impl Walk {
             pass.until = at + length;
             let cell = RefCell::new((&mut *system, &mut *see));
             let rates = |s: f64, y: &State, rates: &mut State| {
-                field(&mut *cell.borrow_mut().0, &mode, s, y, rates);
+                let system = &mut *cell.borrow_mut().0;
+                match mode.slide {
+                    None => system.rates(s, y, rates),
+                    Some(_) => field(system, &mode, s, y, rates),
+                }
             };
             let nothing = |s: f64| cell.borrow_mut().0.nothing(s);
             let monitor = |s: f64, y: &State, values: &mut Vec<f64>| {
@@ -191,8 +195,8 @@ impl Walk {
 
 /// What ends the run at an event: a kink that no run crosses, or one just ahead, close to which others are
 /// met too.
-fn met<S: Piecewise>(
-    system: &mut S,
+fn met(
+    system: &mut dyn Piecewise,
     mode: &Mode,
     which: usize,
     (s, state): (f64, &State),
