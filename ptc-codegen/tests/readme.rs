@@ -376,6 +376,13 @@ fn a_self_test_before_the_start() {
     shell(&format!("{strict} -o demo {sources} -lm && ./demo"), &folder);
 }
 
+/// The name by which a link finds a heading.
+fn anchor(heading: &str) -> String {
+    let text = heading.trim_start_matches('#').trim().to_lowercase();
+    let kept = text.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
 #[test]
 fn what_is_told_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -384,7 +391,15 @@ fn what_is_told_is_there() {
         let folder = path.parent().expect("a folder");
         let links = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
         for link in links.filter(|link| !link.starts_with("http")) {
-            assert!(folder.join(link).is_file(), "{link} is not there");
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { path.clone() } else { folder.join(file) };
+            assert!(target.is_file(), "{link} is not there");
+            if heading.is_empty() {
+                continue;
+            }
+            let text = fs::read_to_string(&target).expect("a page");
+            let mut headings = text.lines().filter(|line| line.starts_with('#')).map(anchor);
+            assert!(headings.any(|known| known == heading), "{link} is not there");
         }
     }
     for (name, _) in ptc_codegen::expression::Function::ALL {

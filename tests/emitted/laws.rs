@@ -262,7 +262,7 @@ fn the_infinite_time_system_is_the_closed_loop() {
     run(&mut std::process::Command::new(&program));
 }
 
-/// Runge and Kutta's method for both, 1e-9 of each other: its error is some 1e-10 at these steps.
+/// Runge and Kutta's method for both, whose error is some 1e-14 at these steps.
 const BOTH_SIDES: &str = r#"
 #include <math.h>
 #include <stddef.h>
@@ -328,13 +328,14 @@ int main(void)
     }
     failed |= swing_step(&plant, there, x, &u) != PTC_OK;
     for (int i = 0; i < 2; i += 1) {
-        failed |= !(fabs(back[i] - x[i]) <= 1e-9);
+        failed |= !(fabs(back[i] - x[i]) <= 1e-12);
     }
-    failed |= !(fabs(u_back - u) <= 1e-7 * fabs(u));
+    failed |= !(fabs(u_back - u) <= 1e-11 * fabs(u));
     /* What is no number is refused, and nothing is written. */
     const double wrong[2] = {NAN, 0.0};
     back[0] = 42.0;
-    failed |= swing_associated_state(&far, 0.25, wrong, back) != PTC_E_INPUT || back[0] != 42.0;
+    failed |= swing_associated_state(&far, 0.25, wrong, back) != PTC_E_INPUT;
+    failed |= fabs(back[0] - 42.0) > 0.0;
     failed |= swing_associated_time(&far, 0.0, &there) != PTC_E_INPUT;
     failed |= swing_associated_start(&far, wrong, back) != PTC_E_INPUT;
     return failed;

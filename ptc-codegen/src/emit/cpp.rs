@@ -20,4 +20,4 @@ const WORDS: &str = "
 ";
 
 /// The header's own types: those beside the class, and those in it.
-const CLASSES: [&str; 6] = ["Control", "Gains", "Params", "Rate", "State", "Status"];
+const CLASSES: [&str; 7] = ["Control", "Gains", "Params", "Rate", "State", "Status", "Value"];

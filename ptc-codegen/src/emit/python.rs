@@ -28,5 +28,5 @@ const WORDS: &str = "
 
 /// The module's own classes and those that it imports: one of a controller would hide them.
 const CLASSES: &str = "
-    Array ArrayLike Callable Control Gains IntEnum NDArray NamedTuple None Params Rate Sequence Status
+    Array ArrayLike Callable Control Gains IntEnum NDArray NamedTuple None Params Rate Sequence Status Value
 ";

@@ -8,9 +8,12 @@ use ptc_codegen::law::Law;
 use ptc_codegen::mapping::{Custom, Form, Mapping};
 use ptc_codegen::request::Spec;
 
-use super::super::report::Notice;
+use super::super::engine::{Engine, Part};
+use super::super::report::{Failure, Notice};
+use super::args::Subject;
+use super::forms::{bell, fixed_values, matrix};
 use super::sheet::{Block, Sheet};
-use super::{Engine, Failure, Part, Subject, abstracts, bell, fixed_values, law, matrix};
+use super::{abstracts, law};
 
 /// What `show` prints of the mapping of `spec`.
 ///

@@ -3,6 +3,7 @@
 mod abstracts;
 mod args;
 mod custom;
+mod forms;
 mod formula;
 mod json;
 mod latex;
@@ -16,7 +17,6 @@ use num_traits::ToPrimitive;
 use ptc_codegen::algebra::Poly;
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::family::Family;
-use ptc_codegen::internal::fault;
 use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::law::Law;
 use ptc_codegen::mapping::Mapping;
@@ -32,7 +32,8 @@ use super::engine::{Engine, Part};
 use super::mathml::Math;
 use super::report::Failure;
 use super::source::Source;
-use sheet::{Block, Form, Forms, Layout, Sheet};
+use forms::{bell, entries, fixed_values, matrix};
+use sheet::{Block, Forms, Layout, Sheet};
 
 /// Largest order of the abstract expansions: r_30 has 4565 terms.
 const MAX_ABSTRACT_ORDER: usize = 30;
@@ -208,16 +209,6 @@ fn of_family(
     Ok(sheet)
 }
 
-/// The parameters that have a value.
-fn fixed_values(spec: &Spec) -> impl Iterator<Item = String> {
-    spec.fixed.iter().map(|(parameter, value)| {
-        let index = parameter.index().map_or(String::new(), |i| (i + 1).to_string());
-        // The rates are written a1, a2, ... as they are in the formulas.
-        let key = if matches!(parameter, Parameter::Rate(_)) { "a" } else { parameter.key() };
-        format!("with {key}{index} = {value}")
-    })
-}
-
 fn small_r(r: Vec<Poly>) -> Forms {
     Forms::counted("r", &["k"], r)
 }
@@ -225,40 +216,6 @@ fn small_r(r: Vec<Poly>) -> Forms {
 fn big_r(key: &'static str, layout: Layout, table: Vec<Vec<Poly>>) -> Forms {
     let forms = entries(table, 0);
     Forms { key, stem: "R", latex: "R", index: &["k", "m"], forms, layout }
-}
-
-fn bell(table: Vec<Vec<Poly>>) -> Forms {
-    let forms = entries(table, 0);
-    Forms { key: "B", stem: "B", latex: "B", index: &["i", "j"], forms, layout: Layout::List }
-}
-
-/// BB_n and b_n from the B_{i,j} up to n.
-fn matrix(sheet: &mut Sheet, mut table: Vec<Vec<Poly>>) {
-    let mut last = table.pop().unwrap_or_else(|| fault("Bell polynomials without a row"));
-    let n = table.len();
-    last.truncate(n);
-    table.iter_mut().for_each(|row| row.resize(n, Poly::zero()));
-    sheet.forms(Forms {
-        key: "BB",
-        stem: "BB",
-        latex: r"\mathbf{B}",
-        index: &["i", "j"],
-        forms: entries(table, 1),
-        layout: Layout::Matrix { order: n },
-    });
-    let mut row = Forms::counted("b", &["j"], last);
-    row.latex = r"\mathbf{b}";
-    row.layout = Layout::Matrix { order: n };
-    sheet.forms(row);
-}
-
-/// The entries with their two indices, counted from `first`.
-fn entries(table: Vec<Vec<Poly>>, first: usize) -> Vec<Form> {
-    let row = |(i, row): (usize, Vec<Poly>)| {
-        let entry = move |(j, poly)| Form { index: vec![i + first, j + first], poly };
-        row.into_iter().enumerate().map(entry)
-    };
-    table.into_iter().enumerate().flat_map(row).collect()
 }
 
 fn tables(sheet: &mut Sheet, engine: Engine, n: usize) -> Result<(), Failure> {

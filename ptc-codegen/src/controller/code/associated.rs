@@ -90,19 +90,16 @@ impl Builder<'_> {
 
     /// xi(t0) = BB_n\[kappa\](0) x(t0).
     fn start_of_plant(&self) -> Function {
-        let n = self.spec.n;
-        let given = (0..n).map(|j| Test::Finite(Expr::Element("x0".to_owned(), j))).collect();
-        let mut function = self.given(
-            (Routine::Start, &[]),
-            "start",
-            "State xi of the infinite-time system at the start, from the state x0 of the plant there.",
-        );
-        function.body[0] = Statement::Require(Test::All(given), Status::Input);
+        let states: Vec<_> = (1..=self.spec.n).map(Input::StateAtStart).collect();
         Function {
             callbacks: Vec::new(),
             arguments: vec![self.array("x0", "state of the plant at the start")],
             results: vec![self.array("xi", "state of the infinite-time system")],
-            ..function
+            ..self.given(
+                (Routine::Start, &states),
+                "start",
+                "State xi of the infinite-time system at the start, from the state x0 of the plant there.",
+            )
         }
     }
 
@@ -114,10 +111,8 @@ impl Builder<'_> {
         about: &str,
     ) -> Function {
         let body = self.body(routine, states);
-        let mut statements = vec![self.legal(states, &[])];
-        if !states.is_empty() {
-            statements.splice(0..0, self.locals(states));
-        }
+        let mut statements = self.locals(states);
+        statements.push(self.legal(states, &[]));
         statements.extend(body.statements);
         let mut results = Vec::with_capacity(body.roots.len());
         for (index, root) in (1..).zip(body.roots) {
@@ -140,7 +135,9 @@ impl Builder<'_> {
     /// That the time, the states and `more` are legal.
     fn legal(&self, states: &[Input], more: &[Test]) -> Statement {
         let finite = states.iter().map(|state| Test::Finite(self.local(*state)));
-        let tests = self.legal_time().into_iter().chain(more.iter().cloned()).chain(finite);
+        let at_start = matches!(states, [Input::StateAtStart(_), ..]);
+        let time = if at_start { Vec::new() } else { self.legal_time() };
+        let tests = time.into_iter().chain(more.iter().cloned()).chain(finite);
         Statement::Require(Test::All(tests.collect()), Status::Input)
     }
 

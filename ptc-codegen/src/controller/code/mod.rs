@@ -111,6 +111,7 @@ impl Builder<'_> {
     fn local(&self, input: Input) -> Expr {
         match input {
             Input::State(j) => Expr::local(format!("x{j}")),
+            Input::StateAtStart(j) => Expr::local(format!("x{j}_0")),
             Input::Reference(order) => Expr::local(format!("r{order}")),
             other => fault(format!("{other:?} is in no array")),
         }
@@ -123,6 +124,7 @@ impl Builder<'_> {
                 Expr::Element("xi".to_owned(), j - 1)
             }
             Input::State(j) => Expr::Element("x".to_owned(), j - 1),
+            Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
             other => fault(format!("{other:?} is in no array")),
         }

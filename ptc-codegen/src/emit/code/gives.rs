@@ -15,8 +15,12 @@ pub(super) enum Gives {
     Progress,
     /// u and its status.
     Control,
-    /// An array and its status.
+    /// Derivatives of the state of the associated system, and their status.
     Rate,
+    /// Another number and its status.
+    Value,
+    /// Another array and its status.
+    Values,
     /// Gains, their status among them.
     Gains,
     /// An array.
@@ -29,17 +33,20 @@ pub(super) enum Gives {
 
 impl Gives {
     pub(super) fn of(function: &Function) -> Self {
-        let shape = function.results.first().map(|result| result.shape);
+        let result = function.results.first();
+        let is = |name: &str| result.is_some_and(|result| result.name == name);
         let ranges = function.failures.contains(&Status::Range);
-        match shape {
+        match result.map(|result| result.shape) {
             _ if matches!(function.finish, Finish::Axes(_) | Finish::Inputs(_)) => Self::Axes,
             None if function.failures.is_empty() => Self::Nothing,
             None if ranges => Self::Progress,
             None => Self::Status,
             Some(Shape::Gains) => Self::Gains,
-            Some(Shape::Reals(_)) if ranges => Self::Rate,
+            Some(Shape::Reals(_)) if ranges && is("xi_dot") => Self::Rate,
+            Some(Shape::Reals(_)) if ranges => Self::Values,
             Some(Shape::Reals(_)) => Self::Array,
-            Some(_) if ranges => Self::Control,
+            Some(_) if ranges && is("u") => Self::Control,
+            Some(_) if ranges => Self::Value,
             Some(_) => Self::Number,
         }
     }

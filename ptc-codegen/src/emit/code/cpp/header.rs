@@ -41,6 +41,9 @@ impl Cpp<'_> {
         }
         self.out.line("\nnamespace ptc {\n");
         self.out.line(include_str!("../../../../templates/status.hpp.txt"));
+        if self.code.function("rate").is_some() {
+            self.out.line(include_str!("../../../../templates/value.hpp.txt"));
+        }
         if code.axes().is_some() {
             self.out.line(AXES.trim_start());
         }

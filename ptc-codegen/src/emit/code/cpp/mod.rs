@@ -153,8 +153,8 @@ impl Block for Cpp<'_> {
         self.out.line(match self.gives {
             Gives::Nothing => return,
             Gives::Status | Gives::Progress => format!("return {status};"),
-            Gives::Control => format!("return {{{values}, {status}}};"),
-            Gives::Rate => format!("return {{{{{{{values}}}}}, {status}}};"),
+            Gives::Control | Gives::Value => format!("return {{{values}, {status}}};"),
+            Gives::Rate | Gives::Values => format!("return {{{{{{{values}}}}}, {status}}};"),
             Gives::Gains => format!("gains.status = {status};"),
             Gives::Array => format!("return {{{{{values}}}}};"),
             Gives::Number => format!("return {values};"),
@@ -165,8 +165,8 @@ impl Block for Cpp<'_> {
     fn fail(&mut self, status: Status) {
         let (word, zero) = (word(status), self.literal("0.0"));
         self.out.line(match self.gives {
-            Gives::Control => format!("return {{{zero}, {word}}};"),
-            Gives::Rate => format!("return {{{{}}, {word}}};"),
+            Gives::Control | Gives::Value => format!("return {{{zero}, {word}}};"),
+            Gives::Rate | Gives::Values => format!("return {{{{}}, {word}}};"),
             Gives::Gains => "return {};".to_owned(),
             Gives::Axes => {
                 let each = vec![word.as_str(); self.code.axes().unwrap_or_default()].join(", ");
@@ -212,6 +212,7 @@ impl<'a> Cpp<'a> {
             Gives::Status | Gives::Progress => "Status".to_owned(),
             Gives::Control => format!("Control<{real}>"),
             Gives::Rate => format!("Rate<{}>", given()),
+            Gives::Value | Gives::Values => format!("Value<{}>", given()),
             Gives::Gains | Gives::Array | Gives::Number => given(),
             Gives::Axes => {
                 let Some(axes) = self.code.axes() else { fault("axes of a controller of one") };
@@ -250,7 +251,13 @@ impl<'a> Cpp<'a> {
         }
         let typed = matches!(
             self.gives,
-            Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing | Gives::Axes
+            Gives::Control
+                | Gives::Rate
+                | Gives::Value
+                | Gives::Values
+                | Gives::Gains
+                | Gives::Nothing
+                | Gives::Axes
         );
         let discard = if typed { "" } else { "[[nodiscard]] " };
         let constant = if calls_library(function) { "" } else { "constexpr " };

@@ -227,10 +227,10 @@ impl Block for Matlab<'_> {
         match self.gives {
             Gives::Nothing | Gives::Status => return,
             Gives::Progress => {}
-            Gives::Control | Gives::Number => {
+            Gives::Control | Gives::Value | Gives::Number => {
                 self.out.line(format!("{result} = {};", list.join("; ")));
             }
-            Gives::Rate | Gives::Array => {
+            Gives::Rate | Gives::Values | Gives::Array => {
                 self.out.line(format!("{result} = [{}];", list.join("; ")))
             }
             Gives::Gains => {}

@@ -19,6 +19,7 @@ impl Python<'_> {
         let result = match self.gives {
             Gives::Control => "Control",
             Gives::Rate => "Rate",
+            Gives::Value | Gives::Values => "Value",
             Gives::Gains => "Gains",
             Gives::Axes => "Axes",
             _ => fault(format!("{} is no batch", function.name)),
@@ -136,7 +137,7 @@ if done.all():
         }
         let mut count = 0;
         let mut end = match self.gives {
-            Gives::Control => self.ends(&function.finish, &mut count),
+            Gives::Control | Gives::Value => self.ends(&function.finish, &mut count),
             _ => self.ends(&without_values(&function.finish), &mut count),
         };
         for (test, status) in legal.iter().rev() {
@@ -149,17 +150,22 @@ if done.all():
         }
         let zero = "_R(0.0)";
         match self.gives {
-            Gives::Control => {
+            Gives::Control | Gives::Value => {
+                let class = if self.gives == Gives::Value { "Value" } else { "Control" };
                 let u = end.value.unwrap_or_else(|| fault("a control without u"));
                 self.out.line(format!(
-                    "return Control(np.where(status < 0, {zero}, {u}), status.astype(np.int8))"
+                    "return {class}(np.where(status < 0, {zero}, {u}), status.astype(np.int8))"
                 ));
             }
-            Gives::Rate => {
+            Gives::Rate | Gives::Values => {
+                let (class, name) = match self.gives {
+                    Gives::Rate => ("Rate", "xi_dot"),
+                    _ => ("Value", "value"),
+                };
                 let list = self.list(function.finish.every()).join(", ");
                 self.out.line(format!("rates = np.broadcast_arrays({list}, status)[:-1]"));
-                self.out.line(format!("xi_dot = np.where((status < 0)[..., np.newaxis], {zero}, np.stack(rates, axis=-1))"));
-                self.out.line("return Rate(xi_dot, status.astype(np.int8))");
+                self.out.line(format!("{name} = np.where((status < 0)[..., np.newaxis], {zero}, np.stack(rates, axis=-1))"));
+                self.out.line(format!("return {class}({name}, status.astype(np.int8))"));
             }
             _ => self.give_gains(self.list(function.finish.every())),
         }

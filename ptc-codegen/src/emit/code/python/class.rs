@@ -86,7 +86,9 @@ impl Python<'_> {
             Gives::Progress => "Status".to_owned(),
             Gives::Array => "Array".to_owned(),
             Gives::Number => format!("np.{real}"),
-            Gives::Rate | Gives::Gains | Gives::Axes => crate::internal::fault("one of a batch"),
+            Gives::Rate | Gives::Value | Gives::Values | Gives::Gains | Gives::Axes => {
+                crate::internal::fault("one of a batch")
+            }
         };
         let mut list = vec!["self".to_owned()];
         for argument in &function.arguments {

@@ -66,6 +66,7 @@ impl Text for Python<'_> {
     fn element(&self, array: &str, index: usize) -> String {
         match (self.batch, array) {
             (true, "x" | "xi") => format!("x{}", index + 1),
+            (true, "x0") => format!("x{}_0", index + 1),
             (true, "r") => format!("r{index}"),
             _ => format!("{array}[{index}]"),
         }
@@ -309,7 +310,13 @@ impl Block for Python<'_> {
             Ending::OfGains => "self.status".to_owned(),
         };
         self.out.line(match self.gives {
-            Gives::Nothing | Gives::Status | Gives::Gains | Gives::Rate | Gives::Axes => return,
+            Gives::Nothing
+            | Gives::Status
+            | Gives::Gains
+            | Gives::Rate
+            | Gives::Value
+            | Gives::Values
+            | Gives::Axes => return,
             Gives::Control => format!("return Control({list}, {status})"),
             Gives::Progress => format!("return {status}"),
             Gives::Array => format!("return np.array([{list}], dtype=_R)"),

@@ -31,7 +31,7 @@ impl Python<'_> {
         let mut public = vec!["Params", "Status", &kind];
         public.extend(controls.then_some("Control"));
         public.extend((!code.gains.is_empty()).then_some("Gains"));
-        public.extend(rate.then_some("Rate"));
+        public.extend(rate.then_some(["Rate", "Value"]).into_iter().flatten());
         public.extend(code.axes().map(|_| "Axes"));
         public.sort_unstable();
         self.out.line(format!("__all__ = [\"{}\"]\n", public.join("\", \"")));
@@ -53,6 +53,7 @@ impl Python<'_> {
         }
         if rate {
             self.out.line(RATE);
+            self.out.line(VALUE);
         }
         self.out.line("\n@dataclass(frozen=True, kw_only=True)");
         self.out.open("class Params:");
@@ -181,6 +182,16 @@ class Rate(NamedTuple):
 
     xi_dot: Array
     \"\"\"Derivatives of the state along the last axis; 0 on a negative status.\"\"\"
+    status: NDArray[np.int8]
+    \"\"\"Its Status.\"\"\"
+";
+
+const VALUE: &str = "
+class Value(NamedTuple):
+    \"\"\"What leads from the infinite-time system to the plant or back, for each time and state of the batch.\"\"\"
+
+    value: Array
+    \"\"\"A time, or a state along the last axis; 0 on a negative status.\"\"\"
     status: NDArray[np.int8]
     \"\"\"Its Status.\"\"\"
 ";

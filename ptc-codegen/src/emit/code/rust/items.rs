@@ -155,6 +155,7 @@ impl Rust<'_> {
                 Status::Param => "`Param`: an argument or what follows from it is not finite; nothing has changed.",
                 Status::Input => "`Input`: an argument is not finite or out of its domain.",
                 _ if self.gives == Gives::Progress => "`Range`: an estimate is not finite. Nothing has changed.",
+                _ if matches!(self.gives, Gives::Value | Gives::Values) => "`Range`: what is given is not finite.",
                 _ => "`Range`: u is not finite.",
             });
             let errors: Vec<_> = errors.collect();

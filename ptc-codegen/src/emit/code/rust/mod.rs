@@ -242,12 +242,13 @@ impl Block for Rust<'_> {
                 self.out.line(format!("({}, {status})", list.join(", ")));
             }
             Gives::Control | Gives::Gains => self.out.line(status),
-            Gives::Rate | Gives::Array => {
+            Gives::Rate | Gives::Values | Gives::Array => {
                 let (before, behind) =
-                    if self.gives == Gives::Rate { ("Ok([", "])") } else { ("[", "]") };
+                    if self.gives == Gives::Array { ("[", "]") } else { ("Ok([", "])") };
                 let line = self.array_text(before, &list, behind);
                 self.out.line(line);
             }
+            Gives::Value => self.out.line(format!("Ok({})", list.join(", "))),
             Gives::Number => self.out.line(list.join(", ")),
             Gives::Axes => fault("axes are the whole of a function"),
         }
