@@ -95,7 +95,15 @@ fn types(python: &Path, finding: &mut Finding) {
     for arguments in [
         &["mypy".as_ref(), "--strict".as_ref(), "--no-error-summary".as_ref(), source][..],
         &["mypy.stubtest".as_ref(), "ptc._ptc".as_ref()],
-        &["ruff".as_ref(), "check".as_ref(), "--isolated".as_ref(), "--no-cache".as_ref(), source],
+        // The oldest Python that the package takes: what newer ones prefer is not there.
+        &[
+            "ruff".as_ref(),
+            "check".as_ref(),
+            "--isolated".as_ref(),
+            "--no-cache".as_ref(),
+            "--target-version=py39".as_ref(),
+            source,
+        ],
     ] {
         let mut command = Command::new(python);
         // Beside the sources a checker would take them for another package.
