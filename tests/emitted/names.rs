@@ -193,7 +193,7 @@ fn names_that_are_taken_compile() {
                                 let guard = file.name.replace('.', "_").to_uppercase();
                                 write!(
                                     headers,
-                                    "#undef PTC_STATUS_HPP\n#undef {guard}\nnamespace {module} {{\n\
+                                    "#undef PTC_STATUS_HPP\n#undef PTC_VALUE_HPP\n#undef {guard}\nnamespace {module} {{\n\
                                      #include \"{module}.hpp\"\n}}\n"
                                 )
                                 .expect("text");
