@@ -128,7 +128,7 @@ table! {
     /// Operations on intervals for the values of one expression, a call counted as some.
     ENCLOSURE = 60_000 "operations", "well below a second", "";
     /// Operations on the cells into which the envelope is cut where one interval of each input is too wide.
-    CELLS = 4_000_000 "operations", "a tenth of a second", "";
+    CELLS = 4_000_000 "operations", "well below a second", "";
     /// Steps of the work on one expression, each of about a tenth of a microsecond.
     EFFORT = 5_000_000 "steps", "a refusal takes less than a second and 500 MB",
         "write it with fewer functions, powers and fractions in each other";

@@ -162,7 +162,7 @@ def verify(
 ) -> Verdict:
     """Verifies the objectives of a design for all that is uncertain, as it says under ``[verify]``.
 
-    ``scenarios`` and ``seed`` stand in place of the design's. With ``draws`` the verdict holds all
+    ``scenarios`` and ``seed`` override the design's. With ``draws`` the verdict holds all
     draws, 8 bytes a number.
 
     ``progress`` is called with the number of runs that are done and the most that there may be, at most

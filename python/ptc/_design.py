@@ -47,7 +47,7 @@ def given(values: Mapping[str, Any], table: str = "") -> Iterator[tuple[str, str
 class Design:
     """A controller with its plant and its objectives: what a design file holds.
 
-    ``text`` is the text of a design file, TOML. Keywords are its keys, and stand in place of those in
+    ``text`` is the text of a design file, TOML. Keywords are its keys, and override those in
     the text: texts, numbers, sequences of these, and mappings for tables. A design may be made of them
     alone::
 

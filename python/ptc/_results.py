@@ -112,7 +112,7 @@ class Objective:
     verdict: str
     """The same in words: proved, by sampling, fails or undecided."""
     excess: float
-    """The worst that was met, by how much the objective is exceeded: positive fails. Of a bound of |x|
+    """The largest excess over the objective; positive fails. Of a bound of |x|
     or |u| as a part of the bound, of others in the unit of their expression."""
     worst: str
     """The scenario in which it was met; ``ptc-codegen verify DESIGN --scenario TEXT`` runs it again."""
@@ -135,7 +135,7 @@ class Trajectory:
     u: Array = field(repr=False)
     """Input, shape (k,); of a plant with m inputs (k, m)."""
     excess: Array = field(repr=False)
-    """By how much each objective is exceeded, shape (k, m)."""
+    """Excess over each objective, shape (k, m); positive fails."""
     ended: str | None
     """Why it ends early, if it does."""
 
@@ -149,7 +149,7 @@ class Verdict:
     objectives: tuple[Objective, ...]
     """One for each objective, in the order of the design."""
     worst: Trajectory | None
-    """The worst trajectory of the objective that comes off worst."""
+    """The worst trajectory of the objective with the largest excess."""
     draws: dict[str, Array] | None = field(repr=False)
     """The draws by column, shape (scenarios,) each, if they were asked for: what was drawn, the excess
     of each objective, and the status."""

@@ -33,7 +33,7 @@ pub(crate) struct Design {
 
 #[pymethods]
 impl Design {
-    /// Reads the text of a design file, with values beside it that stand in place of its own.
+    /// Reads the text of a design file, with values that override its own.
     #[new]
     fn new(py: Python<'_>, text: &str, given: Vec<(String, String)>) -> PyResult<Self> {
         py.detach(|| guarded(|| read(text, &given)))
@@ -131,7 +131,7 @@ fn read(text: &str, given: &[(String, String)]) -> Result<Design, Wrong> {
         places.push(range);
         Place(places.len() - 1)
     });
-    // Invalid TOML is always reported, even if other values stand in place of it.
+    // Invalid TOML is always reported, even where other values override it.
     let stands = |wrong: &Diagnostic| given.iter().all(|(key, _)| !overrides(key, &wrong.key));
     found.retain(|wrong| wrong.code == design::SYNTAX || stands(wrong));
     let beside = give(&mut entries, given, &mut |_| Place(usize::MAX));

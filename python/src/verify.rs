@@ -69,7 +69,7 @@ pub(crate) struct Verdict<'py> {
     worst: Option<Worst<'py>>,
 }
 
-/// Runs the campaign of a design; `given` stands in place of values under `[verify]`.
+/// Runs the campaign of a design; `given` overrides values under `[verify]`.
 #[pyfunction]
 pub(crate) fn verify<'py>(
     py: Python<'py>,

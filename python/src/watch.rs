@@ -1,4 +1,4 @@
-//! Work without the interpreter, which tells how far it is and can be stopped.
+//! Work without the interpreter's lock, which reports its progress and can be stopped.
 
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 
 use crate::failure::internal;
 
-/// How often signals are heard and progress is told.
+/// How often signals are handled and progress is reported.
 const EVERY: Duration = Duration::from_millis(50);
 
 /// Stack of the thread that works: that of a main thread, as the command has it.
@@ -45,11 +45,11 @@ impl Watch {
 }
 
 /// Calls `progress` with what is done and the whole.
-fn tell(py: Python<'_>, progress: Option<&Py<PyAny>>, (done, total): (u64, u64)) -> PyResult<()> {
+fn report(py: Python<'_>, progress: Option<&Py<PyAny>>, (done, total): (u64, u64)) -> PyResult<()> {
     progress.map_or(Ok(()), |progress| progress.call1(py, (done.min(total), total)).map(|_| ()))
 }
 
-/// The result of `work`, of which `total` is told by its ticks.
+/// The result of `work`, which counts its ticks up to `total`.
 ///
 /// Meanwhile the interpreter is free, signals are heard, and `progress` is called from this thread.
 ///
@@ -69,7 +69,7 @@ pub(crate) fn run<T: Send>(
                 return Ok(());
             }
             *last = done;
-            tell(py, progress.as_ref(), (done, total))
+            report(py, progress.as_ref(), (done, total))
         })
     };
     let end = py.detach(|| {
@@ -100,6 +100,6 @@ pub(crate) fn run<T: Send>(
         })
     });
     let result = end?.map_err(|fault| internal(&fault))?;
-    tell(py, progress.as_ref(), (total, total))?;
+    report(py, progress.as_ref(), (total, total))?;
     Ok(result)
 }

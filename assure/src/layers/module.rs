@@ -22,7 +22,7 @@ const SCRIPT: &str = include_str!("module.py");
 pub(super) const LAYER: Layer = Layer {
     name: "module",
     claim: "The Python module emits the files of the command, gives its verdicts and the bits of its \
-            simulations and campaigns, tells every mistake, and stops where it is told to; and the \
+            simulations and campaigns, reports every mistake, and stops on request; and the \
             command of the wheel is the program, with its exit codes, streams and signals.",
     tools: &[GCC, RUSTC, PYTHON],
     run,

@@ -13,6 +13,7 @@ mod engine;
 mod explain;
 mod flags;
 mod fmu;
+mod greek;
 #[cfg(feature = "lab")]
 mod lab;
 #[cfg(not(feature = "lab"))]

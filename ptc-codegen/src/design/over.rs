@@ -1,6 +1,6 @@
 //! Values that are given beside a design, each in place of the design's own.
 
-/// Whether a value that is given apart, for `key`, stands in place of the design's entry `own`: they are
+/// Whether a value that is given apart, for `key`, overrides the design's entry `own`: they are
 /// of one key, or two spellings of the same thing.
 pub fn overrides(key: &str, own: &str) -> bool {
     let groups = [["mu", "kappa", ""], ["gains", "poles", "pi0"]];

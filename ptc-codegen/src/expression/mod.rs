@@ -17,6 +17,7 @@ pub(crate) mod leading;
 mod names;
 mod node;
 pub(crate) mod normal;
+mod points;
 mod print;
 mod pythagoras;
 pub(crate) mod range;

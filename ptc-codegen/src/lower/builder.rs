@@ -66,6 +66,7 @@ impl<'a> Builder<'a> {
             divisors: Vec::new(),
             bounds: Vec::new(),
             axis: None,
+            determinant: None,
             watched: Vec::new(),
         };
         Self {

@@ -66,17 +66,10 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
     let taylor = b.taylor();
     let xi: Vec<_> = (1..=spec.n).map(|j| b.xi(j)).collect();
     let law = state::law(&mut b);
-    let rows = series::drift_rows(&mut b, &taylor);
-    let sum = (0..).zip(&rows).fold(law, |sum, (j, row)| match row {
-        Some(row) => {
-            let x = b.coordinate(j + 1);
-            let scaled = (0..j).fold(x, |x, _| b.mul(x, taylor.r1));
-            let term = b.mul(*row, scaled);
-            b.add(sum, term)
-        }
-        None => sum,
+    let free = series::wanted(&mut b, &taylor, law, &|b, j| {
+        let x = b.coordinate(j);
+        (1..j).fold(x, |x, _| b.mul(x, taylor.r1))
     });
-    let free = (0..spec.n).fold(sum, |u, _| b.mul(u, taylor.base_inverse));
     let less = super::without_drift(&mut b, free);
     let wanted = super::over_input_gain(&mut b, less);
     let (below, control) = clipped(&mut b, wanted);

@@ -8,13 +8,13 @@ use crate::model::coupled::{Coupled, Inverse};
 use crate::program::{Op, Value};
 use crate::request::Spec;
 
-/// The first input, and the others. `law` is that of the first output.
+/// The first input, the others, and the determinant that they are divided by, if there is one. `law` is that of the first output.
 pub(super) fn controls<'a>(
     b: &mut Builder<'a>,
     law: &Law,
     coupled: &Coupled,
     designs: &'a [Spec],
-) -> (Value, Vec<Value>) {
+) -> (Value, Vec<Value>, Option<Value>) {
     let spec = b.spec;
     let mut wanted = Vec::with_capacity(designs.len());
     for (index, own) in (1..).zip(designs) {
@@ -33,11 +33,13 @@ pub(super) fn controls<'a>(
         ));
     }
     b.of_all(spec);
+    let mut divisor = None;
     let mut controls: Vec<Value> = match &coupled.inverse {
         Inverse::Adjugate { determinant, adjugate, .. } => {
             let over = (*determinant != Expression::integer(1)).then(|| {
                 let value = b.scalar(determinant);
                 let value = b.name(value, "determinant", "determinant of the decoupling matrix");
+                divisor = Some(value);
                 let one = b.integer(1);
                 let inverse = b.push(Op::Quotient(one, value));
                 b.name(inverse, "over_determinant", "its inverse: no number where it is 0")
@@ -57,7 +59,7 @@ pub(super) fn controls<'a>(
         }
     };
     let first = controls.remove(0);
-    (first, controls)
+    (first, controls, divisor)
 }
 
 /// A row times the wanted derivatives, and `more`.

@@ -53,14 +53,14 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
 fn controller(spec: &Spec, law: &Law) -> Program {
     let designs = spec.designs();
     let mut b = Builder::of(spec, law);
-    let (step, others, shared) = match &spec.coupled {
+    let (step, others, determinant, shared) = match &spec.coupled {
         Some(coupled) => {
-            let (first, others) = coupled::controls(&mut b, law, coupled, &designs);
-            (first, others, Shared::default())
+            let (first, others, determinant) = coupled::controls(&mut b, law, coupled, &designs);
+            (first, others, determinant, Shared::default())
         }
         None => {
             let (step, shared) = of_chain(&mut b, law, &designs);
-            (step, Vec::new(), shared)
+            (step, Vec::new(), None, shared)
         }
     };
     let start_time = (spec.guard == Guard::Full).then(|| b.push(Op::Input(Input::StartTime)));
@@ -74,7 +74,7 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     let limits = Limits { start_time, u_max, past, late, hold_from, eps, elapsed };
     let program = b.finish(step, limits);
     let Shared { gains, divisors, bounds, axis } = shared;
-    Program { others, gains, divisors, bounds, axis, ..program }
+    Program { others, gains, divisors, bounds, axis, determinant, ..program }
 }
 
 /// u of a chain, and what several axes share; these have no step of one.

@@ -118,6 +118,25 @@ pub(super) fn drift_rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Val
     rows
 }
 
+/// kappa'^n (pi0 - b_n^T x) for the value `law` of pi0; `scaled` gives r_1^(j-1) x_j.
+pub(super) fn wanted(
+    b: &mut Builder<'_>,
+    taylor: &Taylor,
+    law: Value,
+    scaled: &dyn Fn(&mut Builder<'_>, usize) -> Value,
+) -> Value {
+    let rows = drift_rows(b, taylor);
+    let sum = (1..).zip(&rows).fold(law, |sum, (j, row)| match row {
+        Some(row) => {
+            let x = scaled(b, j);
+            let term = b.mul(*row, x);
+            b.add(sum, term)
+        }
+        None => sum,
+    });
+    (0..b.spec.n).fold(sum, |u, _| b.mul(u, taylor.base_inverse))
+}
+
 /// xi = BB_n x: xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) \[z^(i-1)\] p^(j-1) x_j, by Horner's rule in r_1.
 pub(super) fn xi(
     b: &mut Builder<'_>,

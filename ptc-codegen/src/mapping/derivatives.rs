@@ -72,6 +72,7 @@ mod tests {
             for (k, r) in (1..).zip(custom.r(5).expect(text)) {
                 derivative = derivative.derivative(Variable::SinceStart);
                 let (found, wanted) = (evaluate(&r, place), evaluate(&derivative, at));
+                // Some tens of roundings in sums whose terms are a few times the result.
                 assert!((found - wanted).abs() < 1e-12 * wanted.abs().max(1.0), "{text} {k}: {r}");
             }
         }
@@ -79,10 +80,8 @@ mod tests {
 
     #[test]
     fn what_is_too_large_is_left() {
-        let text =
-            "tau*(1 - exp(-tan(sin(exp(-tan(t)/(2 + cos(t)^3)))/(3 + sin(t)))^2/(1 + t)) + 0*t)";
-        let Ok(custom) = Custom::new(Subject::Mu, mu(text)) else { return };
-        let found = custom.r(16);
-        assert!(found.is_none_or(|r| r.iter().all(Expression::is_kept)));
+        let custom = Custom::new(Subject::Mu, mu("tau*tanh(sinh(sinh(t)))")).expect("a mapping");
+        assert_eq!(custom.r(3).map(|r| r.len()), Some(3));
+        assert_eq!(custom.r(16), None);
     }
 }

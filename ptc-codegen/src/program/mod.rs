@@ -9,7 +9,7 @@
 //! - names are unique.
 //!
 //! Passes keep every bit: the interpreter gives the same results before and after each of them. The
-//! exception is `fuse`, which runs where [`Program::fma`] asks for it; the interpreter fuses likewise.
+//! exception is `fuse`, which runs where [`Program::fma`] is set; the interpreter fuses likewise.
 
 mod arithmetic;
 pub mod cost;
@@ -128,6 +128,9 @@ pub struct Program {
     pub bounds: Vec<Value>,
     /// u from the gains that `tick` left, before it is clipped; `None` if there are no gains.
     pub axis: Option<Value>,
+    /// Determinant of the decoupling matrix, by which the inputs are divided; none where there is none, or
+    /// it is a number.
+    pub determinant: Option<Value>,
     /// What is read beside these: by a simulation, or by the functions of the associated system.
     pub watched: Vec<Value>,
 }
@@ -180,6 +183,7 @@ impl Program {
         let mut outputs = vec![self.step, late, hold_from, eps];
         outputs.extend(&self.others);
         outputs.extend(self.axis);
+        outputs.extend(self.determinant);
         outputs.extend(self.handed_over());
         outputs.extend(&self.watched);
         outputs.extend(self.limits.past);

@@ -11,7 +11,7 @@ pub const MAX_SAMPLES: f64 = 1e7;
 
 impl Loop {
     /// The key for which a run of a design is that of the sampled loop; `None` where the law acts at
-    /// every instant. `sampled` tells whether a sample period is given for the run itself: one in the
+    /// every instant. `sampled`: whether a sample period is given for the run itself: one in the
     /// design alone is that of the checks.
     pub fn asked(spec: &Spec, sampled: bool) -> Option<&'static str> {
         let promises = &spec.promises;

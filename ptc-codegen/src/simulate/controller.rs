@@ -50,7 +50,7 @@ impl Controller {
         let mut outputs = program.outputs();
         let of_axis = |value: &Value| program.handed_over().any(|handed| handed == value);
         outputs.retain(|value| Some(*value) != program.axis && !of_axis(value));
-        let inputs = Inputs::new(&spec, &program);
+        let inputs = Inputs::new(&program);
         outputs.extend(inputs.values());
         let machine = Machine::new(&program, &outputs);
         let checks = digits::checks(&spec, &program);

@@ -28,21 +28,14 @@ pub(super) struct Inputs {
 const GROWN: f64 = 0.01;
 
 impl Inputs {
-    /// Those of the program of a spec.
-    pub(super) fn new(spec: &Spec, program: &Program) -> Self {
+    /// Those of a program.
+    pub(super) fn new(program: &Program) -> Self {
         let controls = program.controls();
-        let is_named = |name: &Option<(String, String)>| {
-            name.as_ref().is_some_and(|(name, _)| name == "determinant")
-        };
-        let determinant = spec
-            .coupled
-            .as_ref()
-            .and_then(|_| program.values.iter().position(|own| is_named(&own.name)));
         Self {
             shared: program.limits.u_max,
             own: Vec::new(),
             within: vec![[true, false]; controls.len()],
-            determinant: determinant.map(|place| (Value(place), Pole::default())),
+            determinant: program.determinant.map(|value| (value, Pole::default())),
             u: vec![0.0; controls.len()],
             peak: 0.0,
             controls,

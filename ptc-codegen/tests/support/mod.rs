@@ -3,6 +3,7 @@
 #![allow(dead_code)]
 
 pub(crate) mod exact_plant;
+pub(crate) mod runge_kutta;
 #[cfg(feature = "cli")]
 pub(crate) mod words;
 
@@ -116,3 +117,19 @@ pub(crate) fn refused_at(test: &str, text: &str, line: usize, told: [&str; 2]) {
     assert!(line == 0 || stderr.contains(&place), "{text}, {place} {stderr}");
     assert_eq!(stderr.matches("error[").count(), 1, "{stderr}");
 }
+
+/// A point mass in the plane whose speed steers it: where it stands still its inputs do not decouple x and y.
+pub(crate) const UNICYCLE: &str = "name = \"unicycle\"
+mu = \"exp(a=1)\"
+poles = [-4, -5]
+allow = \"zeros\"
+[params]
+tau = 1
+eps = 1e-2
+u_max = inf
+[model]
+states = [\"x\", \"y\", \"s\", \"c\"]
+inputs = [\"a\", \"w\"]
+outputs = [\"x\", \"y\"]
+dynamics = { x = \"s*cos(c)\", y = \"s*sin(c)\", s = \"a\", c = \"w\" }
+";

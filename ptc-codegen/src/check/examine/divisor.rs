@@ -2,6 +2,7 @@
 
 use num_traits::ToPrimitive;
 
+use super::known::range;
 use crate::algebra::BigRational;
 use crate::check::{Outcome, Verdict};
 use crate::diagnostic::digits;
@@ -17,14 +18,15 @@ use crate::request::Spec;
 pub(super) fn zero(spec: &Spec) -> Option<Outcome> {
     let (divisor, what) = divisor(spec)?;
     let (free, given) = inputs(spec, divisor)?;
-    let (word, point) = match crossing(divisor, &free, &given)? {
-        Zero::At(point) => ("at", point),
-        Zero::Near(point) => ("near", point),
+    let (word, point, details) = match crossing(divisor, &free, &given)? {
+        Zero::At(point) => ("at", point, Vec::new()),
+        Zero::Near(point) => {
+            let passes = "its sign changes there, and it is continuous";
+            ("near", point, vec![passes.to_owned()])
+        }
     };
     let place = |((name, ..), at): (&Free, &f64)| format!("{} = {}", text(spec, name), digits(*at));
     let at: Vec<_> = free.iter().zip(&point).map(place).collect();
-    let between = "its sign changes there, and it is continuous";
-    let details = if word == "near" { vec![between.to_owned()] } else { Vec::new() };
     Some(Outcome {
         name: super::envelope::NAME,
         verdict: Verdict::Refuted,
@@ -70,7 +72,7 @@ fn inputs(spec: &Spec, expression: &Expression) -> Option<(Vec<Free>, Names)> {
     let (mut free, mut given) = (Vec::new(), Names::new());
     for name in names {
         let (low, high) = match (name.parameter(), name.variable()) {
-            (Some(parameter), _) => parameter_range(spec, parameter)?,
+            (Some(parameter), _) => range(spec, parameter)?,
             (None, Some(variable)) => variable_range(spec, variable)?,
             (None, None) => return None,
         };
@@ -88,14 +90,6 @@ fn number(value: &Fixed) -> Option<BigRational> {
     value.number().cloned()
 }
 
-fn parameter_range(spec: &Spec, parameter: Parameter) -> Option<(BigRational, BigRational)> {
-    match (spec.fixed.get(&parameter), spec.bounds.get(&parameter)) {
-        (Some(value), _) => number(value).map(|value| (value.clone(), value)),
-        (None, Some((least, most))) => number(least).zip(number(most)),
-        (None, None) => None,
-    }
-}
-
 fn variable_range(spec: &Spec, variable: Variable) -> Option<(BigRational, BigRational)> {
     let promises = &spec.promises;
     let around = |bounds: &[Fixed], j: usize| {
@@ -108,12 +102,12 @@ fn variable_range(spec: &Spec, variable: Variable) -> Option<(BigRational, BigRa
             around(&promises.x0_max, j).or_else(|| around(&promises.x_max, j))
         }
         Variable::Elapsed => {
-            let (_, tau) = parameter_range(spec, Parameter::Tau)?;
+            let (_, tau) = range(spec, Parameter::Tau)?;
             Some((BigRational::default(), tau))
         }
         Variable::Time => {
-            let (from, to) = parameter_range(spec, Parameter::StartTime)?;
-            let (_, tau) = parameter_range(spec, Parameter::Tau)?;
+            let (from, to) = range(spec, Parameter::StartTime)?;
+            let (_, tau) = range(spec, Parameter::Tau)?;
             Some((from, to + tau))
         }
         _ => None,

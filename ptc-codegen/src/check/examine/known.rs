@@ -36,6 +36,16 @@ fn greatest(spec: &Spec, parameter: Parameter) -> Option<BigRational> {
     exact(spec, parameter).or(bound)
 }
 
+/// From where to where the value of a parameter is known to lie: the fixed one, or its bounds.
+pub(super) fn range(spec: &Spec, parameter: Parameter) -> Option<(BigRational, BigRational)> {
+    let exact = |value: &Fixed| value.number().cloned();
+    match (spec.fixed.get(&parameter), spec.bounds.get(&parameter)) {
+        (Some(value), _) => exact(value).map(|value| (value.clone(), value)),
+        (None, Some((least, most))) => exact(least).zip(exact(most)),
+        (None, None) => None,
+    }
+}
+
 /// What is known of the decay rate of mu'.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Rate {
@@ -129,12 +139,8 @@ fn rate_of(spec: &Spec, rate: &Expression) -> Rate {
         return Rate::Exact(greatest);
     }
     let range = |p: Parameter| {
-        let ends = match (exact(spec, p), spec.bounds.get(&p)) {
-            (Some(value), _) => (value.clone(), value),
-            (None, Some((least, most))) => (least.number()?.clone(), most.number()?.clone()),
-            (None, None) => return None,
-        };
-        Some((Expression::from(p), Interval::between(&ends.0, Some(&ends.1))))
+        let (low, high) = range(spec, p)?;
+        Some((Expression::from(p), Interval::between(&low, Some(&high))))
     };
     let Some(names) = rate.parameters().into_iter().map(range).collect::<Option<Names>>() else {
         return Rate::Open;

@@ -24,7 +24,6 @@ use super::sampled::Worst;
 use super::{Outcome, Verdict, sampled, zeros};
 use crate::expansion::Expanded;
 use crate::expression::effort::bounded;
-use crate::parameter::Fixed;
 use crate::request::Spec;
 
 /// The outcomes of `sampling` and `deadline` alone, and the design with the eps that they set.
@@ -117,13 +116,6 @@ fn membership(spec: &Spec) -> Outcome {
             fix: None,
         };
     };
-    let ranges = |parameter| {
-        let exact = |value: &Fixed| value.number().cloned();
-        match (spec.fixed.get(&parameter), spec.bounds.get(&parameter)) {
-            (Some(value), _) => exact(value).map(|value| (value.clone(), value)),
-            (None, Some((least, greatest))) => exact(least).zip(exact(greatest)),
-            (None, None) => None,
-        }
-    };
+    let ranges = |parameter| known::range(spec, parameter);
     Outcome::from(&bounded(|| prove(custom, spec.n, &ranges)))
 }

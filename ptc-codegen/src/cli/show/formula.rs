@@ -3,6 +3,8 @@
 use num_traits::Signed;
 use ptc_codegen::expression::{Expression, Function, Node, Variable};
 
+use super::super::greek::GREEK;
+
 /// The expression.
 pub(super) fn latex(e: &Expression) -> String {
     if !e.is_written() {
@@ -55,10 +57,8 @@ fn operand(e: &Expression, least: u8) -> String {
 
 /// A name, the Greek ones as letters.
 fn name(text: &str) -> String {
-    let greek =
-        ["alpha", "beta", "gamma", "delta", "eta", "lambda", "rho", "sigma", "tau", "omega"];
     match text {
-        greek_name if greek.contains(&greek_name) => format!("\\{greek_name}"),
+        letter if GREEK.iter().any(|(name, _)| *name == letter) => format!("\\{letter}"),
         _ if text.len() == 1 => text.to_owned(),
         _ => format!("\\mathrm{{{}}}", text.replace('_', "\\_")),
     }

@@ -18,7 +18,7 @@ impl Builder<'_> {
         let states = self.arrays();
         let mut statements = self.locals(&states);
         let drift = [Test::Finite(Expr::local("f"))];
-        statements.push(self.legal(&states, &drift));
+        statements.push(self.legal([self.legal_time(), drift.to_vec()].concat(), &states));
         let body = self.body(Routine::Step, &states);
         statements.extend(body.statements);
         let Some(law) = body.roots.first() else { fault("a rate without a law") };
@@ -53,7 +53,7 @@ impl Builder<'_> {
             arguments: self.arguments(),
             results: vec![self.array("x", "state of the plant: x1, its rate, ...")],
             ..self.given(
-                (Routine::Plant, &states),
+                (Routine::Plant, self.legal_time(), &states),
                 "state",
                 "State x of the plant where the infinite-time system has the state xi at its time t [s].",
             )
@@ -67,7 +67,7 @@ impl Builder<'_> {
             arguments: self.arguments(),
             results: vec![Variable::new("u", Shape::Real, "input of the plant")],
             ..self.given(
-                (Routine::Control, &states),
+                (Routine::Control, self.legal_time(), &states),
                 "control",
                 "Input u of the plant, before it is clipped, where the infinite-time system has the state xi at its time t [s].",
             )
@@ -81,7 +81,7 @@ impl Builder<'_> {
             arguments: vec![Variable::new("t", Shape::Real, "time of the infinite-time system, s")],
             results: vec![Variable::new("plant_time", Shape::Real, "time of the plant, s")],
             ..self.given(
-                (Routine::Time, &[]),
+                (Routine::Time, self.legal_time(), &[]),
                 "time",
                 "Time of the plant [s] at the time t [s] of the infinite-time system.",
             )
@@ -96,23 +96,23 @@ impl Builder<'_> {
             arguments: vec![self.array("x0", "state of the plant at the start")],
             results: vec![self.array("xi", "state of the infinite-time system")],
             ..self.given(
-                (Routine::Start, &states),
+                (Routine::Start, Vec::new(), &states),
                 "start",
                 "State xi of the infinite-time system at the start, from the state x0 of the plant there.",
             )
         }
     }
 
-    /// What `routine` computes, where all of it is finite.
+    /// What `routine` computes where `first` holds and the states are finite, if all of it is finite.
     fn given(
         &self,
-        (routine, states): (Routine, &[Input]),
+        (routine, first, states): (Routine, Vec<Test>, &[Input]),
         name: &'static str,
         about: &str,
     ) -> Function {
         let body = self.body(routine, states);
         let mut statements = self.locals(states);
-        statements.push(self.legal(states, &[]));
+        statements.push(self.legal(first, states));
         statements.extend(body.statements);
         let mut results = Vec::with_capacity(body.roots.len());
         for (index, root) in (1..).zip(body.roots) {
@@ -132,13 +132,10 @@ impl Builder<'_> {
         }
     }
 
-    /// That the time, the states and `more` are legal.
-    fn legal(&self, states: &[Input], more: &[Test]) -> Statement {
+    /// That `first` holds and the states are finite.
+    fn legal(&self, first: Vec<Test>, states: &[Input]) -> Statement {
         let finite = states.iter().map(|state| Test::Finite(self.local(*state)));
-        let at_start = matches!(states, [Input::StateAtStart(_), ..]);
-        let time = if at_start { Vec::new() } else { self.legal_time() };
-        let tests = time.into_iter().chain(more.iter().cloned()).chain(finite);
-        Statement::Require(Test::All(tests.collect()), Status::Input)
+        Statement::Require(Test::All(first.into_iter().chain(finite).collect()), Status::Input)
     }
 
     fn arguments(&self) -> Vec<Variable> {

@@ -3,7 +3,7 @@
 use super::{append, rebuild};
 use crate::program::{Definition, Op, Program, Stage, Value};
 
-/// Where the program asks for it, fuses the sums and differences of a tick and a step with a product of
+/// Where the program sets `fma`, fuses the sums and differences of a tick and a step with a product of
 /// the same stage that nothing else uses. This is the one pass that changes roundings: there is one
 /// less in each.
 ///

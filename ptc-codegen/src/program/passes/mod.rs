@@ -1,4 +1,4 @@
-//! The passes: named, in one visible list, each keeping every bit except `fuse`, which a design asks for.
+//! The passes: named, in one visible list, each keeping every bit except `fuse`, which is opt-in.
 
 mod chains;
 mod fold;
@@ -63,6 +63,7 @@ fn rebuild(
     new.gains = program.gains.iter().copied().map(to).collect();
     new.divisors = program.divisors.iter().copied().map(to).collect();
     new.bounds = program.bounds.iter().copied().map(to).collect();
+    new.determinant = program.determinant.map(to);
     new.watched = program.watched.iter().copied().map(to).collect();
     new.limits.start_time = program.limits.start_time.map(to);
     new.limits.u_max = program.limits.u_max.map(to);

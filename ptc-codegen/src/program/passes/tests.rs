@@ -229,7 +229,7 @@ fn share_keeps_one_of_equal_values() {
     }
 }
 
-/// What the pass `fuse` makes of a program that asks for it.
+/// A program with `fma`, after the pass `fuse`.
 fn fused(build: impl FnOnce(&mut Program, [Value; 4]) -> Value) -> Program {
     let plain = program(|p| {
         let inputs = [Input::State(1), Input::State(2), Input::Reference(0), Input::Time];

@@ -11,16 +11,16 @@ mod promises;
 mod reference;
 mod sampled;
 mod units;
+mod values;
 
 use std::collections::BTreeMap;
 
 use model::Read;
 pub(crate) use parameters::known;
-
-use num_traits::ToPrimitive;
+pub(crate) use values::items;
+use values::{count, shown, suggestion, whole};
 
 use super::{After, Clock, Guard, MAX_ORDER, Spec, What};
-use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::expression::Expression;
 use crate::family::Family;
@@ -363,43 +363,3 @@ impl<'a> Reader<'a> {
 
 /// Stands in for a mapping that could not be read while the rest of the spec is.
 const UNREAD: TimeMapping = TimeMapping::Family { family: Family::Exp, rates: 0 };
-
-/// The items of a list, or the value itself.
-pub(crate) fn items(node: &Node) -> &[Node] {
-    match &node.value {
-        Value::List(items) => items,
-        _ => std::slice::from_ref(node),
-    }
-}
-
-/// An integer from 0 to `most`.
-fn whole(value: &BigRational, most: usize) -> Option<usize> {
-    let count = value.is_integer().then(|| value.to_usize()).flatten()?;
-    (count <= most).then_some(count)
-}
-
-fn suggestion(meant: Option<&str>, legal: &str) -> String {
-    match meant {
-        Some(name) => format!("did you mean `{name}`? {legal}"),
-        None => legal.to_owned(),
-    }
-}
-
-/// A positive integer up to `most`.
-fn count(node: &Node, most: usize) -> Option<usize> {
-    let Value::Number(Fixed::Number { value, .. }) = &node.value else { return None };
-    let count = value.is_integer().then(|| value.to_usize()).flatten()?;
-    (1..=most).contains(&count).then_some(count)
-}
-
-fn shown(value: &Value) -> String {
-    match value {
-        Value::Number(number) => format!("`{}`", shorten(&number.to_string())),
-        Value::Word(word) => format!("`{}`", shorten(word)),
-        Value::List(items) => format!("a list of {}", items.len()),
-        Value::Call(name, _) => format!("`{}(...)`", shorten(name)),
-        Value::Table(items) => format!("a table of {}", items.len()),
-        Value::Imaginary(units) => format!("`{}i`", shorten(&units.to_string())),
-        Value::Negative(_) | Value::Binary(..) => "an expression".to_owned(),
-    }
-}

@@ -1,5 +1,7 @@
 //! The arm of two links and the tank of the examples, with laws, by hand.
 
+use crate::support::runge_kutta;
+
 /// The masses of an arm, and what drags at its first joint.
 #[derive(Clone, Copy)]
 pub(super) struct Arm {
@@ -111,36 +113,22 @@ type Rates<'a> = &'a dyn Fn(&[f64], &[f64]) -> Vec<f64>;
 /// The inputs by time and state.
 type Control<'a> = &'a dyn Fn(f64, &[f64]) -> Vec<f64>;
 
-/// A time `h` later, by Runge and Kutta's method, with the inputs of each instant.
+/// A time `h` later, with the inputs of each instant.
 pub(super) fn advance(
     rates: Rates<'_>,
     control: Control<'_>,
-    (t, h): (f64, f64),
+    at: (f64, f64),
     x: &[f64],
 ) -> Vec<f64> {
-    let (mut sum, mut slope) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-    for (part, weight) in [(0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
-        let at: Vec<_> = x.iter().zip(&slope).map(|(x, k)| x + part * h * k).collect();
-        slope = rates(&at, &control(t + part * h, &at));
-        sum.iter_mut().zip(&slope).for_each(|(sum, k)| *sum += weight * k);
-    }
-    x.iter().zip(&sum).map(|(x, sum)| x + h / 6.0 * sum).collect()
+    runge_kutta::advance(&|t, x| rates(x, &control(t, x)), at, x)
 }
 
 /// The states at the times of `grid`, the first of which is that of `x0`.
 pub(super) fn along(
     rates: Rates<'_>,
     control: Control<'_>,
-    (grid, parts): (&[f64], u32),
+    grid: (&[f64], u32),
     x0: &[f64],
 ) -> Vec<Vec<f64>> {
-    let mut all = vec![x0.to_vec()];
-    for pair in grid.windows(2) {
-        let h = (pair[1] - pair[0]) / f64::from(parts);
-        let step =
-            |x: Vec<f64>, i: u32| advance(rates, control, (pair[0] + f64::from(i) * h, h), &x);
-        let start = all[all.len() - 1].clone();
-        all.push((0..parts).fold(start, step));
-    }
-    all
+    runge_kutta::along(&|t, x| rates(x, &control(t, x)), grid, x0)
 }

@@ -30,7 +30,7 @@ fn a_run_ends_where_the_inputs_stop_decoupling_the_outputs() {
     // It cannot start where it stands still.
     let (code, told) = ended("still", UNICYCLE, &["--x0", "1,0.5,0,0.3", "--at", "0,0.5"]);
     assert!(code == Some(1) && told.contains("stop decoupling the outputs"), "{told}");
-    // A sampled loop goes on as the emitted code does: u is 0, and the first such call is told.
+    // A sampled loop goes on as the emitted code does: u is 0, and `simulate` warns of the first such call.
     let (head, rows, told) =
         run("ends_sampled", UNICYCLE, &["--x0=1,0.5,0,0.3", "--sample-time=1e-3", "--until=0.01"]);
     assert!(head.ends_with(",status") && rows.iter().all(|row| row[6..8] == [0.0, 0.0]));

@@ -10,7 +10,7 @@ mod sampled;
 
 use crate::support;
 
-use support::{example, folder_with, run_in};
+use support::{UNICYCLE, example, folder_with, run_in};
 
 /// The head and the rows of a run of `simulate`, and what is said beside it.
 fn run(test: &str, design: &str, further: &[&str]) -> (String, Vec<Vec<f64>>, String) {
@@ -31,19 +31,3 @@ fn near(found: &[f64], wanted: &[f64], within: f64) {
     let off = found.iter().zip(wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(off <= within, "{found:?}, not {wanted:?}");
 }
-
-/// A point mass in the plane whose speed steers it: where it stands still its inputs do not decouple x and y.
-const UNICYCLE: &str = "name = \"unicycle\"
-mu = \"exp(a=1)\"
-poles = [-4, -5]
-allow = \"zeros\"
-[params]
-tau = 1
-eps = 1e-2
-u_max = inf
-[model]
-states = [\"x\", \"y\", \"s\", \"c\"]
-inputs = [\"a\", \"w\"]
-outputs = [\"x\", \"y\"]
-dynamics = { x = \"s*cos(c)\", y = \"s*sin(c)\", s = \"a\", c = \"w\" }
-";

@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use ptc_codegen::emit::Language;
 use ptc_codegen::request::Spec;
 
-use super::{example, in_c, spec, support};
-use support::{folder_with, run_in};
+use super::{checked, example, in_c, spec, support};
+use support::{UNICYCLE, folder_with, run_in};
 
 /// What `tools/coupled.py` computes: a plant, t, its state and u.
 const DIGITS: &str = include_str!("coupled.txt");
@@ -24,22 +24,6 @@ states = [\"p\", \"v\", \"h\"]
 inputs = [\"a\", \"b\"]
 outputs = [\"p\", \"h\"]
 dynamics = { p = \"v\", v = \"-v + (2 + sin(p))*a + h*b\", h = \"v*h + h*a + (2 + h^2)*b\" }
-";
-
-/// At rest its inputs do not decouple its outputs.
-const UNICYCLE: &str = "name = \"unicycle\"
-mu = \"exp(a=1)\"
-poles = [-4, -5]
-allow = \"zeros\"
-[params]
-tau = 1
-eps = 1e-2
-u_max = inf
-[model]
-states = [\"x\", \"y\", \"s\", \"c\"]
-inputs = [\"a\", \"w\"]
-outputs = [\"x\", \"y\"]
-dynamics = { x = \"s*cos(c)\", y = \"s*sin(c)\", s = \"a\", c = \"w\" }
 ";
 
 const THREE: &str = "name = \"three\"
@@ -166,26 +150,16 @@ fn a_singular_state_gives_no_u() {
     assert_eq!(found, [[-3.0, 0.0, 0.0, -3.0, -3.0]]);
 }
 
-fn outcome(test: &str, text: &str, name: &str) -> (String, String) {
-    let folder = folder_with(test, "design.toml", text);
-    let (_, json, stderr) = run_in(&folder, &["check", "design.toml", "--format", "json"]);
-    let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
-    let all = found["checks"].as_array().expect("checks");
-    let own = all.iter().find(|check| check["name"] == name).expect("an outcome");
-    let word = |key: &str| own[key].as_str().expect("text").to_owned();
-    (word("verdict"), word("summary"))
-}
-
 #[test]
 fn a_singular_matrix_is_found_in_the_envelope_and_at_rest() {
-    let (verdict, summary) = outcome("coupled_rest", UNICYCLE, "zeros");
+    let (verdict, summary) = checked("zeros", "coupled_rest", UNICYCLE);
     assert_eq!((verdict.as_str(), summary.contains("is 0 at the origin")), ("unsound", true));
     let bounded =
         UNICYCLE.replace("tau = 1\n", "tau = 1\nt0 = 0\n") + "[envelope]\nx_max = [1, 1, 1, 1]\n";
-    let (verdict, summary) = outcome("coupled_envelope", &bounded, "envelope");
+    let (verdict, summary) = checked("envelope", "coupled_envelope", &bounded);
     assert_eq!(verdict, "refuted", "{summary}");
     let inside = MIX.replace("tau = 1\n", "tau = 1\nt0 = 0\n") + "[envelope]\nx_max = [1, 1, 1]\n";
-    let (verdict, summary) = outcome("coupled_inside", &inside, "envelope");
+    let (verdict, summary) = checked("envelope", "coupled_inside", &inside);
     assert_eq!(verdict, "sound", "{summary}");
 }
 

@@ -1,18 +1,6 @@
 //! What `check` says of divisors of the law that may be 0 within the envelope.
 
-use super::support;
-use support::{folder_with, run_in};
-
-/// Verdict and summary of the check `envelope` for a design, in a folder of the test.
-fn envelope(test: &str, design: &str) -> (String, String) {
-    let folder = folder_with(test, "design.toml", design);
-    let (_, json, stderr) = run_in(&folder, &["check", "design.toml", "--format", "json"]);
-    let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
-    let all = found["checks"].as_array().expect("checks");
-    let own = all.iter().find(|check| check["name"] == "envelope").expect("an outcome");
-    let word = |key: &str| own[key].as_str().expect("text").to_owned();
-    (word("verdict"), word("summary"))
-}
+use super::checked;
 
 /// A chain of order 2 with the gain `g`, for |x1| up to `x1`.
 fn chain(g: &str, x1: &str) -> String {
@@ -41,7 +29,7 @@ fn a_gain_that_changes_its_sign_is_refuted_and_one_just_short_of_it_is_not() {
         ("1/(x1 - 0.3)", "1", "undecided", "may leave the range"),
         ("sign(x1 - 0.3)*(2 + x1)", "1", "undecided", "may leave the range"),
     ] {
-        let found = envelope("divisors", &chain(g, x1));
+        let found = checked("envelope", "divisors", &chain(g, x1));
         assert_eq!(found.0, verdict, "{g} within {x1}: {}", found.1);
         assert!(found.1.contains(told), "{g} within {x1}: {}", found.1);
     }
@@ -57,10 +45,10 @@ fn models_and_decoupling_matrices_are_refuted_at_states_by_their_names() {
              [envelope]\nx_max = [{angle}, 3]\n"
         )
     };
-    let (verdict, summary) = envelope("pendulum", &pendulum("1.6"));
+    let (verdict, summary) = checked("envelope", "pendulum", &pendulum("1.6"));
     assert_eq!(verdict, "refuted", "{summary}");
     assert!(summary.starts_with("the gain of u, cos(q), is 0 near q = -1.571"), "{summary}");
-    assert_eq!(envelope("pendulum_narrow", &pendulum("1.5")).0, "sound");
+    assert_eq!(checked("envelope", "pendulum_narrow", &pendulum("1.5")).0, "sound");
     let two = |bound: &str| {
         format!(
             "mu = \"exp(a=1)\"\npoles = [[-4], [-5]]\n[params]\ntau = 1\neps = 0.01\nt0 = 0\n\
@@ -69,9 +57,9 @@ fn models_and_decoupling_matrices_are_refuted_at_states_by_their_names() {
              [envelope]\nx_max = [{bound}, 3]\n"
         )
     };
-    let (verdict, summary) = envelope("coupled", &two("0.51"));
+    let (verdict, summary) = checked("envelope", "coupled", &two("0.51"));
     assert_eq!(verdict, "refuted", "{summary}");
     assert!(summary.contains("determinant of the decoupling matrix"), "{summary}");
     assert!(summary.contains("a = ") && summary.contains("b = "), "{summary}");
-    assert_eq!(envelope("coupled_narrow", &two("0.49")).0, "sound");
+    assert_eq!(checked("envelope", "coupled_narrow", &two("0.49")).0, "sound");
 }

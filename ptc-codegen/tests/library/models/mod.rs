@@ -17,7 +17,18 @@ use crate::support;
 mod verified;
 mod zeros;
 
-use support::{example, spec};
+use support::{example, folder_with, run_in, spec};
+
+/// Verdict and summary of the check called `name`, for a design in a folder of the test.
+fn checked(name: &str, test: &str, design: &str) -> (String, String) {
+    let folder = folder_with(test, "design.toml", design);
+    let (_, json, stderr) = run_in(&folder, &["check", "design.toml", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
+    let all = found["checks"].as_array().expect("checks");
+    let own = all.iter().find(|check| check["name"] == name).expect("an outcome");
+    let word = |key: &str| own[key].as_str().expect("text").to_owned();
+    (word("verdict"), word("summary"))
+}
 
 /// The magnet of examples/levitation.toml at numbers that hold it at z0.
 const LEVITATION: &str = "static const levitation_params params = { .tau = 0.5, .t0 = 0.0, .u_max = INFINITY, \

@@ -1,41 +1,18 @@
 //! Plants by hand, with laws by hand and a method of Runge and Kutta: what runs of models are held against.
 
+use super::support::runge_kutta;
+
 /// What a plant is: its rates by time, state and input.
 pub(super) type Rates<'a> = &'a dyn Fn(f64, &[f64], f64) -> Vec<f64>;
-
-/// The state a time `h` after `t`, with the input that `control` gives at each instant.
-pub(super) fn advance(
-    rates: Rates<'_>,
-    control: &dyn Fn(f64, &[f64]) -> f64,
-    (t, h): (f64, f64),
-    x: &[f64],
-) -> Vec<f64> {
-    let mut sum = vec![0.0; x.len()];
-    let mut slope = sum.clone();
-    for (part, weight) in [(0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
-        let at: Vec<_> = x.iter().zip(&slope).map(|(x, k)| x + part * h * k).collect();
-        slope = rates(t + part * h, &at, control(t + part * h, &at));
-        sum.iter_mut().zip(&slope).for_each(|(sum, k)| *sum += weight * k);
-    }
-    x.iter().zip(&sum).map(|(x, sum)| x + h / 6.0 * sum).collect()
-}
 
 /// The states at the times of `grid`, the first of which is that of `x0`, with an input at every instant.
 pub(super) fn along(
     rates: Rates<'_>,
     control: &dyn Fn(f64, &[f64]) -> f64,
-    (grid, parts): (&[f64], u32),
+    grid: (&[f64], u32),
     x0: &[f64],
 ) -> Vec<Vec<f64>> {
-    let mut all = vec![x0.to_vec()];
-    for pair in grid.windows(2) {
-        let h = (pair[1] - pair[0]) / f64::from(parts);
-        let start = all[all.len() - 1].clone();
-        let step =
-            |x: Vec<f64>, i: u32| advance(rates, control, (pair[0] + f64::from(i) * h, h), &x);
-        all.push((0..parts).fold(start, step));
-    }
-    all
+    runge_kutta::along(&|t, x| rates(t, x, control(t, x)), grid, x0)
 }
 
 /// The states at `count` samples `period` apart after the first, with the input held in between.
@@ -52,7 +29,8 @@ pub(super) fn held(
         let u = control(t, &x);
         all.push((x.clone(), u));
         let h = period / 20.0;
-        let step = |x: Vec<f64>, i: u32| advance(rates, &|_, _| u, (t + f64::from(i) * h, h), &x);
+        let held = |t: f64, x: &[f64]| rates(t, x, u);
+        let step = |x: Vec<f64>, i: u32| runge_kutta::advance(&held, (t + f64::from(i) * h, h), &x);
         x = (0..20).fold(x, step);
     }
     all

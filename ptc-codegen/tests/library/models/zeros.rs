@@ -1,18 +1,7 @@
 //! What `check` says of the zero dynamics.
 
-use super::{example, support};
+use super::{checked, example, support};
 use support::{run_in, words};
-
-/// The outcome of the check `zeros` for a design, in a folder of the test.
-fn zeros(test: &str, text: &str) -> (String, String) {
-    let folder = support::folder_with(test, "design.toml", text);
-    let (_, json, stderr) = run_in(&folder, &["check", "design.toml", "--format", "json"]);
-    let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
-    let all = found["checks"].as_array().expect("checks");
-    let own = all.iter().find(|check| check["name"] == "zeros").expect("an outcome");
-    let word = |key: &str| own[key].as_str().expect("text").to_owned();
-    (word("verdict"), word("summary"))
-}
 
 fn design(model: &str) -> String {
     format!("mu = \"exp(a=1)\"\n[params]\ntau = 1\n{model}")
@@ -49,7 +38,7 @@ fn zero_dynamics_are_judged_by_their_roots() {
         (drift("exp(p) - 1", "s = 3"), "sound", "the roots -2, -3 1/s"),
         (drift("p^2/2 + r", "s = 3"), "unsound", "is 0 at the origin: the law divides by it"),
     ] {
-        let (found, summary) = zeros("models_roots", &design(&model));
+        let (found, summary) = checked("zeros", "models_roots", &design(&model));
         assert_eq!(found, verdict, "{model}: {summary}");
         assert!(summary.contains(told), "{model}: {summary}");
     }
@@ -63,7 +52,7 @@ fn a_rest_that_needs_an_input_is_found() {
             "[model]\nstates = \"w, v\"\ninput = \"u\"\noutput = \"w\"\ndynamics = {{ w = \"u - 3\", v = \"{v}\" }}\n"
         ))
     };
-    let of = |v: &str| zeros("models_rest", &model(v));
+    let of = |v: &str| checked("zeros", "models_rest", &model(v));
     assert_eq!(of("w + u*v - 3*v - v").0, "sound");
     assert_eq!(of("w + u*v - 2*v").0, "unsound");
     let (verdict, summary) = of("1 - v");
@@ -73,7 +62,7 @@ fn a_rest_that_needs_an_input_is_found() {
 
 #[test]
 fn a_pendulum_on_a_cart_falls_with_the_roots_of_a_pendulum() {
-    let (verdict, summary) = zeros("models_cart", &example("cart.toml"));
+    let (verdict, summary) = checked("zeros", "models_cart", &example("cart.toml"));
     let root = (9.81f64 / 0.5).sqrt();
     assert_eq!(verdict, "unsound");
     assert!(summary.contains(&format!("{root:.3}, -{root:.3} 1/s")), "{summary}");

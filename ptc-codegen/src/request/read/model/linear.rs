@@ -42,7 +42,7 @@ impl Reader<'_> {
         if !self.found.is_empty() {
             return None;
         }
-        // What is wrong with the model is told when the design is read with it.
+        // Mistakes in the model are reported when the design is read with it.
         let model = self.model().map(|read| read.model);
         let found = std::mem::take(&mut self.found);
         let model = model.filter(|_| found.is_empty())?;
@@ -102,7 +102,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Tells why a model has no clock in samples.
+    /// Reports why a model has no clock in samples.
     pub(in crate::request::read) fn not_linear(&mut self, model: &Model) {
         for (key, place, message, help) in self.linear_rows(model).err().unwrap_or_default() {
             self.found.push("bad-model", key, place, message, help);

@@ -3,110 +3,112 @@
 
 #![cfg(all(unix, feature = "lab"))]
 
+mod links;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const README: &str = include_str!("../../README.md");
+const README: &str = include_str!("../../../README.md");
 
-const START: &str = include_str!("../../docs/start.md");
+const START: &str = include_str!("../../../docs/start.md");
 
-const FAMILIES: &str = include_str!("../../docs/families.md");
+const FAMILIES: &str = include_str!("../../../docs/families.md");
 
-const LIMITS: &str = include_str!("../../docs/limits.md");
+const LIMITS: &str = include_str!("../../../docs/limits.md");
 
-const BENCHMARKS: &str = include_str!("../../docs/BENCHMARKS.md");
+const BENCHMARKS: &str = include_str!("../../../docs/BENCHMARKS.md");
 
-const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
+const EXPRESSIONS: &str = include_str!("../../../docs/expressions.md");
 
-const SIMULATE: &str = include_str!("../../docs/simulate.md");
+const SIMULATE: &str = include_str!("../../../docs/simulate.md");
 
-const VERIFY: &str = include_str!("../../docs/verify.md");
+const VERIFY: &str = include_str!("../../../docs/verify.md");
 
-const DESIGN: &str = include_str!("../../docs/design.md");
+const DESIGN: &str = include_str!("../../../docs/design.md");
 
-const TIME: &str = include_str!("../../docs/time.md");
+const TIME: &str = include_str!("../../../docs/time.md");
 
-const SAMPLES: &str = include_str!("../../docs/samples.md");
+const SAMPLES: &str = include_str!("../../../docs/samples.md");
 
 /// The design of the README and of docs/start.md, which docs/samples.md uses too.
-const ENCODER: &str = include_str!("../../examples/encoder.toml");
+const ENCODER: &str = include_str!("../../../examples/encoder.toml");
 
 /// The design of several axes of the guide.
-const GANTRY: &str = include_str!("../../examples/gantry.toml");
+const GANTRY: &str = include_str!("../../../examples/gantry.toml");
 
 /// The design of a linear plant, which docs/samples.md shows.
-const MOTOR: &str = include_str!("../../examples/motor.toml");
+const MOTOR: &str = include_str!("../../../examples/motor.toml");
 
 /// The design with a model that docs/models.md shows, and the one that it refuses.
-const DRIVE: &str = include_str!("../../examples/drive.toml");
+const DRIVE: &str = include_str!("../../../examples/drive.toml");
 
-const CART: &str = include_str!("../../examples/cart.toml");
+const CART: &str = include_str!("../../../examples/cart.toml");
 
 /// The plants with several inputs that docs/models.md shows.
-const TANK: &str = include_str!("../../examples/tank.toml");
+const TANK: &str = include_str!("../../../examples/tank.toml");
 
-const ROBOT: &str = include_str!("../../examples/two_link.toml");
+const ROBOT: &str = include_str!("../../../examples/two_link.toml");
 
 /// The plant with uncertain numbers that docs/models.md verifies.
-const PENDULUM: &str = include_str!("../../examples/pendulum.toml");
+const PENDULUM: &str = include_str!("../../../examples/pendulum.toml");
 
 /// The design that docs/references.md shows.
-const TRACK: &str = include_str!("../../examples/track.toml");
+const TRACK: &str = include_str!("../../../examples/track.toml");
 
-const REFERENCES: &str = include_str!("../../docs/references.md");
+const REFERENCES: &str = include_str!("../../../docs/references.md");
 
-const MODELS: &str = include_str!("../../docs/models.md");
+const MODELS: &str = include_str!("../../../docs/models.md");
 
 /// The questions of users, the design of their answers, and the page with a program in C.
-const GUIDE: &str = include_str!("../../docs/guide/README.md");
+const GUIDE: &str = include_str!("../../../docs/guide/README.md");
 
-const TABLE: &str = include_str!("../../examples/table.toml");
+const TABLE: &str = include_str!("../../../examples/table.toml");
 
-const AXES: &str = include_str!("../../docs/guide/axes.md");
+const AXES: &str = include_str!("../../../docs/guide/axes.md");
 
-const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
+const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
 const PAGES: [(&str, &str); 38] = [
     ("guide/README.md", GUIDE),
-    ("guide/choose.md", include_str!("../../docs/guide/choose.md")),
-    ("guide/period.md", include_str!("../../docs/guide/period.md")),
-    ("guide/noise.md", include_str!("../../docs/guide/noise.md")),
-    ("guide/torque.md", include_str!("../../docs/guide/torque.md")),
-    ("guide/sensors.md", include_str!("../../docs/guide/sensors.md")),
+    ("guide/choose.md", include_str!("../../../docs/guide/choose.md")),
+    ("guide/period.md", include_str!("../../../docs/guide/period.md")),
+    ("guide/noise.md", include_str!("../../../docs/guide/noise.md")),
+    ("guide/torque.md", include_str!("../../../docs/guide/torque.md")),
+    ("guide/sensors.md", include_str!("../../../docs/guide/sensors.md")),
     ("guide/axes.md", AXES),
-    ("guide/python.md", include_str!("../../docs/guide/python.md")),
-    ("guide/elsewhere.md", include_str!("../../docs/guide/elsewhere.md")),
+    ("guide/python.md", include_str!("../../../docs/guide/python.md")),
+    ("guide/elsewhere.md", include_str!("../../../docs/guide/elsewhere.md")),
     ("start.md", START),
-    ("explorer.md", include_str!("../../docs/explorer.md")),
-    ("catalogue.md", include_str!("../../docs/catalogue.md")),
-    ("messages.md", include_str!("../../docs/messages.md")),
+    ("explorer.md", include_str!("../../../docs/explorer.md")),
+    ("catalogue.md", include_str!("../../../docs/catalogue.md")),
+    ("messages.md", include_str!("../../../docs/messages.md")),
     ("families.md", FAMILIES),
     ("limits.md", LIMITS),
-    ("languages.md", include_str!("../../docs/languages.md")),
-    ("evidence.md", include_str!("../../docs/evidence.md")),
+    ("languages.md", include_str!("../../../docs/languages.md")),
+    ("evidence.md", include_str!("../../../docs/evidence.md")),
     ("time.md", TIME),
     ("samples.md", SAMPLES),
-    ("theory/samples.md", include_str!("../../docs/theory/samples.md")),
-    ("targets.md", include_str!("../../docs/targets.md")),
+    ("theory/samples.md", include_str!("../../../docs/theory/samples.md")),
+    ("targets.md", include_str!("../../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("models.md", MODELS),
     ("references.md", REFERENCES),
-    ("engines.md", include_str!("../../docs/engines.md")),
+    ("engines.md", include_str!("../../../docs/engines.md")),
     ("simulate.md", SIMULATE),
     ("verify.md", VERIFY),
     ("design.md", DESIGN),
-    ("assurance/README.md", include_str!("../../docs/assurance/README.md")),
-    ("assurance/eva.md", include_str!("../../docs/assurance/eva.md")),
+    ("assurance/README.md", include_str!("../../../docs/assurance/README.md")),
+    ("assurance/eva.md", include_str!("../../../docs/assurance/eva.md")),
     ("assurance/selftest.md", SELFTEST),
-    ("checks/README.md", include_str!("../../docs/checks/README.md")),
-    ("checks/membership.md", include_str!("../../docs/checks/membership.md")),
-    ("checks/growth.md", include_str!("../../docs/checks/growth.md")),
-    ("checks/sampling.md", include_str!("../../docs/checks/sampling.md")),
-    ("checks/deadline.md", include_str!("../../docs/checks/deadline.md")),
-    ("checks/loop.md", include_str!("../../docs/checks/loop.md")),
-    ("checks/envelope.md", include_str!("../../docs/checks/envelope.md")),
+    ("checks/README.md", include_str!("../../../docs/checks/README.md")),
+    ("checks/membership.md", include_str!("../../../docs/checks/membership.md")),
+    ("checks/growth.md", include_str!("../../../docs/checks/growth.md")),
+    ("checks/sampling.md", include_str!("../../../docs/checks/sampling.md")),
+    ("checks/deadline.md", include_str!("../../../docs/checks/deadline.md")),
+    ("checks/loop.md", include_str!("../../../docs/checks/loop.md")),
+    ("checks/envelope.md", include_str!("../../../docs/checks/envelope.md")),
 ];
 
 /// The blocks of a page in `language`, without the indentation of the list around them.
@@ -376,31 +378,12 @@ fn a_self_test_before_the_start() {
     shell(&format!("{strict} -o demo {sources} -lm && ./demo"), &folder);
 }
 
-/// The name by which a link finds a heading.
-fn anchor(heading: &str) -> String {
-    let text = heading.trim_start_matches('#').trim().to_lowercase();
-    let kept = text.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
-    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
-}
-
 #[test]
 fn what_is_told_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let pages = PAGES.map(|(name, page)| (root.join("docs").join(name), page));
     for (path, page) in pages.iter().chain(&[(root.join("README.md"), README)]) {
-        let folder = path.parent().expect("a folder");
-        let links = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
-        for link in links.filter(|link| !link.starts_with("http")) {
-            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
-            let target = if file.is_empty() { path.clone() } else { folder.join(file) };
-            assert!(target.is_file(), "{link} is not there");
-            if heading.is_empty() {
-                continue;
-            }
-            let text = fs::read_to_string(&target).expect("a page");
-            let mut headings = text.lines().filter(|line| line.starts_with('#')).map(anchor);
-            assert!(headings.any(|known| known == heading), "{link} is not there");
-        }
+        links::lead_somewhere(path, page);
     }
     for (name, _) in ptc_codegen::expression::Function::ALL {
         let row = EXPRESSIONS.lines().find(|line| line.starts_with("| of one number"));

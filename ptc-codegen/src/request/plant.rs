@@ -1,0 +1,60 @@
+//! The plant of a request: its states, inputs and coordinates, with a model or without.
+
+use super::{Spec, What};
+use crate::expression::Expression;
+
+impl Spec {
+    /// The length of the state that a call is given: that of the plant, or of the infinite-time system.
+    pub fn states(&self) -> usize {
+        if let Some(coupled) = &self.coupled {
+            return coupled.states.len();
+        }
+        let model = self.model.as_ref().filter(|_| self.what == What::Controller);
+        model.map_or(self.n, |model| model.states.len())
+    }
+
+    /// Whether the plant is a model, whose states and inputs have names of their own.
+    pub fn has_model(&self) -> bool {
+        self.model.is_some() || self.coupled.is_some()
+    }
+
+    /// How many variables the expressions of the plant have: its states, and behind them its inputs
+    /// where there are several.
+    pub fn variables(&self) -> usize {
+        self.states() + self.coupled.as_ref().map_or(0, |coupled| coupled.inputs.len())
+    }
+
+    /// The names of the states that a call is given: those of the model, else x1..xn.
+    pub fn state_names(&self) -> Vec<String> {
+        match (&self.model, &self.coupled) {
+            (Some(model), _) => model.states.iter().map(ToString::to_string).collect(),
+            (None, Some(coupled)) => coupled.states.iter().map(ToString::to_string).collect(),
+            (None, None) => (1..=self.states()).map(|j| format!("x{j}")).collect(),
+        }
+    }
+
+    /// The names of the inputs of the plant.
+    pub fn input_names(&self) -> Vec<String> {
+        match (&self.model, &self.coupled) {
+            (Some(model), _) => vec![model.input.to_string()],
+            (None, Some(coupled)) => coupled.inputs.iter().map(ToString::to_string).collect(),
+            (None, None) => vec!["u".to_owned()],
+        }
+    }
+
+    /// The coordinates of the chains that the outputs of a model and their derivatives are, one output
+    /// after the other, as functions of its states.
+    pub fn coordinates(&self) -> impl Iterator<Item = &Expression> {
+        let coupled = self.coupled.iter().flat_map(|coupled| &coupled.outputs);
+        let own = self.model.iter().flat_map(|model| &model.coordinates);
+        own.chain(coupled.flat_map(|output| &output.coordinates))
+    }
+
+    /// The order in words: that of the chain, or those of several outputs.
+    pub fn order_text(&self) -> String {
+        match &self.coupled {
+            Some(coupled) => coupled.order_text(),
+            None => format!("n = {}", self.n),
+        }
+    }
+}
