@@ -105,7 +105,9 @@ pub fn install(tools: &[Tool]) {
             eprintln!("not root: run `apt-get install {}` first", packages.join(" "));
         } else {
             execute(&["apt-get", "update", "-qq"]);
-            let install = ["apt-get", "install", "-y", "-qq", "--no-install-recommends"];
+            // Another run of the layers may be installing.
+            let wait = "-oDPkg::Lock::Timeout=600";
+            let install = ["apt-get", wait, "install", "-y", "-qq", "--no-install-recommends"];
             execute(&[&install[..], &packages].concat());
         }
     }

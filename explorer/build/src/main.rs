@@ -65,12 +65,7 @@ fn main() -> Result<()> {
     fs::create_dir_all(&out)?;
     let path = out.join("explorer.html");
     fs::write(&path, &page).with_context(|| format!("cannot write {}", path.display()))?;
-    println!(
-        "{}: {} bytes, {} compressed",
-        path.display(),
-        page.len(),
-        packed(page.as_bytes())?.len()
-    );
+    println!("{}: {} bytes", path.display(), page.len());
     Ok(())
 }
 
