@@ -100,6 +100,7 @@ pub use error::Error;
 /// | `clock` | what a call is given | `time`: t; `samples`: the number of the sample, for the exact law in samples | `time` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `fma` | products and sums as fused multiply-adds, with one rounding; fast where the target has them | `true` or `false` | `false` |
+/// | `latency` | polynomials as trees: shorter chains of operations, a few more of them | `true` or `false` | `false` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
 /// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]`; with `axes` also a list of them for each axis | run time |
 /// | `poles` | poles of the loop in stretched time, in place of `gains` | n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]`; with `axes` also a list of them for each axis | |

@@ -16,6 +16,7 @@ mod failure;
 mod fused;
 mod gate;
 mod generator;
+mod latency;
 mod peers;
 mod report;
 mod rewrites;
@@ -32,7 +33,7 @@ use failure::Result;
 
 /// Measures the generated code and the generator.
 ///
-/// Without a command: counts, fma, accuracy, peers, generator, egg, then report.
+/// Without a command: counts, fma, latency, accuracy, peers, generator, egg, then report.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-bench")]
 struct CommandLine {
@@ -53,6 +54,8 @@ enum Command {
     Counts,
     /// Instructions a step with fused products and sums, with and without the processor's own
     Fma,
+    /// Nanoseconds from t to u, and instructions, with and without polynomials as trees, and by hand
+    Latency,
     /// The worst scaled error of every family and order against tests/data
     Accuracy,
     /// The C of other generators beside ours
@@ -97,6 +100,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         }
         Some(Command::Counts) => report::keep("counts", &counts::measure()?),
         Some(Command::Fma) => report::keep("fma", &fused::measure()?),
+        Some(Command::Latency) => report::keep("latency", &latency::measure()?),
         Some(Command::Accuracy) => report::keep("accuracy", &accuracy::measure()?),
         Some(Command::Peers) => peers(line),
         Some(Command::Generator) => generator(line),
@@ -107,6 +111,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         None => {
             report::keep("counts", &counts::measure()?)?;
             report::keep("fma", &fused::measure()?)?;
+            report::keep("latency", &latency::measure()?)?;
             report::keep("accuracy", &accuracy::measure()?)?;
             peers(line)?;
             generator(line)?;

@@ -91,9 +91,8 @@ ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const doubl
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double T = -late;
             const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = (self->half_tau / T) + s1;
+            const double one_plus_y2 = s1 - (self->half_tau / late);
             const double row1 = self->c1_1 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
             const double v = row1 * x[0] * sec;
@@ -130,9 +129,8 @@ ptc_status ptc_algebraic1_tick(const ptc_algebraic1 *self, double t, ptc_algebra
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double T = -late;
             const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = (self->half_tau / T) + s1;
+            const double one_plus_y2 = s1 - (self->half_tau / late);
             const double row1 = self->c1_1 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
             gains->gain[0] = row1 * sec;

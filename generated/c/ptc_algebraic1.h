@@ -61,7 +61,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 6 additions or comparisons, 3
+ * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 2 divisions, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC1_H

@@ -65,7 +65,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 11 additions or comparisons, 10
+ * Operations of one step, without input checks and clipping: 10 additions or comparisons, 10
  *       multiplications, 2 divisions, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC2_H

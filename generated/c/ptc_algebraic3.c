@@ -135,9 +135,8 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double T = -late;
             const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = (self->half_tau / T) + s1;
+            const double one_plus_y2 = s1 - (self->half_tau / late);
             const double row1 = self->c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
             const double y = ((late * self->inv_tau) + 1.0) * sec;
@@ -182,9 +181,8 @@ ptc_status ptc_algebraic3_tick(const ptc_algebraic3 *self, double t, ptc_algebra
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double T = -late;
             const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = (self->half_tau / T) + s1;
+            const double one_plus_y2 = s1 - (self->half_tau / late);
             const double row1 = self->c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
             const double y = ((late * self->inv_tau) + 1.0) * sec;

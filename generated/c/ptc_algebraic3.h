@@ -73,7 +73,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 16 additions or comparisons, 17
+ * Operations of one step, without input checks and clipping: 15 additions or comparisons, 17
  *       multiplications, 2 divisions, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC3_H

@@ -81,7 +81,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 23 additions or comparisons, 25
+ * Operations of one step, without input checks and clipping: 22 additions or comparisons, 25
  *       multiplications, 2 divisions, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC4_H

@@ -91,7 +91,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 32 additions or comparisons, 36
+ * Operations of one step, without input checks and clipping: 31 additions or comparisons, 36
  *       multiplications, 2 divisions, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC5_H

@@ -29,12 +29,12 @@ ptc_status ptc_rational1_init(ptc_rational1 *self, const ptc_rational1_params *p
             && (eps < tau)) {
             const double rate = a / tau;
             const double K1 = k1 / rate;
-            const double c1_1 = -K1;
+            const double c1 = -K1;
             const double hold_from = -eps;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
-            if ((1e-200 <= size_K1) && (isfinite(c1_1) != 0) && (isfinite(hold_from) != 0)) {
+            if ((1e-200 <= size_K1) && (isfinite(c1) != 0) && (isfinite(hold_from) != 0)) {
                 built.tau = tau;
-                built.c1_1 = c1_1;
+                built.c1 = c1;
                 built.eps = eps;
                 built.hold_from = hold_from;
                 built.u_max = u_max;
@@ -82,9 +82,7 @@ ptc_status ptc_rational1_step(const ptc_rational1 *self, double t, const double 
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double row1 = self->c1_1 * inv_T;
-            const double v = row1 * x[0] * inv_T;
+            const double v = (self->c1 * x[0]) / (late * late);
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -118,9 +116,7 @@ ptc_status ptc_rational1_tick(const ptc_rational1 *self, double t, ptc_rational1
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double row1 = self->c1_1 * inv_T;
-            gains->gain[0] = row1 * inv_T;
+            gains->gain[0] = self->c1 / (late * late);
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

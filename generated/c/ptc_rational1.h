@@ -37,10 +37,10 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -k_1 xi_1
  *   u = sum_j gain_j x_j
- *   gain_j = inv_T^(n+1-j) row_j
+ *   gain_j = inv_T_squared^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
- *   row_1 = -K1*inv_T
- *   inv_T = 1/T
+ *   row_1 = -K1
+ *   inv_T_squared = 1/T^2
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -58,7 +58,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 3 additions or comparisons, 3
+ * Operations of one step, without input checks and clipping: 3 additions or comparisons, 2
  *       multiplications, 1 division.
  */
 #ifndef PTC_RATIONAL1_H
@@ -95,7 +95,7 @@ typedef struct ptc_rational1_params {
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_rational1 {
     double tau; /* prescribed settling time */
-    double c1_1; /* coefficient of inv_T^1 in the gain of x1 */
+    double c1; /* coefficient of x1 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */

@@ -35,22 +35,22 @@ ptc_status ptc_rational2_input_gain_init(
             const double v1 = rate * rate;
             const double K1 = k1 / v1;
             const double K2 = k2 / rate;
-            const double c1_2 = -K1;
+            const double c1 = -K1;
+            const double c2_0 = -K2;
             const double hold_from = -eps;
-            const double c2_1 = -K2;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             if ((1e-200 <= v1)
                 && (1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
-                && (isfinite(c1_2) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(c2_1) != 0)) {
+                && (isfinite(c1) != 0)
+                && (isfinite(c2_0) != 0)
+                && (isfinite(hold_from) != 0)) {
                 built.tau = tau;
-                built.c1_2 = c1_2;
+                built.c1 = c1;
+                built.c2_0 = c2_0;
                 built.eps = eps;
                 built.hold_from = hold_from;
-                built.c2_1 = c2_1;
                 built.u_max = u_max;
                 built.t0 = 0.0;
                 built.deadline = 0.0;
@@ -100,10 +100,10 @@ ptc_status ptc_rational2_input_gain_step(
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double row1 = self->c1_2 * inv_T * inv_T;
-            const double row2 = (self->c2_1 * inv_T) + 2.0;
-            const double v1 = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+            const double row2 = ((-2.0) * late) + self->c2_0;
+            const double inv_T_squared = 1.0 / (late * late);
+            const double s1 = (self->c1 * x[0] * inv_T_squared) + (row2 * x[1]);
+            const double v1 = s1 * inv_T_squared;
             const double input_gain = 2.0 + (x[0] * x[0]);
             const double v = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
             *u = v;

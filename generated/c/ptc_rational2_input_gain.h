@@ -41,11 +41,11 @@
  *   pi0 = -(k_1 xi_1 + k_2 xi_2)
  *   g = 2 + x1*x1
  *   u = (sum_j gain_j x_j)/g
- *   gain_j = inv_T^(n+1-j) row_j
+ *   gain_j = inv_T_squared^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
- *   row_1 = -K1*inv_T^2
- *   row_2 = 2 - K2*inv_T
- *   inv_T = 1/T
+ *   row_1 = -K1
+ *   row_2 = -K2 + 2*T
+ *   inv_T_squared = 1/T^2
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -63,7 +63,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 6 additions or comparisons, 8
+ * Operations of one step, without input checks and clipping: 6 additions or comparisons, 7
  *       multiplications, 2 divisions.
  */
 #ifndef PTC_RATIONAL2_INPUT_GAIN_H
@@ -100,13 +100,13 @@ typedef struct ptc_rational2_input_gain_params {
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_rational2_input_gain {
     double tau; /* prescribed settling time */
-    double c1_2; /* coefficient of inv_T^2 in the gain of x1 */
+    double c1; /* coefficient of x1 */
+    double c2_0; /* coefficient of late^0 in the gain of x2 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double c2_1; /* coefficient of inv_T^1 in the gain of x2 */
     double u_max; /* bound of |u| */
 } ptc_rational2_input_gain;
 

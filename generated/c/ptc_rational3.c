@@ -37,11 +37,11 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
             const double K1 = k1 / v2;
             const double K2 = k2 / v1;
             const double K3 = k3 / rate;
-            const double c1_3 = -K1;
+            const double c1 = -K1;
+            const double c2_0 = -K2;
+            const double c2_1 = -(2.0 * K3);
             const double hold_from = -eps;
-            const double c2_1 = 2.0 * K3;
-            const double c2_2 = -K2;
-            const double c3_1 = -K3;
+            const double c3_0 = -K3;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
@@ -50,18 +50,18 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
                 && (1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
                 && (1e-200 <= size_K3)
-                && (isfinite(c1_3) != 0)
-                && (isfinite(hold_from) != 0)
+                && (isfinite(c1) != 0)
+                && (isfinite(c2_0) != 0)
                 && (isfinite(c2_1) != 0)
-                && (isfinite(c2_2) != 0)
-                && (isfinite(c3_1) != 0)) {
+                && (isfinite(hold_from) != 0)
+                && (isfinite(c3_0) != 0)) {
                 built.tau = tau;
-                built.c1_3 = c1_3;
+                built.c1 = c1;
+                built.c2_0 = c2_0;
+                built.c2_1 = c2_1;
                 built.eps = eps;
                 built.hold_from = hold_from;
-                built.c2_1 = c2_1;
-                built.c2_2 = c2_2;
-                built.c3_1 = c3_1;
+                built.c3_0 = c3_0;
                 built.u_max = u_max;
                 built.t0 = 0.0;
                 built.deadline = 0.0;
@@ -107,12 +107,12 @@ ptc_status ptc_rational3_step(const ptc_rational3 *self, double t, const double 
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double row1 = self->c1_3 * inv_T * inv_T * inv_T;
-            const double row2 = (((self->c2_2 * inv_T) + self->c2_1) * inv_T) - 6.0;
-            const double row3 = (self->c3_1 * inv_T) + 6.0;
-            const double s1 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
-            const double v = s1 * inv_T;
+            const double v1 = (-6.0) * late;
+            const double row2 = ((v1 + self->c2_1) * late) + self->c2_0;
+            const double row3 = v1 + self->c3_0;
+            const double inv_T_squared = 1.0 / (late * late);
+            const double s1 = (self->c1 * x[0] * inv_T_squared) + (row2 * x[1]);
+            const double v = ((s1 * inv_T_squared) + (row3 * x[2])) * inv_T_squared;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -149,13 +149,13 @@ ptc_status ptc_rational3_tick(const ptc_rational3 *self, double t, ptc_rational3
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double row1 = self->c1_3 * inv_T * inv_T * inv_T;
-            const double row2 = (((self->c2_2 * inv_T) + self->c2_1) * inv_T) - 6.0;
-            const double row3 = (self->c3_1 * inv_T) + 6.0;
-            gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
-            gains->gain[1] = row2 * inv_T * inv_T;
-            gains->gain[2] = row3 * inv_T;
+            const double v1 = (-6.0) * late;
+            const double row2 = ((v1 + self->c2_1) * late) + self->c2_0;
+            const double row3 = v1 + self->c3_0;
+            const double inv_T_squared = 1.0 / (late * late);
+            gains->gain[0] = self->c1 * (inv_T_squared * inv_T_squared) * inv_T_squared;
+            gains->gain[1] = row2 * inv_T_squared * inv_T_squared;
+            gains->gain[2] = row3 * inv_T_squared;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -51,13 +51,13 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -(k_1 xi_1 + ... + k_4 xi_4)
  *   u = sum_j gain_j x_j
- *   gain_j = inv_T^(n+1-j) row_j
+ *   gain_j = inv_T_squared^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
- *   row_1 = -K1*inv_T^4
- *   row_2 = 24 - K2*inv_T^3 + 2*K3*inv_T^2 - 6*K4*inv_T
- *   row_3 = -36 - K3*inv_T^2 + 6*K4*inv_T
- *   row_4 = 12 - K4*inv_T
- *   inv_T = 1/T
+ *   row_1 = -K1
+ *   row_2 = -K2 + 2*K3*T - 6*K4*T^2 + 24*T^3
+ *   row_3 = -K3 + 6*K4*T - 36*T^2
+ *   row_4 = -K4 + 12*T
+ *   inv_T_squared = 1/T^2
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -75,7 +75,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 12 additions or comparisons, 17
+ * Operations of one step, without input checks and clipping: 12 additions or comparisons, 15
  *       multiplications, 1 division.
  */
 #ifndef PTC_RATIONAL4_H
@@ -112,18 +112,17 @@ typedef struct ptc_rational4_params {
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_rational4 {
     double tau; /* prescribed settling time */
-    double c1_4; /* coefficient of inv_T^4 in the gain of x1 */
+    double c1; /* coefficient of x1 */
+    double c2_0; /* coefficient of late^0 in the gain of x2 */
+    double c2_1; /* coefficient of late^1 in the gain of x2 */
+    double c3_1; /* coefficient of late^1 in the gain of x3 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double c3_1; /* coefficient of inv_T^1 in the gain of x3 */
-    double c2_1; /* coefficient of inv_T^1 in the gain of x2 */
-    double c2_2; /* coefficient of inv_T^2 in the gain of x2 */
-    double c2_3; /* coefficient of inv_T^3 in the gain of x2 */
-    double c3_2; /* coefficient of inv_T^2 in the gain of x3 */
-    double c4_1; /* coefficient of inv_T^1 in the gain of x4 */
+    double c3_0; /* coefficient of late^0 in the gain of x3 */
+    double c4_0; /* coefficient of late^0 in the gain of x4 */
     double u_max; /* bound of |u| */
 } ptc_rational4;
 

@@ -57,14 +57,14 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -(k_1 xi_1 + ... + k_5 xi_5)
  *   u = sum_j gain_j x_j
- *   gain_j = inv_T^(n+1-j) row_j
+ *   gain_j = inv_T_squared^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
- *   row_1 = -K1*inv_T^5
- *   row_2 = -120 - K2*inv_T^4 + 2*K3*inv_T^3 - 6*K4*inv_T^2 + 24*K5*inv_T
- *   row_3 = 240 - K3*inv_T^3 + 6*K4*inv_T^2 - 36*K5*inv_T
- *   row_4 = -120 - K4*inv_T^2 + 12*K5*inv_T
- *   row_5 = 20 - K5*inv_T
- *   inv_T = 1/T
+ *   row_1 = -K1
+ *   row_2 = -K2 + 2*K3*T - 6*K4*T^2 + 24*K5*T^3 - 120*T^4
+ *   row_3 = -K3 + 6*K4*T - 36*K5*T^2 + 240*T^3
+ *   row_4 = -K4 + 12*K5*T - 120*T^2
+ *   row_5 = -K5 + 20*T
+ *   inv_T_squared = 1/T^2
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -82,7 +82,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 17 additions or comparisons, 24
+ * Operations of one step, without input checks and clipping: 17 additions or comparisons, 20
  *       multiplications, 1 division.
  */
 #ifndef PTC_RATIONAL5_H
@@ -119,22 +119,21 @@ typedef struct ptc_rational5_params {
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_rational5 {
     double tau; /* prescribed settling time */
-    double c1_5; /* coefficient of inv_T^5 in the gain of x1 */
+    double c1; /* coefficient of x1 */
+    double c2_0; /* coefficient of late^0 in the gain of x2 */
+    double c2_1; /* coefficient of late^1 in the gain of x2 */
+    double c3_1; /* coefficient of late^1 in the gain of x3 */
+    double c2_3; /* coefficient of late^3 in the gain of x2 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double c2_1; /* coefficient of inv_T^1 in the gain of x2 */
-    double c3_2; /* coefficient of inv_T^2 in the gain of x3 */
-    double c2_2; /* coefficient of inv_T^2 in the gain of x2 */
-    double c2_3; /* coefficient of inv_T^3 in the gain of x2 */
-    double c2_4; /* coefficient of inv_T^4 in the gain of x2 */
-    double c3_1; /* coefficient of inv_T^1 in the gain of x3 */
-    double c3_3; /* coefficient of inv_T^3 in the gain of x3 */
-    double c4_1; /* coefficient of inv_T^1 in the gain of x4 */
-    double c4_2; /* coefficient of inv_T^2 in the gain of x4 */
-    double c5_1; /* coefficient of inv_T^1 in the gain of x5 */
+    double c3_0; /* coefficient of late^0 in the gain of x3 */
+    double c3_2; /* coefficient of late^2 in the gain of x3 */
+    double c4_0; /* coefficient of late^0 in the gain of x4 */
+    double c4_1; /* coefficient of late^1 in the gain of x4 */
+    double c5_0; /* coefficient of late^0 in the gain of x5 */
     double u_max; /* bound of |u| */
 } ptc_rational5;
 

@@ -60,7 +60,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 6 additions or comparisons, 5
+ * Operations of one step, without input checks and clipping: 6 additions or comparisons, 2
  *       multiplications, 2 divisions.
  */
 #ifndef PTC_TANH1_H
@@ -103,7 +103,7 @@ typedef struct ptc_tanh1 {
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double two_tau; /* 2*tau */
+    double minus_two_tau; /* -2*tau */
     double u_max; /* bound of |u| */
 } ptc_tanh1;
 

@@ -35,6 +35,7 @@ ptc_status ptc_tanh2_init(ptc_tanh2 *self, const ptc_tanh2_params *params)
             const double c1_2 = -K1;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
+            const double minus_two_tau = -two_tau;
             const double v1 = -K2;
             const double c2_0 = v1 + 1.0;
             const double c2_1 = v1 - 1.0;
@@ -44,14 +45,14 @@ ptc_status ptc_tanh2_init(ptc_tanh2 *self, const ptc_tanh2_params *params)
                 && (1e-200 <= size_K2)
                 && (isfinite(c1_2) != 0)
                 && (isfinite(hold_from) != 0)
-                && (isfinite(two_tau) != 0)
+                && (isfinite(minus_two_tau) != 0)
                 && (isfinite(c2_0) != 0)
                 && (isfinite(c2_1) != 0)) {
                 built.c1_2 = c1_2;
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
-                built.two_tau = two_tau;
+                built.minus_two_tau = minus_two_tau;
                 built.c2_0 = c2_0;
                 built.c2_1 = c2_1;
                 built.u_max = u_max;
@@ -99,13 +100,11 @@ ptc_status ptc_tanh2_step(const ptc_tanh2 *self, double t, const double x[2], do
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = self->two_tau + late;
-            const double v2 = (-1.0) / (late * v1);
-            const double E = late * (late * v2);
+            const double E = late / (self->minus_two_tau - late);
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_2 * one_plus_E * one_plus_E;
             const double row2 = (self->c2_1 * E) + self->c2_0;
-            const double inv_T = v2 * v1;
+            const double inv_T = (-1.0) / late;
             const double v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
@@ -140,13 +139,11 @@ ptc_status ptc_tanh2_tick(const ptc_tanh2 *self, double t, ptc_tanh2_gains *gain
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = self->two_tau + late;
-            const double v2 = (-1.0) / (late * v1);
-            const double E = late * (late * v2);
+            const double E = late / (self->minus_two_tau - late);
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_2 * one_plus_E * one_plus_E;
             const double row2 = (self->c2_1 * E) + self->c2_0;
-            const double inv_T = v2 * v1;
+            const double inv_T = (-1.0) / late;
             gains->gain[0] = row1 * inv_T * inv_T;
             gains->gain[1] = row2 * inv_T;
             gains->u_max = self->u_max;

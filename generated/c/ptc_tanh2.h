@@ -64,8 +64,8 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 7 additions or comparisons, 11
- *       multiplications, 1 division.
+ * Operations of one step, without input checks and clipping: 7 additions or comparisons, 7
+ *       multiplications, 2 divisions.
  */
 #ifndef PTC_TANH2_H
 #define PTC_TANH2_H
@@ -107,7 +107,7 @@ typedef struct ptc_tanh2 {
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double two_tau; /* 2*tau */
+    double minus_two_tau; /* -2*tau */
     double c2_0; /* coefficient of E^0 in the gain of x2 */
     double c2_1; /* coefficient of E^1 in the gain of x2 */
     double u_max; /* bound of |u| */

@@ -40,6 +40,7 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             const double c1_3 = -K1;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
+            const double minus_two_tau = -two_tau;
             const double v3 = -K2;
             const double c2_0 = (v3 + K3) - 1.0;
             const double c2_1 = (-(2.0 * K2)) + 4.0;
@@ -56,7 +57,7 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
                 && (1e-200 <= size_K3)
                 && (isfinite(c1_3) != 0)
                 && (isfinite(hold_from) != 0)
-                && (isfinite(two_tau) != 0)
+                && (isfinite(minus_two_tau) != 0)
                 && (isfinite(c2_0) != 0)
                 && (isfinite(c2_1) != 0)
                 && (isfinite(c2_2) != 0)
@@ -66,7 +67,7 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
-                built.two_tau = two_tau;
+                built.minus_two_tau = minus_two_tau;
                 built.c2_0 = c2_0;
                 built.c2_1 = c2_1;
                 built.c2_2 = c2_2;
@@ -117,14 +118,12 @@ ptc_status ptc_tanh3_step(const ptc_tanh3 *self, double t, const double x[3], do
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = self->two_tau + late;
-            const double v2 = (-1.0) / (late * v1);
-            const double E = late * (late * v2);
+            const double E = late / (self->minus_two_tau - late);
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_3 * one_plus_E * one_plus_E * one_plus_E;
             const double row2 = (((self->c2_2 * E) + self->c2_1) * E) + self->c2_0;
             const double row3 = (self->c3_1 * E) + self->c3_0;
-            const double inv_T = v2 * v1;
+            const double inv_T = (-1.0) / late;
             const double s1 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
             const double v = s1 * inv_T;
             *u = v;
@@ -163,14 +162,12 @@ ptc_status ptc_tanh3_tick(const ptc_tanh3 *self, double t, ptc_tanh3_gains *gain
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = self->two_tau + late;
-            const double v2 = (-1.0) / (late * v1);
-            const double E = late * (late * v2);
+            const double E = late / (self->minus_two_tau - late);
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_3 * one_plus_E * one_plus_E * one_plus_E;
             const double row2 = (((self->c2_2 * E) + self->c2_1) * E) + self->c2_0;
             const double row3 = (self->c3_1 * E) + self->c3_0;
-            const double inv_T = v2 * v1;
+            const double inv_T = (-1.0) / late;
             gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
             gains->gain[1] = row2 * inv_T * inv_T;
             gains->gain[2] = row3 * inv_T;

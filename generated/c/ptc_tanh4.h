@@ -78,8 +78,8 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 14 additions or comparisons, 21
- *       multiplications, 1 division.
+ * Operations of one step, without input checks and clipping: 14 additions or comparisons, 17
+ *       multiplications, 2 divisions.
  */
 #ifndef PTC_TANH4_H
 #define PTC_TANH4_H
@@ -121,7 +121,7 @@ typedef struct ptc_tanh4 {
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double two_tau; /* 2*tau */
+    double minus_two_tau; /* -2*tau */
     double c2_0; /* coefficient of E^0 in the gain of x2 */
     double c2_1; /* coefficient of E^1 in the gain of x2 */
     double c2_2; /* coefficient of E^2 in the gain of x2 */

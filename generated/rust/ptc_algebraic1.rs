@@ -60,7 +60,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 6 additions or comparisons, 3
+//! Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
 //!       multiplications, 2 divisions, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
@@ -302,9 +302,8 @@ impl PtcAlgebraic1 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let row1 = self.c1_1 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
         let v = row1 * x[0] * sec;
@@ -342,9 +341,8 @@ impl PtcAlgebraic1 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let row1 = self.c1_1 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
         let status = if late < self.hold_from {

@@ -64,7 +64,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 11 additions or comparisons, 10
+//! Operations of one step, without input checks and clipping: 10 additions or comparisons, 10
 //!       multiplications, 2 divisions, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
@@ -328,9 +328,8 @@ impl PtcAlgebraic2 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let row1 = self.c1_2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;
@@ -371,9 +370,8 @@ impl PtcAlgebraic2 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let row1 = self.c1_2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;

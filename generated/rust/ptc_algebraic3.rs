@@ -72,7 +72,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 16 additions or comparisons, 17
+//! Operations of one step, without input checks and clipping: 15 additions or comparisons, 17
 //!       multiplications, 2 divisions, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
@@ -372,9 +372,8 @@ impl PtcAlgebraic3 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let row1 = self.c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;
@@ -417,9 +416,8 @@ impl PtcAlgebraic3 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let row1 = self.c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;

@@ -80,7 +80,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 23 additions or comparisons, 25
+//! Operations of one step, without input checks and clipping: 22 additions or comparisons, 25
 //!       multiplications, 2 divisions, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
@@ -447,9 +447,8 @@ impl PtcAlgebraic4 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_4 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
@@ -503,9 +502,8 @@ impl PtcAlgebraic4 {
         } else {
             self.hold_from
         };
-        let T = -late;
         let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = (self.half_tau / T) + s1;
+        let one_plus_y2 = s1 - (self.half_tau / late);
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_4 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);

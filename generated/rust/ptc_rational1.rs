@@ -37,10 +37,10 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -k_1 xi_1
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_T_squared^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
-//!   row_1 = -K1*inv_T
-//!   inv_T = 1/T
+//!   row_1 = -K1
+//!   inv_T_squared = 1/T^2
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -57,7 +57,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 3 additions or comparisons, 3
+//! Operations of one step, without input checks and clipping: 3 additions or comparisons, 2
 //!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
@@ -149,8 +149,8 @@ pub struct PtcRational1Params {
 pub struct PtcRational1 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of inv_T^1 in the gain of x1.
-    c1_1: f64,
+    /// coefficient of x1.
+    c1: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -213,15 +213,15 @@ impl PtcRational1 {
         }
         let rate = a / tau;
         let K1 = k1 / rate;
-        let c1_1 = -K1;
+        let c1 = -K1;
         let hold_from = -eps;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
-        if !((1e-200 <= size_K1) && c1_1.is_finite() && hold_from.is_finite()) {
+        if !((1e-200 <= size_K1) && c1.is_finite() && hold_from.is_finite()) {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_1,
+            c1,
             eps,
             hold_from,
             u_max,
@@ -269,9 +269,7 @@ impl PtcRational1 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let row1 = self.c1_1 * inv_T;
-        let v = row1 * x[0] * inv_T;
+        let v = (self.c1 * x[0]) / (late * late);
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
@@ -306,15 +304,13 @@ impl PtcRational1 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let row1 = self.c1_1 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcRational1Gains {
-            gain: [row1 * inv_T],
+            gain: [self.c1 / (late * late)],
             u_max: self.u_max,
             status,
         })

@@ -40,11 +40,11 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + k_2 xi_2)
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_T_squared^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
-//!   row_1 = -K1*inv_T^2
-//!   row_2 = 2 - K2*inv_T
-//!   inv_T = 1/T
+//!   row_1 = -K1
+//!   row_2 = -K2 + 2*T
+//!   inv_T_squared = 1/T^2
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -61,7 +61,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 5 additions or comparisons, 7
+//! Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
 //!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
@@ -153,8 +153,10 @@ pub struct PtcRational2Params {
 pub struct PtcRational2 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of inv_T^2 in the gain of x1.
-    c1_2: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of late^0 in the gain of x2.
+    c2_0: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -165,8 +167,6 @@ pub struct PtcRational2 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// coefficient of inv_T^1 in the gain of x2.
-    c2_1: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -223,26 +223,26 @@ impl PtcRational2 {
         let v1 = rate * rate;
         let K1 = k1 / v1;
         let K2 = k2 / rate;
-        let c1_2 = -K1;
+        let c1 = -K1;
+        let c2_0 = -K2;
         let hold_from = -eps;
-        let c2_1 = -K2;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         if !((1e-200 <= v1)
             && (1e-200 <= size_K1)
             && (1e-200 <= size_K2)
-            && c1_2.is_finite()
-            && hold_from.is_finite()
-            && c2_1.is_finite())
+            && c1.is_finite()
+            && c2_0.is_finite()
+            && hold_from.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_2,
+            c1,
+            c2_0,
             eps,
             hold_from,
-            c2_1,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -288,10 +288,10 @@ impl PtcRational2 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let row1 = self.c1_2 * inv_T * inv_T;
-        let row2 = (self.c2_1 * inv_T) + 2.0;
-        let v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+        let row2 = ((-2.0) * late) + self.c2_0;
+        let inv_T_squared = 1.0 / (late * late);
+        let s1 = (self.c1 * x[0] * inv_T_squared) + (row2 * x[1]);
+        let v = s1 * inv_T_squared;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
@@ -326,16 +326,18 @@ impl PtcRational2 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let row1 = self.c1_2 * inv_T * inv_T;
-        let row2 = (self.c2_1 * inv_T) + 2.0;
+        let row2 = ((-2.0) * late) + self.c2_0;
+        let inv_T_squared = 1.0 / (late * late);
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcRational2Gains {
-            gain: [row1 * inv_T * inv_T, row2 * inv_T],
+            gain: [
+                self.c1 * inv_T_squared * inv_T_squared,
+                row2 * inv_T_squared,
+            ],
             u_max: self.u_max,
             status,
         })

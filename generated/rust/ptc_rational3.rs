@@ -46,12 +46,12 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_T_squared^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
-//!   row_1 = -K1*inv_T^3
-//!   row_2 = -6 - K2*inv_T^2 + 2*K3*inv_T
-//!   row_3 = 6 - K3*inv_T
-//!   inv_T = 1/T
+//!   row_1 = -K1
+//!   row_2 = -K2 + 2*K3*T - 6*T^2
+//!   row_3 = -K3 + 6*T
+//!   inv_T_squared = 1/T^2
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -68,7 +68,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 8 additions or comparisons, 12
+//! Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
 //!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
@@ -160,8 +160,12 @@ pub struct PtcRational3Params {
 pub struct PtcRational3 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of inv_T^3 in the gain of x1.
-    c1_3: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of late^0 in the gain of x2.
+    c2_0: f64,
+    /// coefficient of late^1 in the gain of x2.
+    c2_1: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -172,12 +176,8 @@ pub struct PtcRational3 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// coefficient of inv_T^1 in the gain of x2.
-    c2_1: f64,
-    /// coefficient of inv_T^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of inv_T^1 in the gain of x3.
-    c3_1: f64,
+    /// coefficient of late^0 in the gain of x3.
+    c3_0: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -238,11 +238,11 @@ impl PtcRational3 {
         let K1 = k1 / v2;
         let K2 = k2 / v1;
         let K3 = k3 / rate;
-        let c1_3 = -K1;
+        let c1 = -K1;
+        let c2_0 = -K2;
+        let c2_1 = -(2.0 * K3);
         let hold_from = -eps;
-        let c2_1 = 2.0 * K3;
-        let c2_2 = -K2;
-        let c3_1 = -K3;
+        let c3_0 = -K3;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
@@ -251,22 +251,22 @@ impl PtcRational3 {
             && (1e-200 <= size_K1)
             && (1e-200 <= size_K2)
             && (1e-200 <= size_K3)
-            && c1_3.is_finite()
-            && hold_from.is_finite()
+            && c1.is_finite()
+            && c2_0.is_finite()
             && c2_1.is_finite()
-            && c2_2.is_finite()
-            && c3_1.is_finite())
+            && hold_from.is_finite()
+            && c3_0.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_3,
+            c1,
+            c2_0,
+            c2_1,
             eps,
             hold_from,
-            c2_1,
-            c2_2,
-            c3_1,
+            c3_0,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -312,12 +312,12 @@ impl PtcRational3 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let row1 = self.c1_3 * inv_T * inv_T * inv_T;
-        let row2 = (((self.c2_2 * inv_T) + self.c2_1) * inv_T) - 6.0;
-        let row3 = (self.c3_1 * inv_T) + 6.0;
-        let s1 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
-        let v = s1 * inv_T;
+        let v1 = (-6.0) * late;
+        let row2 = ((v1 + self.c2_1) * late) + self.c2_0;
+        let row3 = v1 + self.c3_0;
+        let inv_T_squared = 1.0 / (late * late);
+        let s1 = (self.c1 * x[0] * inv_T_squared) + (row2 * x[1]);
+        let v = ((s1 * inv_T_squared) + (row3 * x[2])) * inv_T_squared;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
@@ -352,10 +352,10 @@ impl PtcRational3 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let row1 = self.c1_3 * inv_T * inv_T * inv_T;
-        let row2 = (((self.c2_2 * inv_T) + self.c2_1) * inv_T) - 6.0;
-        let row3 = (self.c3_1 * inv_T) + 6.0;
+        let v1 = (-6.0) * late;
+        let row2 = ((v1 + self.c2_1) * late) + self.c2_0;
+        let row3 = v1 + self.c3_0;
+        let inv_T_squared = 1.0 / (late * late);
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -363,9 +363,9 @@ impl PtcRational3 {
         };
         Ok(PtcRational3Gains {
             gain: [
-                row1 * (inv_T * inv_T) * inv_T,
-                row2 * inv_T * inv_T,
-                row3 * inv_T,
+                self.c1 * (inv_T_squared * inv_T_squared) * inv_T_squared,
+                row2 * inv_T_squared * inv_T_squared,
+                row3 * inv_T_squared,
             ],
             u_max: self.u_max,
             status,

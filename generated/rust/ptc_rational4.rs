@@ -51,13 +51,13 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + ... + k_4 xi_4)
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_T_squared^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
-//!   row_1 = -K1*inv_T^4
-//!   row_2 = 24 - K2*inv_T^3 + 2*K3*inv_T^2 - 6*K4*inv_T
-//!   row_3 = -36 - K3*inv_T^2 + 6*K4*inv_T
-//!   row_4 = 12 - K4*inv_T
-//!   inv_T = 1/T
+//!   row_1 = -K1
+//!   row_2 = -K2 + 2*K3*T - 6*K4*T^2 + 24*T^3
+//!   row_3 = -K3 + 6*K4*T - 36*T^2
+//!   row_4 = -K4 + 12*T
+//!   inv_T_squared = 1/T^2
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -74,7 +74,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 12 additions or comparisons, 17
+//! Operations of one step, without input checks and clipping: 12 additions or comparisons, 15
 //!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
@@ -166,8 +166,14 @@ pub struct PtcRational4Params {
 pub struct PtcRational4 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of inv_T^4 in the gain of x1.
-    c1_4: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of late^0 in the gain of x2.
+    c2_0: f64,
+    /// coefficient of late^1 in the gain of x2.
+    c2_1: f64,
+    /// coefficient of late^1 in the gain of x3.
+    c3_1: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -178,18 +184,10 @@ pub struct PtcRational4 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// coefficient of inv_T^1 in the gain of x3.
-    c3_1: f64,
-    /// coefficient of inv_T^1 in the gain of x2.
-    c2_1: f64,
-    /// coefficient of inv_T^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of inv_T^3 in the gain of x2.
-    c2_3: f64,
-    /// coefficient of inv_T^2 in the gain of x3.
-    c3_2: f64,
-    /// coefficient of inv_T^1 in the gain of x4.
-    c4_1: f64,
+    /// coefficient of late^0 in the gain of x3.
+    c3_0: f64,
+    /// coefficient of late^0 in the gain of x4.
+    c4_0: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -254,14 +252,13 @@ impl PtcRational4 {
         let K2 = k2 / v3;
         let K3 = k3 / v1;
         let K4 = k4 / rate;
-        let c1_4 = -K1;
+        let c1 = -K1;
+        let c2_0 = -K2;
+        let c2_1 = -(2.0 * K3);
+        let c3_1 = -(6.0 * K4);
         let hold_from = -eps;
-        let c3_1 = 6.0 * K4;
-        let c2_1 = -c3_1;
-        let c2_2 = 2.0 * K3;
-        let c2_3 = -K2;
-        let c3_2 = -K3;
-        let c4_1 = -K4;
+        let c3_0 = -K3;
+        let c4_0 = -K4;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
@@ -273,28 +270,26 @@ impl PtcRational4 {
             && (1e-200 <= size_K2)
             && (1e-200 <= size_K3)
             && (1e-200 <= size_K4)
-            && c1_4.is_finite()
-            && hold_from.is_finite()
-            && c3_1.is_finite()
+            && c1.is_finite()
+            && c2_0.is_finite()
             && c2_1.is_finite()
-            && c2_2.is_finite()
-            && c2_3.is_finite()
-            && c3_2.is_finite()
-            && c4_1.is_finite())
+            && c3_1.is_finite()
+            && hold_from.is_finite()
+            && c3_0.is_finite()
+            && c4_0.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_4,
+            c1,
+            c2_0,
+            c2_1,
+            c3_1,
             eps,
             hold_from,
-            c3_1,
-            c2_1,
-            c2_2,
-            c2_3,
-            c3_2,
-            c4_1,
+            c3_0,
+            c4_0,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -340,15 +335,14 @@ impl PtcRational4 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let v1 = inv_T * inv_T;
-        let row1 = self.c1_4 * v1 * v1;
-        let s1 = (((self.c2_3 * inv_T) + self.c2_2) * inv_T) + self.c2_1;
-        let row2 = (s1 * inv_T) + 24.0;
-        let row3 = (((self.c3_2 * inv_T) + self.c3_1) * inv_T) - 36.0;
-        let row4 = (self.c4_1 * inv_T) + 12.0;
-        let s2 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
-        let v = ((s2 * inv_T) + (row4 * x[3])) * inv_T;
+        let s1 = (((((-24.0) * late) + self.c3_1) * late) + self.c2_1) * late;
+        let row2 = s1 + self.c2_0;
+        let row3 = ((((-36.0) * late) + self.c3_1) * late) + self.c3_0;
+        let row4 = ((-12.0) * late) + self.c4_0;
+        let inv_T_squared = 1.0 / (late * late);
+        let s2 = (self.c1 * x[0] * inv_T_squared) + (row2 * x[1]);
+        let s3 = ((s2 * inv_T_squared) + (row3 * x[2])) * inv_T_squared;
+        let v = (s3 + (row4 * x[3])) * inv_T_squared;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
@@ -388,13 +382,12 @@ impl PtcRational4 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let v1 = inv_T * inv_T;
-        let row1 = self.c1_4 * v1 * v1;
-        let s1 = (((self.c2_3 * inv_T) + self.c2_2) * inv_T) + self.c2_1;
-        let row2 = (s1 * inv_T) + 24.0;
-        let row3 = (((self.c3_2 * inv_T) + self.c3_1) * inv_T) - 36.0;
-        let row4 = (self.c4_1 * inv_T) + 12.0;
+        let s1 = (((((-24.0) * late) + self.c3_1) * late) + self.c2_1) * late;
+        let row2 = s1 + self.c2_0;
+        let row3 = ((((-36.0) * late) + self.c3_1) * late) + self.c3_0;
+        let row4 = ((-12.0) * late) + self.c4_0;
+        let inv_T_squared = 1.0 / (late * late);
+        let v1 = inv_T_squared * inv_T_squared;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -402,10 +395,10 @@ impl PtcRational4 {
         };
         Ok(PtcRational4Gains {
             gain: [
-                row1 * v1 * v1,
-                row2 * v1 * inv_T,
-                row3 * inv_T * inv_T,
-                row4 * inv_T,
+                self.c1 * v1 * v1,
+                row2 * v1 * inv_T_squared,
+                row3 * inv_T_squared * inv_T_squared,
+                row4 * inv_T_squared,
             ],
             u_max: self.u_max,
             status,

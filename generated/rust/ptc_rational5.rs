@@ -57,14 +57,14 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + ... + k_5 xi_5)
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_T_squared^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(tau^-1*a)^(n+1-i)
-//!   row_1 = -K1*inv_T^5
-//!   row_2 = -120 - K2*inv_T^4 + 2*K3*inv_T^3 - 6*K4*inv_T^2 + 24*K5*inv_T
-//!   row_3 = 240 - K3*inv_T^3 + 6*K4*inv_T^2 - 36*K5*inv_T
-//!   row_4 = -120 - K4*inv_T^2 + 12*K5*inv_T
-//!   row_5 = 20 - K5*inv_T
-//!   inv_T = 1/T
+//!   row_1 = -K1
+//!   row_2 = -K2 + 2*K3*T - 6*K4*T^2 + 24*K5*T^3 - 120*T^4
+//!   row_3 = -K3 + 6*K4*T - 36*K5*T^2 + 240*T^3
+//!   row_4 = -K4 + 12*K5*T - 120*T^2
+//!   row_5 = -K5 + 20*T
+//!   inv_T_squared = 1/T^2
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -81,7 +81,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 17 additions or comparisons, 24
+//! Operations of one step, without input checks and clipping: 17 additions or comparisons, 20
 //!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
@@ -173,8 +173,16 @@ pub struct PtcRational5Params {
 pub struct PtcRational5 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of inv_T^5 in the gain of x1.
-    c1_5: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of late^0 in the gain of x2.
+    c2_0: f64,
+    /// coefficient of late^1 in the gain of x2.
+    c2_1: f64,
+    /// coefficient of late^1 in the gain of x3.
+    c3_1: f64,
+    /// coefficient of late^3 in the gain of x2.
+    c2_3: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -185,26 +193,16 @@ pub struct PtcRational5 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// coefficient of inv_T^1 in the gain of x2.
-    c2_1: f64,
-    /// coefficient of inv_T^2 in the gain of x3.
+    /// coefficient of late^0 in the gain of x3.
+    c3_0: f64,
+    /// coefficient of late^2 in the gain of x3.
     c3_2: f64,
-    /// coefficient of inv_T^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of inv_T^3 in the gain of x2.
-    c2_3: f64,
-    /// coefficient of inv_T^4 in the gain of x2.
-    c2_4: f64,
-    /// coefficient of inv_T^1 in the gain of x3.
-    c3_1: f64,
-    /// coefficient of inv_T^3 in the gain of x3.
-    c3_3: f64,
-    /// coefficient of inv_T^1 in the gain of x4.
+    /// coefficient of late^0 in the gain of x4.
+    c4_0: f64,
+    /// coefficient of late^1 in the gain of x4.
     c4_1: f64,
-    /// coefficient of inv_T^2 in the gain of x4.
-    c4_2: f64,
-    /// coefficient of inv_T^1 in the gain of x5.
-    c5_1: f64,
+    /// coefficient of late^0 in the gain of x5.
+    c5_0: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -273,18 +271,17 @@ impl PtcRational5 {
         let K3 = k3 / v4;
         let K4 = k4 / v1;
         let K5 = k5 / rate;
-        let c1_5 = -K1;
+        let c1 = -K1;
+        let c2_0 = -K2;
+        let c2_1 = -(2.0 * K3);
+        let c3_1 = -(6.0 * K4);
+        let c2_3 = -(24.0 * K5);
         let hold_from = -eps;
-        let c2_1 = 24.0 * K5;
-        let c3_2 = 6.0 * K4;
-        let c2_2 = -c3_2;
-        let c2_3 = 2.0 * K3;
-        let c2_4 = -K2;
-        let c3_1 = -(36.0 * K5);
-        let c3_3 = -K3;
-        let c4_1 = 12.0 * K5;
-        let c4_2 = -K4;
-        let c5_1 = -K5;
+        let c3_0 = -K3;
+        let c3_2 = -(36.0 * K5);
+        let c4_0 = -K4;
+        let c4_1 = -(12.0 * K5);
+        let c5_0 = -K5;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
@@ -299,36 +296,34 @@ impl PtcRational5 {
             && (1e-200 <= size_K3)
             && (1e-200 <= size_K4)
             && (1e-200 <= size_K5)
-            && c1_5.is_finite()
-            && hold_from.is_finite()
+            && c1.is_finite()
+            && c2_0.is_finite()
             && c2_1.is_finite()
-            && c3_2.is_finite()
-            && c2_2.is_finite()
-            && c2_3.is_finite()
-            && c2_4.is_finite()
             && c3_1.is_finite()
-            && c3_3.is_finite()
+            && c2_3.is_finite()
+            && hold_from.is_finite()
+            && c3_0.is_finite()
+            && c3_2.is_finite()
+            && c4_0.is_finite()
             && c4_1.is_finite()
-            && c4_2.is_finite()
-            && c5_1.is_finite())
+            && c5_0.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_5,
+            c1,
+            c2_0,
+            c2_1,
+            c3_1,
+            c2_3,
             eps,
             hold_from,
-            c2_1,
+            c3_0,
             c3_2,
-            c2_2,
-            c2_3,
-            c2_4,
-            c3_1,
-            c3_3,
+            c4_0,
             c4_1,
-            c4_2,
-            c5_1,
+            c5_0,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -374,17 +369,18 @@ impl PtcRational5 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let v1 = inv_T * inv_T;
-        let row1 = self.c1_5 * inv_T * v1 * v1;
-        let s1 = (((self.c2_4 * inv_T) + self.c2_3) * inv_T) + self.c2_2;
-        let row2 = (((s1 * inv_T) + self.c2_1) * inv_T) - 120.0;
-        let s2 = (((self.c3_3 * inv_T) + self.c3_2) * inv_T) + self.c3_1;
-        let row3 = (s2 * inv_T) + 240.0;
-        let row4 = (((self.c4_2 * inv_T) + self.c4_1) * inv_T) - 120.0;
-        let row5 = (self.c5_1 * inv_T) + 20.0;
-        let s3 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
-        let v = ((((s3 * inv_T) + (row4 * x[3])) * inv_T) + (row5 * x[4])) * inv_T;
+        let v1 = (-120.0) * late;
+        let s1 = ((((v1 + self.c2_3) * late) + self.c3_1) * late) + self.c2_1;
+        let row2 = (s1 * late) + self.c2_0;
+        let s2 = (((((-240.0) * late) + self.c3_2) * late) + self.c3_1) * late;
+        let row3 = s2 + self.c3_0;
+        let row4 = ((v1 + self.c4_1) * late) + self.c4_0;
+        let row5 = ((-20.0) * late) + self.c5_0;
+        let inv_T_squared = 1.0 / (late * late);
+        let s3 = (self.c1 * x[0] * inv_T_squared) + (row2 * x[1]);
+        let s4 = ((s3 * inv_T_squared) + (row3 * x[2])) * inv_T_squared;
+        let s5 = ((s4 + (row4 * x[3])) * inv_T_squared) + (row5 * x[4]);
+        let v = s5 * inv_T_squared;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
@@ -425,15 +421,15 @@ impl PtcRational5 {
         } else {
             self.hold_from
         };
-        let inv_T = (-1.0) / late;
-        let v1 = inv_T * inv_T;
-        let row1 = self.c1_5 * inv_T * v1 * v1;
-        let s1 = (((self.c2_4 * inv_T) + self.c2_3) * inv_T) + self.c2_2;
-        let row2 = (((s1 * inv_T) + self.c2_1) * inv_T) - 120.0;
-        let s2 = (((self.c3_3 * inv_T) + self.c3_2) * inv_T) + self.c3_1;
-        let row3 = (s2 * inv_T) + 240.0;
-        let row4 = (((self.c4_2 * inv_T) + self.c4_1) * inv_T) - 120.0;
-        let row5 = (self.c5_1 * inv_T) + 20.0;
+        let v1 = (-120.0) * late;
+        let s1 = ((((v1 + self.c2_3) * late) + self.c3_1) * late) + self.c2_1;
+        let row2 = (s1 * late) + self.c2_0;
+        let s2 = (((((-240.0) * late) + self.c3_2) * late) + self.c3_1) * late;
+        let row3 = s2 + self.c3_0;
+        let row4 = ((v1 + self.c4_1) * late) + self.c4_0;
+        let row5 = ((-20.0) * late) + self.c5_0;
+        let inv_T_squared = 1.0 / (late * late);
+        let v2 = inv_T_squared * inv_T_squared;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -441,11 +437,11 @@ impl PtcRational5 {
         };
         Ok(PtcRational5Gains {
             gain: [
-                row1 * (v1 * inv_T) * v1,
-                row2 * v1 * v1,
-                row3 * v1 * inv_T,
-                row4 * inv_T * inv_T,
-                row5 * inv_T,
+                self.c1 * (v2 * inv_T_squared) * v2,
+                row2 * v2 * v2,
+                row3 * v2 * inv_T_squared,
+                row4 * inv_T_squared * inv_T_squared,
+                row5 * inv_T_squared,
             ],
             u_max: self.u_max,
             status,

@@ -59,7 +59,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 6 additions or comparisons, 5
+//! Operations of one step, without input checks and clipping: 6 additions or comparisons, 2
 //!       multiplications, 2 divisions.
 //! ```
 #![forbid(unsafe_code)]
@@ -163,8 +163,8 @@ pub struct PtcTanh1 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
+    /// -2*tau.
+    minus_two_tau: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -220,11 +220,12 @@ impl PtcTanh1 {
         let c1_1 = -K1;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
+        let minus_two_tau = -two_tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         if !((1e-200 <= size_K1)
             && c1_1.is_finite()
             && hold_from.is_finite()
-            && two_tau.is_finite())
+            && minus_two_tau.is_finite())
         {
             return Err(Error::Param);
         }
@@ -233,7 +234,7 @@ impl PtcTanh1 {
             tau,
             eps,
             hold_from,
-            two_tau,
+            minus_two_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -279,7 +280,7 @@ impl PtcTanh1 {
         } else {
             self.hold_from
         };
-        let E = late * (late * ((-1.0) / (late * (self.two_tau + late))));
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_1 * one_plus_E;
         let v = ((-row1) * x[0]) / late;
@@ -317,7 +318,7 @@ impl PtcTanh1 {
         } else {
             self.hold_from
         };
-        let E = late * (late * ((-1.0) / (late * (self.two_tau + late))));
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_1 * one_plus_E;
         let status = if late < self.hold_from {

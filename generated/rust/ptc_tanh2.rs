@@ -63,8 +63,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 7 additions or comparisons, 11
-//!       multiplications, 1 division.
+//! Operations of one step, without input checks and clipping: 7 additions or comparisons, 7
+//!       multiplications, 2 divisions.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -167,8 +167,8 @@ pub struct PtcTanh2 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
+    /// -2*tau.
+    minus_two_tau: f64,
     /// coefficient of E^0 in the gain of x2.
     c2_0: f64,
     /// coefficient of E^1 in the gain of x2.
@@ -231,6 +231,7 @@ impl PtcTanh2 {
         let c1_2 = -K1;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
+        let minus_two_tau = -two_tau;
         let v1 = -K2;
         let c2_0 = v1 + 1.0;
         let c2_1 = v1 - 1.0;
@@ -240,7 +241,7 @@ impl PtcTanh2 {
             && (1e-200 <= size_K2)
             && c1_2.is_finite()
             && hold_from.is_finite()
-            && two_tau.is_finite()
+            && minus_two_tau.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite())
         {
@@ -251,7 +252,7 @@ impl PtcTanh2 {
             tau,
             eps,
             hold_from,
-            two_tau,
+            minus_two_tau,
             c2_0,
             c2_1,
             u_max,
@@ -299,13 +300,11 @@ impl PtcTanh2 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_2 * one_plus_E * one_plus_E;
         let row2 = (self.c2_1 * E) + self.c2_0;
-        let inv_T = v2 * v1;
+        let inv_T = (-1.0) / late;
         let v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
@@ -341,13 +340,11 @@ impl PtcTanh2 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_2 * one_plus_E * one_plus_E;
         let row2 = (self.c2_1 * E) + self.c2_0;
-        let inv_T = v2 * v1;
+        let inv_T = (-1.0) / late;
         let status = if late < self.hold_from {
             Status::Ok
         } else {

@@ -70,8 +70,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 10 additions or comparisons, 16
-//!       multiplications, 1 division.
+//! Operations of one step, without input checks and clipping: 10 additions or comparisons, 12
+//!       multiplications, 2 divisions.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -174,8 +174,8 @@ pub struct PtcTanh3 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
+    /// -2*tau.
+    minus_two_tau: f64,
     /// coefficient of E^0 in the gain of x2.
     c2_0: f64,
     /// coefficient of E^1 in the gain of x2.
@@ -249,6 +249,7 @@ impl PtcTanh3 {
         let c1_3 = -K1;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
+        let minus_two_tau = -two_tau;
         let v3 = -K2;
         let c2_0 = (v3 + K3) - 1.0;
         let c2_1 = (-(2.0 * K2)) + 4.0;
@@ -265,7 +266,7 @@ impl PtcTanh3 {
             && (1e-200 <= size_K3)
             && c1_3.is_finite()
             && hold_from.is_finite()
-            && two_tau.is_finite()
+            && minus_two_tau.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite()
             && c2_2.is_finite()
@@ -279,7 +280,7 @@ impl PtcTanh3 {
             tau,
             eps,
             hold_from,
-            two_tau,
+            minus_two_tau,
             c2_0,
             c2_1,
             c2_2,
@@ -330,14 +331,12 @@ impl PtcTanh3 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_3 * one_plus_E * one_plus_E * one_plus_E;
         let row2 = (((self.c2_2 * E) + self.c2_1) * E) + self.c2_0;
         let row3 = (self.c3_1 * E) + self.c3_0;
-        let inv_T = v2 * v1;
+        let inv_T = (-1.0) / late;
         let s1 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
         let v = s1 * inv_T;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
@@ -374,14 +373,12 @@ impl PtcTanh3 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_3 * one_plus_E * one_plus_E * one_plus_E;
         let row2 = (((self.c2_2 * E) + self.c2_1) * E) + self.c2_0;
         let row3 = (self.c3_1 * E) + self.c3_0;
-        let inv_T = v2 * v1;
+        let inv_T = (-1.0) / late;
         let status = if late < self.hold_from {
             Status::Ok
         } else {

@@ -77,8 +77,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 14 additions or comparisons, 21
-//!       multiplications, 1 division.
+//! Operations of one step, without input checks and clipping: 14 additions or comparisons, 17
+//!       multiplications, 2 divisions.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -181,8 +181,8 @@ pub struct PtcTanh4 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
+    /// -2*tau.
+    minus_two_tau: f64,
     /// coefficient of E^0 in the gain of x2.
     c2_0: f64,
     /// coefficient of E^1 in the gain of x2.
@@ -268,6 +268,7 @@ impl PtcTanh4 {
         let c1_4 = -K1;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
+        let minus_two_tau = -two_tau;
         let v4 = -K2;
         let c2_0 = ((v4 + K3) - K4) + 1.0;
         let v5 = -(3.0 * K2);
@@ -294,7 +295,7 @@ impl PtcTanh4 {
             && (1e-200 <= size_K4)
             && c1_4.is_finite()
             && hold_from.is_finite()
-            && two_tau.is_finite()
+            && minus_two_tau.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite()
             && c2_2.is_finite()
@@ -312,7 +313,7 @@ impl PtcTanh4 {
             tau,
             eps,
             hold_from,
-            two_tau,
+            minus_two_tau,
             c2_0,
             c2_1,
             c2_2,
@@ -367,17 +368,15 @@ impl PtcTanh4 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
-        let v3 = one_plus_E * one_plus_E;
-        let row1 = self.c1_4 * v3 * v3;
+        let v1 = one_plus_E * one_plus_E;
+        let row1 = self.c1_4 * v1 * v1;
         let s1 = ((((self.c2_3 * E) + self.c2_2) * E) + self.c2_1) * E;
         let row2 = s1 + self.c2_0;
         let row3 = (((self.c3_2 * E) + self.c3_1) * E) + self.c3_0;
         let row4 = (self.c4_1 * E) + self.c4_0;
-        let inv_T = v2 * v1;
+        let inv_T = (-1.0) / late;
         let s2 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
         let v = ((s2 * inv_T) + (row4 * x[3])) * inv_T;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
@@ -419,18 +418,16 @@ impl PtcTanh4 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
-        let v3 = one_plus_E * one_plus_E;
-        let row1 = self.c1_4 * v3 * v3;
+        let v1 = one_plus_E * one_plus_E;
+        let row1 = self.c1_4 * v1 * v1;
         let s1 = ((((self.c2_3 * E) + self.c2_2) * E) + self.c2_1) * E;
         let row2 = s1 + self.c2_0;
         let row3 = (((self.c3_2 * E) + self.c3_1) * E) + self.c3_0;
         let row4 = (self.c4_1 * E) + self.c4_0;
-        let inv_T = v2 * v1;
-        let v4 = inv_T * inv_T;
+        let inv_T = (-1.0) / late;
+        let v2 = inv_T * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -438,8 +435,8 @@ impl PtcTanh4 {
         };
         Ok(PtcTanh4Gains {
             gain: [
-                row1 * v4 * v4,
-                row2 * v4 * inv_T,
+                row1 * v2 * v2,
+                row2 * v2 * inv_T,
                 row3 * inv_T * inv_T,
                 row4 * inv_T,
             ],

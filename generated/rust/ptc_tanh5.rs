@@ -89,8 +89,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 19 additions or comparisons, 28
-//!       multiplications, 1 division.
+//! Operations of one step, without input checks and clipping: 19 additions or comparisons, 24
+//!       multiplications, 2 divisions.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -193,8 +193,8 @@ pub struct PtcTanh5 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
+    /// -2*tau.
+    minus_two_tau: f64,
     /// coefficient of E^0 in the gain of x2.
     c2_0: f64,
     /// coefficient of E^1 in the gain of x2.
@@ -294,6 +294,7 @@ impl PtcTanh5 {
         let c1_5 = -K1;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
+        let minus_two_tau = -two_tau;
         let v5 = -K2;
         let c2_0 = (((v5 + K3) - K4) + K5) - 1.0;
         let v6 = -(4.0 * K2);
@@ -336,7 +337,7 @@ impl PtcTanh5 {
             && (1e-200 <= size_K5)
             && c1_5.is_finite()
             && hold_from.is_finite()
-            && two_tau.is_finite()
+            && minus_two_tau.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite()
             && c2_2.is_finite()
@@ -359,7 +360,7 @@ impl PtcTanh5 {
             tau,
             eps,
             hold_from,
-            two_tau,
+            minus_two_tau,
             c2_0,
             c2_1,
             c2_2,
@@ -419,19 +420,17 @@ impl PtcTanh5 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
-        let v3 = one_plus_E * one_plus_E;
-        let row1 = self.c1_5 * one_plus_E * v3 * v3;
+        let v1 = one_plus_E * one_plus_E;
+        let row1 = self.c1_5 * one_plus_E * v1 * v1;
         let s1 = ((((self.c2_4 * E) + self.c2_3) * E) + self.c2_2) * E;
         let row2 = ((s1 + self.c2_1) * E) + self.c2_0;
         let s2 = ((((self.c3_3 * E) + self.c3_2) * E) + self.c3_1) * E;
         let row3 = s2 + self.c3_0;
         let row4 = (((self.c4_2 * E) + self.c4_1) * E) + self.c4_0;
         let row5 = (self.c5_1 * E) + self.c5_0;
-        let inv_T = v2 * v1;
+        let inv_T = (-1.0) / late;
         let s3 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
         let v = ((((s3 * inv_T) + (row4 * x[3])) * inv_T) + (row5 * x[4])) * inv_T;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
@@ -474,20 +473,18 @@ impl PtcTanh5 {
         } else {
             self.hold_from
         };
-        let v1 = self.two_tau + late;
-        let v2 = (-1.0) / (late * v1);
-        let E = late * (late * v2);
+        let E = late / (self.minus_two_tau - late);
         let one_plus_E = 1.0 + E;
-        let v3 = one_plus_E * one_plus_E;
-        let row1 = self.c1_5 * one_plus_E * v3 * v3;
+        let v1 = one_plus_E * one_plus_E;
+        let row1 = self.c1_5 * one_plus_E * v1 * v1;
         let s1 = ((((self.c2_4 * E) + self.c2_3) * E) + self.c2_2) * E;
         let row2 = ((s1 + self.c2_1) * E) + self.c2_0;
         let s2 = ((((self.c3_3 * E) + self.c3_2) * E) + self.c3_1) * E;
         let row3 = s2 + self.c3_0;
         let row4 = (((self.c4_2 * E) + self.c4_1) * E) + self.c4_0;
         let row5 = (self.c5_1 * E) + self.c5_0;
-        let inv_T = v2 * v1;
-        let v4 = inv_T * inv_T;
+        let inv_T = (-1.0) / late;
+        let v2 = inv_T * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -495,9 +492,9 @@ impl PtcTanh5 {
         };
         Ok(PtcTanh5Gains {
             gain: [
-                row1 * (v4 * inv_T) * v4,
-                row2 * v4 * v4,
-                row3 * v4 * inv_T,
+                row1 * (v2 * inv_T) * v2,
+                row2 * v2 * v2,
+                row3 * v2 * inv_T,
                 row4 * inv_T * inv_T,
                 row5 * inv_T,
             ],

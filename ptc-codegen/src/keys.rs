@@ -19,7 +19,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 53] = [
+pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -83,6 +83,12 @@ pub static KEYS: [KeyInfo; 53] = [
     KeyInfo {
         key: "fma",
         meaning: "fused multiply-add: products and sums with one rounding; in C, C++ and Rust, with clock = time",
+        legal: SWITCH,
+        example: "true",
+    },
+    KeyInfo {
+        key: "latency",
+        meaning: "polynomials as trees: shorter chains, a few more operations; with clock = time",
         legal: SWITCH,
         example: "true",
     },

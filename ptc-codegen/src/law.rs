@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn the_first_row_is_a_single_power() {
-        assert_eq!(rows_of(Family::Rational, 3)[0], "-K1*inv_T^3");
+        assert_eq!(rows_of(Family::Rational, 3)[0], "-K1");
         assert_eq!(rows_of(Family::Tan, 3)[0], "-K1*slope^3");
         assert_eq!(rows_of(Family::Tanh, 2)[0], "-K1*one_plus_E^2");
     }
@@ -173,7 +173,7 @@ mod tests {
 
     #[test]
     fn a_sum_is_a_polynomial_in_one_quantity() {
-        assert_eq!(rows_of(Family::Rational, 2)[1], "2 - K2*inv_T");
+        assert_eq!(rows_of(Family::Rational, 2)[1], "-K2 + 2*T");
         for family in [Family::Tan, Family::Tanh, Family::Algebraic, Family::Power] {
             let mapping = Mapping::of(family, 0);
             let Form::Rows { rows, .. } = Law::new(5, &mapping, None).form else {

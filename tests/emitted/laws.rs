@@ -39,6 +39,7 @@ fn specs() -> Vec<Spec> {
             ("pi0", "-k1*xi1 - k2*xi2*abs(xi2) - sign(xi1)"),
             ("g", "2 + x1*x1/(1 + x1*x1)"),
             ("fma", "true"),
+            ("latency", "true"),
         ],
         &[
             ("n", "2"),

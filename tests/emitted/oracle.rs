@@ -167,27 +167,44 @@ fn single_precision() {
     judge("single", &groups);
 }
 
-/// Products and sums with one rounding are as exact as those with two.
+/// Products and sums with one rounding, and polynomials as trees, are as exact as the plain form.
 #[test]
-fn fused() {
-    for (file, precision) in [("deadline.jsonl", Precision::F64), ("single.jsonl", Precision::F32)]
-    {
-        let groups = grouped(read(file), precision).into_iter();
-        let groups: Vec<_> =
-            groups.map(|(spec, vectors)| (Spec { fma: true, ..spec }, vectors)).collect();
-        for (spec, _) in groups.iter().filter(|(spec, _)| spec.n > 1) {
-            let program =
-                |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
-            let count = |spec: &Spec| {
-                let program = program(spec);
-                cost::count(&program, &[program.step], Stage::Tick)
-            };
-            let (plain, fused) = (count(&Spec { fma: false, ..spec.clone() }), count(spec));
-            assert_eq!((plain.fused, plain.mul), (0, fused.mul + fused.fused), "{spec:?}");
-            // Differences take a negation, which costs nothing where the processor fuses.
-            assert!(fused.fused >= spec.n - 1 && fused.add + fused.fused >= plain.add, "{spec:?}");
-        }
-        judge(&format!("fused_{}", real(precision)), &groups);
+fn other_forms() {
+    let cases =
+        [("deadline.jsonl", Precision::F64, 1..=12), ("single.jsonl", Precision::F32, 4..=6)];
+    for (file, precision, orders) in cases {
+        let groups: Vec<_> = grouped(read(file), precision)
+            .into_iter()
+            .filter(|(spec, _)| orders.contains(&spec.n))
+            .map(|(plain, vectors)| {
+                // All forms at orders at which polynomials are long enough for a tree.
+                let (fma, latency) = (plain.n % 3 != 1, plain.n % 3 != 2);
+                let spec = Spec { fma, latency, ..plain.clone() };
+                is_another_form(&spec, &plain);
+                (spec, vectors)
+            })
+            .collect();
+        assert!(groups.iter().any(|(spec, _)| !spec.fma && spec.n > 3), "trees alone");
+        judge(&format!("forms_{}", real(precision)), &groups);
+    }
+}
+
+/// Holds that the form of `spec` has the operations that its options give it.
+fn is_another_form(spec: &Spec, plain: &Spec) {
+    let count = |spec: &Spec| {
+        let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+        cost::count(&program, &[program.step], Stage::Tick)
+    };
+    let (plain, other) = (count(plain), count(spec));
+    let products = other.mul + other.fused;
+    assert_eq!(plain.fused, 0);
+    // A tree takes a square for each doubling of its powers, of one variable or two.
+    let squares = if spec.latency { 8 } else { 0 };
+    assert!((plain.mul..=plain.mul + squares).contains(&products), "{spec:?}: {plain:?} {other:?}");
+    if spec.fma && spec.n > 1 {
+        // Differences take a negation, which costs nothing where the processor fuses.
+        assert!(other.fused >= spec.n - 1 - usize::from(spec.latency), "{spec:?}: {other:?}");
+        assert!(other.add + other.fused >= plain.add, "{spec:?}: {plain:?} {other:?}");
     }
 }
 

@@ -82,7 +82,7 @@ prop_compose! {
         rates in Just(rates),
         name in prop::option::of("roll_[a-z0-9_]{0,8}z"),
         precision in prop_oneof![Just(Precision::F32), Just(Precision::F64)],
-        fma in any::<bool>(),
+        (fma, latency) in any::<(bool, bool)>(),
         guard in prop_oneof![Just(Guard::Full), Just(Guard::Result), Just(Guard::None)],
         gains in prop::option::of(prop::collection::vec(signed(), n)),
         fixed_rates in prop::option::of(prop::collection::vec(positive(), rates)),
@@ -90,7 +90,7 @@ prop_compose! {
         times in (maybe(positive()), maybe(signed()), maybe(Just(number("1e-12").expect("a number")))),
         u_max in maybe(prop_oneof![positive().boxed(), Just(Fixed::Infinite).boxed()]),
     ) -> Spec {
-        let mut spec = Spec { name, precision, fma, guard, ..Spec::new(n, family) };
+        let mut spec = Spec { name, precision, fma, latency, guard, ..Spec::new(n, family) };
         let mut fix = |parameter, value: Option<Fixed>| {
             spec.fixed.extend(value.map(|value| (parameter, value)));
         };

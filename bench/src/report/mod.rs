@@ -16,6 +16,7 @@ use crate::equality::Found;
 use crate::failure::Result;
 use crate::fused::Fused;
 use crate::generator::{Bell, Speed};
+use crate::latency::Latency;
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
 
@@ -65,6 +66,9 @@ pub(crate) fn write() -> Result<()> {
     }
     if let Some(fused) = kept::<Vec<Fused>>("fma")? {
         tables::fused(&mut text, &fused);
+    }
+    if let Some(latency) = kept::<Vec<Latency>>("latency")? {
+        tables::latency(&mut text, &latency);
     }
     if let Some(accuracy) = kept::<Vec<Accuracy>>("accuracy")? {
         tables::accuracy(&mut text, &accuracy);

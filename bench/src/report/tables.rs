@@ -10,6 +10,7 @@ use crate::case::{ORDERS, VARIANTS};
 use crate::counts::Count;
 use crate::fused::Fused;
 use crate::generator::Speed;
+use crate::latency::{self, Latency, Step};
 
 /// A heading with the command that measures what follows.
 pub(super) fn section(text: &mut String, title: &str, command: &str, about: &str) {
@@ -135,6 +136,32 @@ pub(super) fn fused(text: &mut String, found: &[Fused]) {
     by_order(text, &variants, &ORDERS, |variant, n| {
         of(variant, n).map(|one| format!("{:.0}", one.called))
     });
+}
+
+const LATENCY: &str = "\
+`latency = true`, in C and f64, guard `none`. In each cell: instructions, and after them nanoseconds
+from t to u, where each call is given a time that waits for the u before it; the quickest of 21
+rounds, in which the contestants take turns. `hand` is order 3 written by hand as in the table of
+other generators, with every parameter at each call.";
+
+pub(super) fn latency(text: &mut String, found: &[Latency]) {
+    section(text, "Latency", "latency", LATENCY);
+    let shown = |step: Step| format!("{:.0}, {:.1}", step.instructions, step.time);
+    let of = |row: &str, n: usize| {
+        let (family, form) = row.split_once(' ').unwrap_or((row, "plain"));
+        let one = found.iter().find(|one| one.family == family && one.n == n)?;
+        match form {
+            "trees" => Some(shown(one.trees)),
+            "hand" => one.hand.map(shown),
+            _ => Some(shown(one.plain)),
+        }
+    };
+    let families: BTreeSet<_> = found.iter().map(|one| one.family.as_str()).collect();
+    let forms = |family: &&str| ["", " trees", " hand"].map(|form| format!("{family}{form}"));
+    let rows: Vec<_> = families.iter().flat_map(forms).collect();
+    let rows: Vec<_> = rows.iter().map(String::as_str).collect();
+    text.push('\n');
+    by_order(text, &rows, &latency::ORDERS, of);
 }
 
 const ACCURACY: &str = "\

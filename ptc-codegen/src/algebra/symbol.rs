@@ -41,6 +41,8 @@ pub enum Kind {
     Mode,
     /// 1/T, the tick quantity in which the time-to-go families are evaluated.
     InverseTimeToGo,
+    /// 1/T^2, which is kappa' of the rational family but for a factor.
+    InverseSquare,
     /// 1 + E, the inverse of g.
     OnePlusDecay,
     /// 1 + y^2, the inverse of V.
@@ -111,6 +113,7 @@ impl Symbol {
             Kind::Cosine => "h",
             Kind::Mode => "e",
             Kind::InverseTimeToGo => "inv_T",
+            Kind::InverseSquare => "inv_T_squared",
             Kind::OnePlusDecay => "one_plus_E",
             Kind::OnePlusSquare => "one_plus_y2",
             Kind::Secant => "sec",
@@ -136,6 +139,7 @@ impl Symbol {
                 _ => format!("s^{{({index})}}"),
             },
             Kind::InverseTimeToGo => "T^{-1}".to_owned(),
+            Kind::InverseSquare => "T^{-2}".to_owned(),
             Kind::InverseLag => "H^{-1}".to_owned(),
             Kind::OnePlusDecay => "(1+E)".to_owned(),
             Kind::OnePlusSquare => "(1+y^2)".to_owned(),
@@ -154,6 +158,7 @@ impl Symbol {
     pub fn definition(self) -> Option<&'static str> {
         match self.kind {
             Kind::InverseTimeToGo => Some("1/T"),
+            Kind::InverseSquare => Some("1/T^2"),
             Kind::InverseLag => Some("1/H = a*kappa'"),
             Kind::InversePowerRatio => Some("(T/tau)^-m"),
             Kind::OnePlusDecay => Some("1 + E"),

@@ -21,6 +21,8 @@ pub(super) struct Builder<'a> {
     program: Program,
     known: HashMap<Op, Value>,
     pub(super) quantities: BTreeMap<Symbol, Value>,
+    /// The squares of those that are evaluated by even and odd parts.
+    pub(super) squares: BTreeMap<Symbol, Value>,
     /// The Taylor series of mu and the states xi, at the current time and at the start.
     pub(super) taylors: [Option<Taylor>; 2],
     pub(super) states: [Vec<Value>; 2],
@@ -50,6 +52,7 @@ impl<'a> Builder<'a> {
         let program = Program {
             precision: spec.precision,
             fma: false,
+            latency: false,
             values: Vec::new(),
             limits: Limits {
                 start_time: None,
@@ -74,6 +77,7 @@ impl<'a> Builder<'a> {
             expanded: None,
             program,
             quantities: BTreeMap::new(),
+            squares: BTreeMap::new(),
             known: HashMap::new(),
             taylors: [None, None],
             states: [Vec::new(), Vec::new()],

@@ -58,8 +58,7 @@ impl Builder<'_> {
     /// carries the digits there with two roundings, where 1/tan(th)^2 has nine. No library function
     /// is called, so every machine computes the same bits.
     pub(super) fn tangent_parts(&mut self) -> (Value, Value) {
-        let (one, late, share) = (self.integer(1), self.late(), self.late_share());
-        let square = self.mul(late, late);
+        let (one, square, share) = (self.integer(1), self.late_squared(), self.late_share());
         let inverse = self.div(one, square);
         let inverse = self.name(inverse, "inv_T_squared", "1/T^2");
         let square = self.mul(share, share);

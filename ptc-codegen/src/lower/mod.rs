@@ -30,7 +30,7 @@ use builder::Builder;
 use num_traits::{ToPrimitive, Zero};
 use rows::{Factor, Rows, factor};
 
-use crate::algebra::{BigRational, Poly};
+use crate::algebra::{BigRational, Kind, Poly, integer};
 use crate::expression::Expression;
 use crate::law::{Form, Law};
 use crate::parameter::{Fixed, Parameter, Precision};
@@ -42,12 +42,12 @@ pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {
-    if spec.what == What::Associated
-        && let Some(program) = associated::lower(spec, law)
-    {
-        return Program { fma: spec.fma, ..program };
-    }
-    Program { fma: spec.fma, ..controller(spec, law) }
+    let associated = match spec.what {
+        What::Associated => associated::lower(spec, law),
+        _ => None,
+    };
+    let program = associated.unwrap_or_else(|| controller(spec, law));
+    Program { fma: spec.fma, latency: spec.latency, ..program }
 }
 
 fn controller(spec: &Spec, law: &Law) -> Program {
@@ -103,7 +103,7 @@ fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
             let rows: Vec<_> =
                 rows.iter().enumerate().map(|(j, row)| lower_row(b, j, row, &scaled)).collect();
             let base = base_inverse.map(|symbol| factor(b, symbol));
-            let negated = matches!(base, Some(Factor::Divide(_)));
+            let negated = matches!(base, Some(Factor::DivideNegated(_)));
             let mut signed = |row| if negated { b.push(Op::Neg(row)) } else { row };
             Some(Rows { base, rows: rows.into_iter().map(|row| row.map(&mut signed)).collect() })
         }
@@ -190,15 +190,18 @@ fn lower_row(
             &format!("coefficient of x{}", j + 1),
         );
     };
+    // In -T, which is there, a polynomial in T has the other sign at its odd powers.
+    let reflected = symbol.kind == Kind::TimeToGo;
+    let written = if reflected { "late".to_owned() } else { symbol.text() };
     let mut coefficients = BTreeMap::new();
     for (exponent, poly) in row.collect(symbol) {
+        let poly = if reflected && exponent % 2 != 0 { poly.scaled(&integer(-1)) } else { poly };
         let name = format!("c{}_{exponent}", j + 1);
-        let meaning =
-            format!("coefficient of {}^{exponent} in the gain of x{}", symbol.text(), j + 1);
+        let meaning = format!("coefficient of {written}^{exponent} in the gain of x{}", j + 1);
         let value = coefficient::lower(b, &poly, scaled, &name, &meaning);
         coefficients.extend(value.map(|value| (exponent, value)));
     }
-    let variable = b.quantity(symbol);
+    let variable = if reflected { b.late() } else { b.quantity(symbol) };
     let row = match b.square(symbol) {
         None => horner(b, &coefficients, variable),
         Some(square) => {

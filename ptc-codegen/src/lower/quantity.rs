@@ -22,6 +22,7 @@ impl Builder<'_> {
         }
         let value = match symbol.kind {
             Kind::InverseTimeToGo => self.inverse_time_to_go(),
+            Kind::InverseSquare => self.inverse_square(),
             Kind::InversePowerRatio => self.inverse_power_ratio(),
             Kind::Decay => self.decay(),
             Kind::Secant => self.secant(),
@@ -48,11 +49,6 @@ impl Builder<'_> {
     }
 
     fn inverse_time_to_go(&mut self) -> Value {
-        if self.spec.family() == Some(Family::Tanh) {
-            // One division serves 1/T and E.
-            let (inverse, rest) = self.inverse_product();
-            return self.mul(inverse, rest);
-        }
         if self.spec.family() == Some(Family::Power) {
             let (ratio, inverse_tau) = (self.inverse_share(), self.inverse_tau());
             return self.mul(ratio, inverse_tau);
@@ -61,20 +57,16 @@ impl Builder<'_> {
         self.div(minus_one, late)
     }
 
-    /// 1/(T (2 tau - T)) and 2 tau - T.
-    fn inverse_product(&mut self) -> (Value, Value) {
-        let late = self.late();
-        let rest = self.rest();
-        let (minus_one, product) = (self.integer(-1), self.mul(late, rest));
-        (self.div(minus_one, product), rest)
+    /// 1/T^2, of the time past the deadline, whose square it shares.
+    fn inverse_square(&mut self) -> Value {
+        let (one, square) = (self.integer(1), self.late_squared());
+        self.div(one, square)
     }
 
-    /// E = T/(2 tau - T) as T * (T * 1/(T (2 tau - T))), which cannot underflow on the way.
+    /// E = T/(2 tau - T), by a division of its own: it waits for none other, and has two roundings.
     fn decay(&mut self) -> Value {
-        let (inverse, _) = self.inverse_product();
-        let late = self.late();
-        let ratio = self.mul(late, inverse);
-        self.mul(late, ratio)
+        let (late, rest) = (self.late(), self.minus_rest());
+        self.div(late, rest)
     }
 
     /// q = (tau/T)^m: a multiplication chain for integer m, with a root for half an integer.
@@ -98,13 +90,13 @@ impl Builder<'_> {
     /// 1 + y^2 = tau^2/(T (2 tau - T)) as (tau/2)/T + (tau/2)/(2 tau - T): the first has one
     /// rounding and leads near the deadline, where the product form has four.
     fn one_plus_square(&mut self) -> Value {
-        let (time_to_go, tau) = (self.time_to_go(), self.parameter(Parameter::Tau));
+        let (late, tau) = (self.late(), self.parameter(Parameter::Tau));
         let rest = self.rest();
         let half = self.number(BigRational::new(1.into(), 2.into()));
         let half_tau = self.mul(half, tau);
         let half_tau = self.name(half_tau, "half_tau", "tau/2");
-        let (near, far) = (self.div(half_tau, time_to_go), self.div(half_tau, rest));
-        self.add(near, far)
+        let (near, far) = (self.div(half_tau, late), self.div(half_tau, rest));
+        self.sub(far, near)
     }
 
     /// sqrt(1 + y^2).
@@ -124,6 +116,9 @@ impl Builder<'_> {
     /// The square of a quantity in which rows are evaluated by their even and odd parts; none
     /// for one in which they are not.
     pub(super) fn square(&mut self, symbol: Symbol) -> Option<Value> {
+        if let Some(square) = self.squares.get(&symbol) {
+            return Some(*square);
+        }
         let square = match symbol.kind {
             Kind::CotangentRate => {
                 let (inverse, shape) = self.tangent_parts();
@@ -138,7 +133,9 @@ impl Builder<'_> {
             _ => return None,
         };
         let name = format!("{}_squared", symbol.text());
-        Some(self.name(square, &name, &format!("{}^2", symbol.text())))
+        let square = self.name(square, &name, &format!("{}^2", symbol.text()));
+        self.squares.insert(symbol, square);
+        Some(square)
     }
 
     fn one_plus_decay(&mut self) -> Value {

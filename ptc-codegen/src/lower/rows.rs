@@ -9,16 +9,20 @@ use crate::program::Value;
 pub(super) enum Factor {
     /// By a value.
     Multiply(Value),
-    /// By -1/value, where that inverse has no other use.
+    /// By 1/value, where that inverse has no other use.
     Divide(Value),
+    /// By -1/value, likewise.
+    DivideNegated(Value),
 }
 
-/// The factor 1/base. For n = 1 the 1/T of the exp family is used once, and one division does it.
+/// The factor 1/base. For n = 1 the 1/T of the exp family, and the 1/T^2 of the rational one, are used
+/// once, and one division does it.
 pub(super) fn factor(b: &mut Builder<'_>, symbol: Symbol) -> Factor {
-    if b.spec.n == 1 && symbol.kind == Kind::InverseTimeToGo && !b.has_quantity(symbol) {
-        Factor::Divide(b.late())
-    } else {
-        Factor::Multiply(b.quantity(symbol))
+    let once = b.spec.n == 1 && !b.has_quantity(symbol);
+    match symbol.kind {
+        Kind::InverseTimeToGo if once => Factor::DivideNegated(b.late()),
+        Kind::InverseSquare if once => Factor::Divide(b.late_squared()),
+        _ => Factor::Multiply(b.quantity(symbol)),
     }
 }
 
@@ -49,7 +53,7 @@ impl Rows {
         match self.base {
             None => value,
             Some(Factor::Multiply(inverse)) => b.mul(value, inverse),
-            Some(Factor::Divide(late)) => b.div(value, late),
+            Some(Factor::Divide(base) | Factor::DivideNegated(base)) => b.div(value, base),
         }
     }
 
@@ -71,7 +75,9 @@ impl Rows {
             let exponent = n - j;
             match self.base {
                 None => {}
-                Some(Factor::Divide(late)) => gain = b.div(gain, late),
+                Some(Factor::Divide(base) | Factor::DivideNegated(base)) => {
+                    gain = b.div(gain, base);
+                }
                 Some(Factor::Multiply(_)) => {
                     for part in [exponent.div_ceil(2), exponent / 2] {
                         if part > 0 {

@@ -76,11 +76,28 @@ impl Builder<'_> {
 
     /// 2 tau - T, between tau and 2 tau: nothing cancels.
     pub(super) fn rest(&mut self) -> Value {
+        let (double, late) = (self.two_tau(), self.late());
+        self.add(double, late)
+    }
+
+    /// T - 2 tau, by which the time past the deadline is divided without a change of sign.
+    pub(super) fn minus_rest(&mut self) -> Value {
+        let (double, late) = (self.two_tau(), self.late());
+        let minus = self.push(Op::Neg(double));
+        let minus = self.name(minus, "minus_two_tau", "-2*tau");
+        self.sub(minus, late)
+    }
+
+    fn two_tau(&mut self) -> Value {
         let (two, tau) = (self.integer(2), self.parameter(Parameter::Tau));
         let double = self.mul(two, tau);
-        let double = self.name(double, "two_tau", "2*tau");
+        self.name(double, "two_tau", "2*tau")
+    }
+
+    /// T^2, as the square of -T.
+    pub(super) fn late_squared(&mut self) -> Value {
         let late = self.late();
-        self.add(double, late)
+        self.mul(late, late)
     }
 
     /// tau/T with one rounding, for the power family raises it to the power m (n+1-j).

@@ -54,16 +54,17 @@ fn exp() -> Mapping {
     }
 }
 
-/// kappa' = tau/(a T^2), so D T = -(a/tau) T^2.
+/// kappa' = tau/(a T^2), so D T = -(a/tau) T^2. Over T^2 the rows are polynomials in T, whose constant
+/// terms are what is left at the deadline.
 fn rational() -> Mapping {
     let r1 = term(1, &[(Kind::A, 1), (Kind::Tau, -1), (Kind::TimeToGo, 2)]);
     Mapping {
         derivations: vec![(plain(Kind::TimeToGo), r1.scaled(&integer(-1)))],
         r1,
-        reciprocals: vec![inverse_time_to_go()],
+        reciprocals: Vec::new(),
         evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1), (Kind::Tau, -1)]),
-        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+        base: Some((term(1, &[(Kind::TimeToGo, 2)]), plain(Kind::InverseSquare))),
     }
 }
 

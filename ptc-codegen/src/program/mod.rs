@@ -9,7 +9,8 @@
 //! - names are unique.
 //!
 //! Passes keep every bit: the interpreter gives the same results before and after each of them. The
-//! exception is `fuse`, which runs where [`Program::fma`] is set; the interpreter fuses likewise.
+//! exceptions are `balance`, which runs where [`Program::latency`] is set, and `fuse`, where
+//! [`Program::fma`] is; the interpreter fuses likewise.
 
 mod arithmetic;
 pub mod cost;
@@ -111,6 +112,8 @@ pub struct Program {
     pub precision: Precision,
     /// Whether products and sums are fused where they can be.
     pub fma: bool,
+    /// Whether polynomials are evaluated as trees, for short chains of operations.
+    pub latency: bool,
     /// All values, operands before users.
     pub values: Vec<Definition>,
     /// What the frame of the emitted functions compares with.

@@ -37,6 +37,7 @@ impl Spec {
             words.push("--precision f32".to_owned());
         }
         words.extend(self.fma.then(|| "--fma".to_owned()));
+        words.extend(self.latency.then(|| "--latency".to_owned()));
         match self.guard {
             Guard::Full => {}
             Guard::Result => words.push("--guard result".to_owned()),

@@ -128,6 +128,8 @@ pub struct Spec {
     pub precision: Precision,
     /// Whether products and sums are fused: one rounding for both.
     pub fma: bool,
+    /// Whether polynomials are evaluated as trees: shorter chains of operations, a few more of them.
+    pub latency: bool,
     /// Run-time checks.
     pub guard: Guard,
     /// The law of the infinite-time system.
@@ -177,6 +179,7 @@ impl Spec {
             clock: Clock::Time,
             precision: Precision::F64,
             fma: false,
+            latency: false,
             guard: Guard::Full,
             feedback: Feedback::Linear,
             drift: None,

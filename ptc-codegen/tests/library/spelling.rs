@@ -30,6 +30,7 @@ fn designs_read_back_as_they_were() {
         ("--n 1 --mu \"exp_sum(rates=[1,2])\"", "--n 1 --mu \"exp_sum(rates=[1,2])\""),
         ("--fma=true --n 2 --mu exp", "--n 2 --mu exp --fma"),
         ("--fma=false --n 2 --mu exp", "--n 2 --mu exp"),
+        ("--latency --fma --n 2 --mu exp", "--n 2 --mu exp --fma --latency"),
         ("--units rad --n 2 --mu exp", "--n 2 --mu exp --units rad"),
         // A shell would look for files called a=1 or a=2.
         ("--n 1 --mu exp --param \"a=[1,2]\"", "--n 1 --mu exp --param \"a=[1,2]\""),

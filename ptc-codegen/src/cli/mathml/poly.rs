@@ -52,6 +52,7 @@ fn power(symbol: Symbol, exponent: i32) -> Math {
     // These are written by others, to a power of their own.
     let written = match symbol.kind {
         Kind::InverseTimeToGo => return sup(name("T"), digits(-exponent)),
+        Kind::InverseSquare => return sup(name("T"), digits(-2 * exponent)),
         Kind::InversePowerRatio => return sup(name("P"), digits(-exponent)),
         Kind::Secant => return sup(name("h"), digits(-exponent)),
         Kind::OnePlusDecay => fenced("(", relation(number(1), "+", name("E")), ")"),

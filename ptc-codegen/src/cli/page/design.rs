@@ -80,6 +80,7 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         fact("precision", spec.precision.name().to_owned()),
     ]);
     facts.extend(spec.fma.then(|| fact("products and sums", "fused: one rounding".to_owned())));
+    facts.extend(spec.latency.then(|| fact("polynomials", "as trees".to_owned())));
     facts
 }
 

@@ -340,9 +340,11 @@ fn gains(spec: &Spec, formulas: &mut Vec<Math>) -> Result<&'static str, Failure>
 /// The quantity to a power.
 fn factor(symbol: Symbol, exponent: Math) -> Math {
     let quantity = mathml::of_poly(&ptc_codegen::algebra::Poly::symbol(symbol));
+    let minus = || operator("\u{2212}");
     match symbol.kind {
-        Kind::InverseTimeToGo => {
-            sup(name("T"), row([operator("\u{2212}"), fenced("(", exponent, ")")]))
+        Kind::InverseTimeToGo => sup(name("T"), row([minus(), fenced("(", exponent, ")")])),
+        Kind::InverseSquare => {
+            sup(name("T"), row([minus(), number(2), fenced("(", exponent, ")")]))
         }
         _ => sup(fenced("(", quantity, ")"), exponent),
     }

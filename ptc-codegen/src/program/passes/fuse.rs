@@ -1,6 +1,6 @@
 //! fuse: writes a product and the sum that needs it as one operation with one rounding.
 
-use super::{append, rebuild};
+use super::{append, rebuild, uses};
 use crate::program::{Definition, Op, Program, Stage, Value};
 
 /// Where the program sets `fma`, fuses the sums and differences of a tick and a step with a product of
@@ -41,17 +41,6 @@ pub(super) fn run(program: Program) -> Program {
         let Definition { op: plain, name, .. } = definition;
         append(new, op.unwrap_or(plain), name)
     })
-}
-
-/// How often each value is used by what the outputs need, and as an output.
-fn uses(program: &Program) -> Vec<usize> {
-    let mut uses = vec![0; program.values.len()];
-    let outputs = program.outputs();
-    for value in program.needed(&outputs) {
-        program.get(value).op.each_operand(|operand| uses[operand.0] += 1);
-    }
-    outputs.iter().for_each(|output| uses[output.0] += 1);
-    uses
 }
 
 /// The factors of a product.

@@ -1,5 +1,6 @@
-//! The passes: named, in one visible list, each keeping every bit except `fuse`, which is opt-in.
+//! The passes: named, in one visible list, each keeping every bit except `balance` and `fuse`, which are opt-in.
 
+mod balance;
 mod chains;
 mod fold;
 mod fuse;
@@ -21,11 +22,13 @@ pub struct Pass {
 }
 
 /// All passes, in the order in which they run.
-pub static PASSES: [Pass; 6] = [
+pub static PASSES: [Pass; 8] = [
     Pass { name: "fold", doc: "computes what is known at generation", run: fold::run },
     Pass { name: "chains", doc: "writes powers as multiplication chains", run: chains::run },
     Pass { name: "refold", doc: "computes powers of what is known at generation", run: fold::run },
     Pass { name: "share", doc: "keeps one of several equal values", run: share::run },
+    Pass { name: "balance", doc: "writes polynomials as trees where asked", run: balance::run },
+    Pass { name: "reshare", doc: "keeps one of several equal squares", run: share::run },
     Pass { name: "fuse", doc: "fuses products and sums where asked", run: fuse::run },
     Pass { name: "prune", doc: "drops values that nothing uses", run: prune::run },
 ];
@@ -80,4 +83,15 @@ pub(crate) fn append(program: &mut Program, op: Op, name: Option<(String, String
     let (stage, looped) = (program.stage_of(&op), program.looped(&op));
     program.values.push(Definition { op, stage, name, looped });
     Value(program.values.len() - 1)
+}
+
+/// How often each value is used by what the outputs need, and as an output.
+fn uses(program: &Program) -> Vec<usize> {
+    let mut uses = vec![0; program.values.len()];
+    let outputs = program.outputs();
+    for value in program.needed(&outputs) {
+        program.get(value).op.each_operand(|operand| uses[operand.0] += 1);
+    }
+    outputs.iter().for_each(|output| uses[output.0] += 1);
+    uses
 }

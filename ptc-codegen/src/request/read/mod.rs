@@ -160,7 +160,8 @@ impl<'a> Reader<'a> {
         );
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
-        let fma = self.choice("fma", &[("true", true), ("false", false)]);
+        let [fma, latency] =
+            ["fma", "latency"].map(|key| self.choice(key, &[("true", true), ("false", false)]));
         let guard = self.choice(
             "guard",
             &[("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)],
@@ -198,6 +199,7 @@ impl<'a> Reader<'a> {
             clock: Clock::Time,
             precision,
             fma: fma.unwrap_or(false),
+            latency: latency.unwrap_or(false),
             guard: guard.unwrap_or(Guard::Full),
             feedback: law.feedback,
             drift,

@@ -193,6 +193,12 @@ impl Reader<'_> {
             "leave `fma` out, or `clock`: code in time fuses",
         );
         against(
+            "latency",
+            spec.latency,
+            "a clock in samples has no polynomials to evaluate as trees",
+            "leave `latency` out",
+        );
+        against(
             "t0",
             spec.fixed.contains_key(&Parameter::StartTime),
             "t0 has no meaning for a clock in samples",
