@@ -122,8 +122,9 @@ fn lanes_agree_with_runs_by_themselves() {
         for n in [1 + place, 2 + place % 3] {
             let poles: Vec<_> = (0..n).map(|i| format!("-{}", n + 1 + i)).collect();
             let (worst, same) = beside(&until(n, mu, &poles.join(", "), "0.01"), 4);
-            // Where rounding is amplified most a run is left to itself.
-            assert!(worst < 1e-6 && (n > 5 || !same), "{mu}, n = {n}: {worst:.1e}");
+            // Where rounding is amplified most, and where kappa is a root, a run is left to itself.
+            let left = n > 5 || mu.starts_with("exp_sum");
+            assert!(worst < 1e-6 && (left || !same), "{mu}, n = {n}: {worst:.1e}");
         }
     }
 }

@@ -37,6 +37,12 @@ const SOLVED: f64 = 0.05;
 /// Corrections after which the equations count as not solved.
 const ROUNDS: usize = 8;
 
+/// Where the error of a step that is tried again, shorter, has not fallen to this part, it is the rounding of
+/// the rates: a step may have that much more, to the accuracy that is not loosened further.
+const FALLEN: f64 = 0.5;
+const LOOSER: f64 = 10.0;
+const LOOSEST: f64 = 1e-7;
+
 /// The method, under way in every lane.
 #[derive(Clone, Debug)]
 pub(super) struct Collocation {
@@ -46,6 +52,9 @@ pub(super) struct Collocation {
     /// The last step.
     from: Pack,
     length: Pack,
+    /// The error that a step may have, and that of the step that was refused before; 0 for none.
+    allowed: Pack,
+    refused: Pack,
     /// The state at its begin, and the states at its nodes, by components.
     first: Vec<Pack>,
     x: Vec<[Pack; NODES]>,
@@ -67,6 +76,8 @@ impl Collocation {
             flow: Flow::new(order),
             from: Pack::all(0.0),
             length: Pack::all(0.0),
+            allowed: Pack::all(1.0),
+            refused: Pack::all(0.0),
             first: vec![Pack::all(0.0); order],
             x: vec![NONE; order],
             k: NONE,
@@ -187,7 +198,7 @@ impl Collocation {
             }
             for lane in 0..LANES {
                 // NaN stays.
-                left[lane] = left[lane] && !(most.0[lane] <= SOLVED);
+                left[lane] = left[lane] && !(most.0[lane] <= SOLVED * self.allowed.0[lane]);
             }
             if left == [false; LANES] {
                 break;
@@ -246,7 +257,10 @@ impl Steps for Collocation {
         &mut self.flow
     }
 
-    fn begin(&mut self, _: &Which, _: LastRate<'_>) {}
+    fn begin(&mut self, lanes: &Which, _: LastRate<'_>) {
+        self.allowed.take(&Pack::all(1.0), lanes);
+        self.refused.take(&Pack::all(0.0), lanes);
+    }
 
     fn step(&mut self, active: &Which, end: &Pack, last: LastRate<'_>) -> Which {
         self.from = self.flow.at;
@@ -256,11 +270,20 @@ impl Steps for Collocation {
         self.begin_step(last);
         let solved = self.solve(active, last);
         let error = self.error();
+        let loosest = (LOOSEST / self.accuracy.relative).max(1.0);
         std::array::from_fn(|lane| {
-            let moved = solved[lane] && error.0[lane] <= 1.0;
+            let error = error.0[lane] / self.allowed.0[lane];
+            let moved = solved[lane] && error <= 1.0;
             if active[lane] {
+                let before = std::mem::replace(&mut self.refused.0[lane], error);
+                if moved {
+                    self.refused.0[lane] = 0.0;
+                } else if before > 0.0 && error > FALLEN * before {
+                    self.allowed.0[lane] = (LOOSER * self.allowed.0[lane]).min(loosest);
+                    self.refused.0[lane] = 0.0;
+                }
                 // By the eighth root, or the sixteenth: on the safe side of the twelfth.
-                let root = error.0[lane].sqrt().sqrt().sqrt();
+                let root = error.sqrt().sqrt().sqrt();
                 let wanted = SAFETY / if moved { root.sqrt() } else { root };
                 let [least, most] = FACTORS;
                 let is_known = solved[lane] && !wanted.is_nan();
