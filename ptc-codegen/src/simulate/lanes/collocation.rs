@@ -197,8 +197,8 @@ impl Collocation {
                 }
             }
             for lane in 0..LANES {
-                // NaN stays.
-                left[lane] = left[lane] && !(most.0[lane] <= SOLVED * self.allowed.0[lane]);
+                let solved = most.0[lane] <= SOLVED * self.allowed.0[lane];
+                left[lane] &= !solved;
             }
             if left == [false; LANES] {
                 break;

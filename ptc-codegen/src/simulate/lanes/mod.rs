@@ -287,7 +287,7 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
 
     /// Begins the next run that can be begun, with the state from which it goes on.
     fn start(&mut self, lane: usize) -> Option<Option<Vec<f64>>> {
-        while let Some(Due { place, at, step, y }) = self.due.next() {
+        for Due { place, at, step, y } in self.due.by_ref() {
             let job = &self.jobs[place.job];
             let legal = job.pieces.iter().all(|(shares, _)| !shares.is_empty());
             let start = |side: &mut S| {
