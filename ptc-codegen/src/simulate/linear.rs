@@ -8,7 +8,7 @@ use crate::algebra::BigRational;
 use crate::linear::{self, Delay, zero_order_hold};
 
 /// Relative tolerance within which a length counts as the period.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// x' = A x + B u, y = C x.
 #[derive(Clone, Debug)]

@@ -17,6 +17,7 @@ mod controller;
 mod crossing;
 mod direct;
 mod failure;
+mod held;
 mod inputs;
 pub mod lanes;
 mod linear;

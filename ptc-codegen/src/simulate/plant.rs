@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::held::Held;
 use super::mechanics::Mechanics;
 use super::solver::State;
 use super::{Along, Failure, Values};
@@ -20,6 +21,9 @@ pub(super) struct Motion {
     rates: Vec<Value>,
     /// The equations from which the rates of a mechanical plant follow.
     mechanics: Option<Mechanics>,
+    /// Where they are linear while the inputs are held, what they come to over a time.
+    held: Option<Held>,
+    inputs: usize,
     order: usize,
     program: Arc<Program>,
 }
@@ -40,6 +44,8 @@ impl Motion {
             kinks: along.machine.kinks(),
             rates: program.watched.clone(),
             mechanics: (inputs > 0).then(|| Mechanics::new(&program.watched, inputs)),
+            held: if inputs > 0 { None } else { Held::of(&program, &program.watched) },
+            inputs: spec.input_names().len(),
             order: spec.states(),
             program: Arc::new(program),
             along,
@@ -60,7 +66,15 @@ impl Motion {
     pub(super) fn give(&mut self, values: &Values) -> Result<(), Failure> {
         values.give(&mut self.along.machine)?;
         self.along.settle();
+        if let Some(held) = &mut self.held {
+            held.settle(&mut self.along, &self.rates, self.inputs);
+        }
         Ok(())
+    }
+
+    /// The state after a time in which the inputs are held; `None` where only an integration gives it.
+    pub(super) fn after(&mut self, x: &State, u: &[f64], length: f64) -> Option<State> {
+        self.held.as_mut()?.after(x, u, length)
     }
 
     /// Number of its kinks, and of what no run crosses behind them.

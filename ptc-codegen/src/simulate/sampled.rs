@@ -278,6 +278,10 @@ impl Sampled {
             Moved::Rates(motion) => motion,
             Moved::Linear(plant) => return plant.after(x, u[0], to - from),
         };
+        if let Some(next) = motion.after(&x, u, to - from) {
+            let finite = next.iter().all(|x| x.is_finite());
+            return if finite { Ok(next) } else { Err(Failure::range()) };
+        }
         // Of states that have died out the errors of a step would underflow.
         let nothing =
             x.iter().all(|x| x.abs() < NOTHING[0]) && u.iter().all(|u| u.abs() < NOTHING[1]);

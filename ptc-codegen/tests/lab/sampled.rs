@@ -164,6 +164,43 @@ fn u_is_held_between_samples() {
     assert!(seen.iter().any(|(.., status)| *status == Status::Saturated));
 }
 
+/// With friction in proportion to the speed it moves along exponentials, from slow ones to those that end
+/// within a sample, whatever t0 makes of the length of a sample.
+#[test]
+fn friction_between_samples_is_an_exponential() {
+    for (friction, force, length) in [
+        (0.7, 0.3, 0.01),
+        (1e-9, -2.0, 0.01),
+        (150.0, 0.3, 0.01),
+        (2e4, 1e3, 0.02),
+        (40.0, 0.0, 0.005),
+    ] {
+        let text = STAGE.replace("f = 0", &format!("f = \"{force} - {friction}*x2\""));
+        for t0 in ["0", "1000"] {
+            let text = text.replace("t0 = 0", &format!("t0 = {t0}"));
+            let seen = run(&text, &[1.0, 0.5], &Loop { period: length, ..Loop::default() });
+            for pair in seen.windows(2) {
+                let ((t, x, u, _), (_, next, ..)) = (&pair[0], &pair[1]);
+                let (ended, z) = (-(-friction * length).exp_m1() / friction, friction * length);
+                // (h - ended)/friction; by its series where that would cancel.
+                let series = 0.5 - z / 6.0 + z * z / 24.0;
+                let rest =
+                    if z < 1e-3 { length * length * series } else { (length - ended) / friction };
+                let push = u + force;
+                let wanted = [
+                    x[0] + ended * x[1] + rest * push,
+                    x[1] * (-friction * length).exp() + ended * push,
+                ];
+                let size = 1.0 + push.abs() * length;
+                for (found, wanted) in next.iter().zip(wanted) {
+                    let apart = (found - wanted).abs();
+                    assert!(apart <= 1e-12 * size, "{text}\n{t}: {found} {wanted}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn the_actuator_has_steps_and_may_be_late() {
     let plain = run(STAGE, &[0.1, 0.0], &Loop { period: 0.01, ..Loop::default() });

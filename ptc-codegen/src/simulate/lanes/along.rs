@@ -8,7 +8,7 @@ use crate::program::lanes::{LANES, Lanes, Pack, Register};
 use crate::program::{Input, Program, Stage, Value};
 use crate::simulate::{Failure, Values};
 
-use super::method::Which;
+use super::flow::Which;
 
 /// A program in lanes with the registers of what changes along a run.
 #[derive(Clone, Debug)]
@@ -68,6 +68,11 @@ impl Abreast {
     pub fn at(&mut self, time: &Pack, state: &[Pack]) {
         self.lanes.fill(self.time, time);
         self.lanes.run(Stage::Tick);
+        self.again(state);
+    }
+
+    /// The same at another state.
+    pub fn again(&mut self, state: &[Pack]) {
         for (register, x) in self.state.iter().zip(state) {
             self.lanes.fill(*register, x);
         }
@@ -78,6 +83,12 @@ impl Abreast {
     pub fn under(&mut self, time: &Pack, state: &[Pack], control: &Pack) {
         self.lanes.fill(self.control, control);
         self.at(time, state);
+    }
+
+    /// The same at another state and control.
+    pub fn again_under(&mut self, state: &[Pack], control: &Pack) {
+        self.lanes.fill(self.control, control);
+        self.again(state);
     }
 }
 

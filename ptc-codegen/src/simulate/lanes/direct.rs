@@ -1,13 +1,10 @@
 //! The plant with the emitted program in lanes.
 
-// Lanes are counted, which compilers make vectors of.
-#![allow(clippy::needless_range_loop)]
-
 use super::along::{Abreast, Kinks};
-use super::method::Which;
+use super::flow::Which;
 use super::{At, LaneSide};
 use crate::program::kink::Kink;
-use crate::program::lanes::{LANES, Pack};
+use crate::program::lanes::Pack;
 use crate::program::{Program, Value};
 use crate::simulate::{Controller, Failure, Values};
 
@@ -19,7 +16,8 @@ pub struct DirectLanes {
     step: Value,
     law: Abreast,
     motion: Abreast,
-    rates: Vec<Value>,
+    /// x_n'.
+    rate: Value,
     kinks: [Kinks; 2],
     x: Vec<Pack>,
 }
@@ -32,7 +30,7 @@ impl DirectLanes {
         (law, of_law): (&Program, &[Kink]),
         (motion, of_motion): (&Program, &[Kink]),
     ) -> Option<Self> {
-        let n = motion.watched.len();
+        let (n, rate) = (motion.watched.len(), *motion.watched.last()?);
         if law.limits.u_max.is_some() {
             return None;
         }
@@ -40,8 +38,8 @@ impl DirectLanes {
             controller: controller.clone(),
             step: law.step,
             law: Abreast::new(law, &[law.step], n)?,
-            motion: Abreast::new(motion, &motion.watched, n)?,
-            rates: motion.watched.clone(),
+            motion: Abreast::new(motion, &[rate], n)?,
+            rate,
             kinks: [Kinks::of(law, of_law.to_vec())?, Kinks::of(motion, of_motion.to_vec())?],
             x: vec![Pack::all(0.0); n],
         })
@@ -58,7 +56,7 @@ impl DirectLanes {
 
 impl LaneSide for DirectLanes {
     fn order(&self) -> usize {
-        self.rates.len()
+        self.x.len()
     }
 
     /// x_i goes like T^(p - i).
@@ -91,15 +89,17 @@ impl LaneSide for DirectLanes {
         x0.to_vec()
     }
 
-    fn rates(&mut self, at: &At, state: &[Pack], rates: &mut [Pack]) {
-        self.law.at(&at.t, state);
-        self.motion.under(&at.t, state, self.law.lanes.get(self.step));
-        for (rate, value) in rates.iter_mut().zip(&self.rates) {
-            let own = self.motion.lanes.get(*value);
-            for lane in 0..LANES {
-                rate.0[lane] = at.time_to_go.0[lane] * own.0[lane];
-            }
+    fn last(&mut self, at: &At, state: &[Pack], again: bool) -> [Pack; 2] {
+        if again {
+            self.law.again(state);
+            self.motion.again_under(state, self.law.lanes.get(self.step));
+        } else {
+            self.law.at(&at.t, state);
+            self.motion.under(&at.t, state, self.law.lanes.get(self.step));
         }
+        let own = self.motion.lanes.get(self.rate);
+        let rate = Pack::of(|lane| at.time_to_go.0[lane] * own.0[lane]);
+        [at.time_to_go, rate]
     }
 
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack) {

@@ -2,13 +2,18 @@
 //! loop is smooth.
 //!
 //! Every lane has its parameters, steps and errors, and takes the next scenario as soon as one is done;
-//! the bits of a scenario do not depend on what is beside it. What does not go smoothly to its end is
+//! the bits of a scenario do not depend on what is beside it. A run that turns out to be stiff goes on
+//! by collocation from where the explicit method has brought it. What does not go smoothly to its end is
 //! left: it is run by itself, as a [`Run`](super::Run).
 
 mod along;
+mod collocation;
 mod direct;
-mod method;
+mod explicit;
+mod flow;
+mod nodes;
 mod stretched;
+mod system;
 mod tableau;
 
 pub use along::Abreast;
@@ -19,7 +24,9 @@ use super::solver::FIRST;
 use super::{Accuracy, Failure, Values};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
-use method::{Method, Which};
+use collocation::Collocation;
+use explicit::Explicit;
+use flow::{Flow, Steps, Which};
 
 /// One scenario.
 #[derive(Clone, Copy, Debug)]
@@ -103,8 +110,9 @@ pub trait LaneSide {
     /// What is integrated, at the start of the plant in `x0`.
     fn begin(&mut self, at: &At, x0: &[Pack]) -> Vec<Pack>;
 
-    /// Its rates by sigma.
-    fn rates(&mut self, at: &At, state: &[Pack], rates: &mut [Pack]);
+    /// Of its chain, by sigma: how fast it goes, dy_i = pace y_(i+1), and the rate of its last component;
+    /// `again` at the same time.
+    fn last(&mut self, at: &At, state: &[Pack], again: bool) -> [Pack; 2];
 
     /// The plant's state and the control.
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack);
@@ -124,7 +132,7 @@ const SETTLED: usize = 40;
 /// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
 const REFUSED: usize = 200;
 
-/// A run under way.
+/// Where a run is.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     job: usize,
@@ -147,19 +155,38 @@ impl Place {
     }
 }
 
+/// A run to go on with; without a state it begins at t0.
+#[derive(Clone, Debug)]
+struct Due {
+    place: Place,
+    at: f64,
+    step: f64,
+    y: Option<Vec<f64>>,
+}
+
+impl Due {
+    fn of(index: usize, job: &Job<'_>) -> Self {
+        let last = job.pieces.iter().filter_map(|(shares, _)| shares.last()).next_back();
+        let finish = -last.copied().unwrap_or(1.0).ln();
+        let place = Place { job: index, piece: 0, next: 0, finish, steps: 0, refused: 0 };
+        Self { place, at: 0.0, step: FIRST, y: None }
+    }
+}
+
 /// The runs under way.
-struct Batch<'a, S> {
+struct Batch<'a, S, M> {
     side: &'a mut S,
     jobs: &'a [Job<'a>],
-    /// The next job.
-    next: usize,
-    done: Vec<bool>,
+    due: std::vec::IntoIter<Due>,
+    done: &'a mut [bool],
     places: [Option<Place>; LANES],
     clock: Clock,
-    method: Method,
+    method: M,
     /// sigma of the end of the piece of each lane.
     end: Pack,
     seen: Vec<Pack>,
+    /// Runs for which the method takes too many steps.
+    left: Vec<Due>,
 }
 
 /// Runs the jobs, and hands over their instants: of each job in order, of all in any. Whether each came
@@ -171,25 +198,47 @@ pub fn run<S: LaneSide>(
     see: See<'_>,
 ) -> Vec<bool> {
     let accuracy = Accuracy { relative: CLOSER * accuracy.relative, ..accuracy };
-    let method = Method::new(side.order(), side.slant(), accuracy);
-    let mut batch = Batch {
-        seen: vec![Pack::all(0.0); side.order()],
-        side,
-        jobs,
-        next: 0,
-        done: vec![false; jobs.len()],
-        places: [None; LANES],
-        clock: Clock { tau: Pack::all(1.0), t0: Pack::all(0.0) },
-        method,
-        end: Pack::all(0.0),
-    };
-    while batch.load(see) {
-        batch.step(see);
+    let mut done = vec![false; jobs.len()];
+    let due = (0..).zip(jobs).map(|(index, job)| Due::of(index, job)).collect();
+    let explicit = Explicit::new(side.order(), side.slant(), accuracy);
+    let stiff = Batch::of(side, jobs, due, &mut done, explicit).run(see);
+    if !stiff.is_empty() {
+        let collocation = Collocation::new(side.order(), accuracy);
+        Batch::of(side, jobs, stiff, &mut done, collocation).run(see);
     }
-    batch.done
+    done
 }
 
-impl<'a, S: LaneSide> Batch<'a, S> {
+impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
+    fn of(
+        side: &'a mut S,
+        jobs: &'a [Job<'a>],
+        due: Vec<Due>,
+        done: &'a mut [bool],
+        method: M,
+    ) -> Self {
+        Self {
+            seen: vec![Pack::all(0.0); side.order()],
+            side,
+            jobs,
+            due: due.into_iter(),
+            done,
+            places: [None; LANES],
+            clock: Clock { tau: Pack::all(1.0), t0: Pack::all(0.0) },
+            method,
+            end: Pack::all(0.0),
+            left: Vec::new(),
+        }
+    }
+
+    /// Those that are left.
+    fn run(mut self, see: See<'_>) -> Vec<Due> {
+        while self.load(see) {
+            self.step(see);
+        }
+        self.left
+    }
+
     fn piece(&self, place: &Place) -> &'a (Vec<f64>, Values) {
         &self.jobs[place.job].pieces[place.piece]
     }
@@ -197,7 +246,8 @@ impl<'a, S: LaneSide> Batch<'a, S> {
     /// Gives lanes that are idle their next job, or their next piece; whether any has one.
     fn load(&mut self, see: See<'_>) -> bool {
         loop {
-            let (mut fresh, mut started) = ([false; LANES], [false; LANES]);
+            let mut fresh = [false; LANES];
+            let mut started: [Option<Option<Vec<f64>>>; LANES] = Default::default();
             for lane in 0..LANES {
                 match self.places[lane] {
                     Some(place) if place.next == self.piece(&place).0.len() => {
@@ -208,7 +258,7 @@ impl<'a, S: LaneSide> Batch<'a, S> {
                 }
                 if self.places[lane].is_none() {
                     started[lane] = self.start(lane);
-                    fresh[lane] = started[lane];
+                    fresh[lane] = started[lane].is_some();
                 }
             }
             if !fresh.contains(&true) {
@@ -235,32 +285,36 @@ impl<'a, S: LaneSide> Batch<'a, S> {
         true
     }
 
-    /// The next job that can be begun.
-    fn start(&mut self, lane: usize) -> bool {
-        while let Some(job) = self.jobs.get(self.next) {
-            self.next += 1;
+    /// Begins the next run that can be begun, with the state from which it goes on.
+    fn start(&mut self, lane: usize) -> Option<Option<Vec<f64>>> {
+        for Due { place, at, step, y } in self.due.by_ref() {
+            let job = &self.jobs[place.job];
             let legal = job.pieces.iter().all(|(shares, _)| !shares.is_empty());
-            if legal && self.side.start(lane, job.values, job.x0).is_ok() {
+            let start = |side: &mut S| {
+                side.start(lane, job.values, job.x0)?;
+                match place.piece {
+                    0 => Ok(()),
+                    piece => side.give(lane, &job.pieces[piece].1),
+                }
+            };
+            if legal && start(self.side).is_ok() {
                 self.clock.tau.0[lane] = job.values.get(Parameter::Tau);
                 self.clock.t0.0[lane] = job.values.get(Parameter::StartTime);
-                self.method.at.0[lane] = 0.0;
-                self.method.step.0[lane] = FIRST;
-                let last = job.pieces.iter().filter_map(|(shares, _)| shares.last()).next_back();
-                let finish = -last.copied().unwrap_or(1.0).ln();
-                let job = self.next - 1;
-                let place = Place { job, piece: 0, next: 0, finish, steps: 0, refused: 0 };
+                let flow = self.method.flow();
+                flow.at.0[lane] = at;
+                flow.step.0[lane] = step;
                 self.places[lane] = Some(place);
-                return true;
+                return Some(y);
             }
         }
-        false
+        None
     }
 
     /// Begins in lanes with new values, some of which are at a start; those with a kink on their way are
     /// left.
-    fn begin(&mut self, fresh: &Which, started: &Which) {
+    fn begin(&mut self, fresh: &Which, started: &[Option<Option<Vec<f64>>>; LANES]) {
         self.side.settle();
-        let mut x0 = self.method.y.clone();
+        let mut x0 = self.method.flow().y.clone();
         let mut last = Pack::all(1.0);
         for lane in (0..LANES).filter(|lane| fresh[*lane]) {
             let Some(place) = self.places[lane] else { continue };
@@ -271,45 +325,65 @@ impl<'a, S: LaneSide> Batch<'a, S> {
             last.0[lane] = self.piece(&place).0.last().copied().unwrap_or(1.0);
             self.end.0[lane] = -last.0[lane].ln();
         }
-        let from = self.clock.at(&self.method.at.map(|at| (-at).exp()));
-        if started.contains(&true) {
-            let begun = self.side.begin(&from, &x0);
-            for (y, begun) in self.method.y.iter_mut().zip(&begun) {
-                y.take(begun, started);
+        let Self { side, clock, method, .. } = self;
+        let flow = method.flow();
+        let from = clock.at(&flow.at.map(|at| (-at).exp()));
+        let at_start: Which = std::array::from_fn(|lane| matches!(started[lane], Some(None)));
+        if at_start.contains(&true) {
+            for (y, begun) in flow.y.iter_mut().zip(&side.begin(&from, &x0)) {
+                y.take(begun, &at_start);
             }
         }
-        let kinks = self.side.kinks_between(&from, &self.clock.at(&last));
+        for (lane, started) in started.iter().enumerate() {
+            if let Some(Some(state)) = started {
+                flow.y.iter_mut().zip(state).for_each(|(y, own)| y.0[lane] = *own);
+            }
+        }
+        let kinks = side.kinks_between(&from, &clock.at(&last));
         for lane in 0..LANES {
             if fresh[lane] && kinks[lane] {
                 self.places[lane] = None;
             }
         }
-        let Self { side, clock, method, .. } = self;
-        method.begin(fresh, &mut |share, y, rates| side.rates(&clock.at(share), y, rates));
+        method.begin(fresh, &mut |share, y, again| side.last(&clock.at(share), y, again));
     }
 
     fn step(&mut self, see: See<'_>) {
         let active: Which = self.places.map(|place| place.is_some());
         let Self { side, clock, method, end, .. } = self;
-        let mut rates = |share: &Pack, y: &[Pack], rates: &mut [Pack]| {
-            side.rates(&clock.at(share), y, rates);
-        };
-        let moved = method.step(&active, end, &mut rates);
+        let moved =
+            method.step(&active, end, &mut |share, y, again| side.last(&clock.at(share), y, again));
         if moved.contains(&true) {
-            method.accept(&moved, &mut rates);
+            method.accept(&moved, &mut |share, y, again| side.last(&clock.at(share), y, again));
         }
+        let mut stays = [true; LANES];
         for lane in (0..LANES).filter(|lane| active[*lane]) {
-            let Method { at, step, y, .. } = &self.method;
+            let Flow { at, step, y } = self.method.flow();
             let finite = y.iter().all(|y| y.0[lane].is_finite());
-            if let Some(place) = &mut self.places[lane] {
+            if let Some(place) = self.places[lane].as_mut().filter(|_| finite) {
                 place.steps += 1;
                 place.refused += usize::from(!moved[lane]);
-                if !finite || !place.goes_on(at.0[lane], step.0[lane]) {
-                    self.places[lane] = None;
-                }
+                stays[lane] = place.goes_on(at.0[lane], step.0[lane]);
+            } else {
+                self.places[lane] = None;
             }
         }
         self.look(&moved, see);
+        for lane in (0..LANES).filter(|lane| !stays[*lane]) {
+            self.leave(lane);
+        }
+    }
+
+    /// Leaves a run where it is, if it has not come to the end of its piece.
+    fn leave(&mut self, lane: usize) {
+        let Some(place) = self.places[lane] else { return };
+        if place.next < self.piece(&place).0.len() {
+            let Flow { at, step, y } = self.method.flow();
+            let y = Some(y.iter().map(|y| y.0[lane]).collect());
+            let place = Place { steps: 0, refused: 0, ..place };
+            self.left.push(Due { place, at: at.0[lane], step: step.0[lane], y });
+            self.places[lane] = None;
+        }
     }
 
     /// Hands over the instants that some lanes have come to.
@@ -319,12 +393,13 @@ impl<'a, S: LaneSide> Batch<'a, S> {
             let mut last = [false; LANES];
             let mut ends = [false; LANES];
             let mut share = Pack::all(1.0);
-            let mut at = self.method.at;
+            let here = self.method.flow().at;
+            let mut at = here;
             for lane in (0..LANES).filter(|lane| lanes[*lane]) {
                 let Some(place) = self.places[lane] else { continue };
                 let shares = &self.piece(&place).0;
                 let Some(next) = shares.get(place.next) else { continue };
-                let (own, here) = (-next.ln(), self.method.at.0[lane]);
+                let (own, here) = (-next.ln(), here.0[lane]);
                 if own - here > SAME * here.max(1.0) {
                     continue;
                 }
@@ -340,7 +415,7 @@ impl<'a, S: LaneSide> Batch<'a, S> {
                 return;
             }
             self.method.within(&at, &mut self.seen);
-            for (seen, y) in self.seen.iter_mut().zip(&self.method.y) {
+            for (seen, y) in self.seen.iter_mut().zip(&self.method.flow().y) {
                 seen.take(y, &ends);
             }
             let at = self.clock.at(&share);

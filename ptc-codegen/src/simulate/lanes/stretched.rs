@@ -1,16 +1,13 @@
 //! The associated infinite-time system in lanes.
 
-// Lanes are counted, which compilers make vectors of.
-#![allow(clippy::needless_range_loop)]
-
 use std::sync::Arc;
 
 use super::along::{Abreast, Kinks};
-use super::method::Which;
+use super::flow::Which;
 use super::{At, LaneSide};
 use crate::lower::ClosedLoop;
 use crate::program::kink::Kink;
-use crate::program::lanes::{LANES, Pack};
+use crate::program::lanes::Pack;
 use crate::program::{Program, Value};
 use crate::simulate::{Failure, Values};
 
@@ -51,6 +48,10 @@ impl StretchedLanes {
     /// The plant's x.
     fn plant(&mut self, at: &At, state: &[Pack]) {
         self.back.at(&at.time_to_go, state);
+        self.mapped();
+    }
+
+    fn mapped(&mut self) {
         for (x, value) in self.x.iter_mut().zip(&self.states) {
             *x = *self.back.lanes.get(*value);
         }
@@ -87,17 +88,16 @@ impl LaneSide for StretchedLanes {
         self.closed.xi().iter().map(|xi| *self.outputs.lanes.get(*xi)).collect()
     }
 
-    fn rates(&mut self, at: &At, state: &[Pack], rates: &mut [Pack]) {
-        self.plant(at, state);
-        self.rates.at(&at.time_to_go, &self.x);
-        let pace = self.rates.lanes.get(self.closed.pace());
-        let last = state.len() - 1;
-        for i in 0..last {
-            for lane in 0..LANES {
-                rates[i].0[lane] = pace.0[lane] * state[i + 1].0[lane];
-            }
+    fn last(&mut self, at: &At, state: &[Pack], again: bool) -> [Pack; 2] {
+        if again {
+            self.back.again(state);
+            self.mapped();
+            self.rates.again(&self.x);
+        } else {
+            self.plant(at, state);
+            self.rates.at(&at.time_to_go, &self.x);
         }
-        rates[last] = *self.rates.lanes.get(self.closed.associated());
+        [self.closed.pace(), self.closed.associated()].map(|value| *self.rates.lanes.get(value))
     }
 
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack) {

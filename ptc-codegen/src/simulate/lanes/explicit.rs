@@ -1,5 +1,4 @@
-//! Dormand and Prince's method of order 8 in every lane, with steps and errors of its own: the numbers
-//! of a lane do not depend on the others.
+//! Dormand and Prince's method of order 8 in every lane.
 //!
 //! A step is taken in y e^(q (sigma - sigma_k)), which goes slowly where all components of y decay: the
 //! slope q of a component is the mean of what the loop decays by, from the trace of its Jacobian. The
@@ -11,6 +10,7 @@
 
 use std::sync::Arc;
 
+use super::flow::{Flow, LastRate, Steps, Which};
 use super::tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::Accuracy;
@@ -22,25 +22,18 @@ const FACTORS: [f64; 2] = [0.2, 10.0];
 /// The difference by which a slope is formed, as a part of the state.
 const MOVED: f64 = 1e-6;
 
-/// Lanes that something is true of.
-pub(super) type Which = [bool; LANES];
-
 /// The rates, by sigma, at a T/tau and a state of each lane.
-pub(super) type Rates<'a> = &'a mut dyn FnMut(&Pack, &[Pack], &mut [Pack]);
+type Rates<'a> = &'a mut dyn FnMut(&Pack, &[Pack], &mut [Pack]);
 
 /// The method, under way in every lane.
 #[derive(Clone, Debug)]
-pub(super) struct Method {
+pub(super) struct Explicit {
     tableau: Arc<Tableau>,
     order: usize,
     accuracy: Accuracy,
     /// By how much more each component decays than the next one.
     slant: f64,
-    /// sigma of each lane.
-    pub(super) at: Pack,
-    /// The step with which it would go on.
-    pub(super) step: Pack,
-    pub(super) y: Vec<Pack>,
+    flow: Flow,
     /// Rates at y.
     rate: Vec<Pack>,
     last: Last,
@@ -66,7 +59,7 @@ struct Last {
     slope: Pack,
 }
 
-impl Method {
+impl Explicit {
     pub(super) fn new(order: usize, slant: f64, accuracy: Accuracy) -> Self {
         let zero = Pack::all(0.0);
         let packs = |count: usize| vec![zero; count * order];
@@ -75,9 +68,7 @@ impl Method {
             order,
             accuracy,
             slant,
-            at: zero,
-            step: zero,
-            y: packs(1),
+            flow: Flow::new(order),
             rate: packs(1),
             last: Last { from: zero, share: zero, length: zero, slope: zero },
             k: packs(ALL),
@@ -89,31 +80,16 @@ impl Method {
         }
     }
 
-    /// Begins anew in some lanes, where they are.
-    pub(super) fn begin(&mut self, lanes: &Which, rates: Rates<'_>) {
-        let share = self.at.map(|at| (-at).exp());
-        rates(&share, &self.y, &mut self.state);
-        for (rate, new) in self.rate.iter_mut().zip(&self.state) {
-            rate.take(new, lanes);
-        }
-    }
-
-    /// A step in each of the `active` lanes, at most to its `end`; those whose step is accurate enough
-    /// are to [`accept`](Self::accept) it.
-    pub(super) fn step(&mut self, active: &Which, end: &Pack, rates: Rates<'_>) -> Which {
-        let left = Pack::of(|lane| end.0[lane] - self.at.0[lane]);
-        let cut: Which = std::array::from_fn(|lane| self.step.0[lane] >= left.0[lane]);
-        self.last.from = self.at;
-        self.last.share = self.at.map(|at| (-at).exp());
-        self.last.length = Pack::of(|lane| match (active[lane], cut[lane]) {
-            (false, _) => 0.0,
-            (true, true) => left.0[lane],
-            (true, false) => self.step.0[lane],
-        });
+    /// A step in each of the `active` lanes.
+    fn take(&mut self, active: &Which, end: &Pack, rates: Rates<'_>) -> Which {
+        self.last.from = self.flow.at;
+        self.last.share = self.flow.at.map(|at| (-at).exp());
+        let cut;
+        (self.last.length, cut) = self.flow.lengths(active, end);
         self.last.slope = self.slope(rates);
         for i in 0..self.order {
             let slope = self.slope_of(i);
-            let (y, rate) = (&self.y[i], &self.rate[i]);
+            let (y, rate) = (&self.flow.y[i], &self.rate[i]);
             self.k[i] = Pack::of(|lane| rate.0[lane] + slope.0[lane] * y.0[lane]);
         }
         let tableau = Arc::clone(&self.tableau);
@@ -124,32 +100,19 @@ impl Method {
         std::array::from_fn(|lane| {
             let moved = active[lane] && error.0[lane] <= 1.0;
             if active[lane] {
-                self.go_on(lane, (moved, cut[lane]), error.0[lane], end.0[lane]);
+                // By the eighth root.
+                let wanted = SAFETY / error.0[lane].sqrt().sqrt().sqrt();
+                let [least, most] = FACTORS;
+                let factor = if wanted.is_nan() { least } else { wanted.clamp(least, most) };
+                let length = self.last.length.0[lane];
+                self.flow.go_on(lane, (moved, cut[lane]), (length, factor), end.0[lane]);
             }
             moved
         })
     }
 
-    /// Where a lane is after a step with an error, and how long the next one is.
-    fn go_on(&mut self, lane: usize, (moved, cut): (bool, bool), error: f64, end: f64) {
-        let length = self.last.length.0[lane];
-        // By the eighth root.
-        let wanted = SAFETY / error.sqrt().sqrt().sqrt();
-        let [least, most] = FACTORS;
-        let factor = if wanted.is_nan() { least } else { wanted.clamp(least, most) };
-        let next = length * if moved { factor } else { factor.min(1.0) };
-        // What was cut says only that the next step may be as long.
-        if !(moved && cut && next < self.step.0[lane]) {
-            self.step.0[lane] = next;
-        }
-        if moved {
-            self.at.0[lane] = if cut { end } else { self.at.0[lane] + length };
-        }
-    }
-
-    /// Takes the step of the lanes that `moved`: afterwards [`within`](Self::within) gives their states
-    /// in it.
-    pub(super) fn accept(&mut self, moved: &Which, rates: Rates<'_>) {
+    /// The derivatives at the end of the step, and what the dense output needs beside.
+    fn finish(&mut self, moved: &Which, rates: Rates<'_>) {
         let tableau = Arc::clone(&self.tableau);
         self.scaled.copy_from_slice(&self.new);
         let share = self.rescale(1.0);
@@ -159,27 +122,8 @@ impl Method {
             self.stage(stage, &tableau, rates);
         }
         self.densify(&tableau);
-        for (y, ended) in self.y.iter_mut().zip(&ended) {
+        for (y, ended) in self.flow.y.iter_mut().zip(&ended) {
             y.take(ended, moved);
-        }
-    }
-
-    /// The state of each lane at a sigma in its last step.
-    pub(super) fn within(&mut self, at: &Pack, into: &mut [Pack]) {
-        let Last { from, length, .. } = self.last;
-        let part = Pack::of(|lane| (at.0[lane] - from.0[lane]) / length.0[lane]);
-        self.rescale_at(&Pack::of(|lane| at.0[lane] - from.0[lane]));
-        for (i, into) in into.iter_mut().enumerate() {
-            let mut sum = self.dense[(DENSE - 1) * self.order + i];
-            for place in (0..DENSE - 1).rev() {
-                let own = &self.dense[place * self.order + i];
-                for lane in 0..LANES {
-                    let part = part.0[lane];
-                    let factor = if place % 2 == 0 { part } else { 1.0 - part };
-                    sum.0[lane] = own.0[lane] + factor * sum.0[lane];
-                }
-            }
-            *into = Pack::of(|lane| sum.0[lane] * self.scale[i].0[lane]);
         }
     }
 
@@ -187,12 +131,12 @@ impl Method {
     /// other rate has any of its own.
     fn slope(&mut self, rates: Rates<'_>) -> Pack {
         let last = self.order - 1;
-        let (y, rate) = (self.y[last], self.rate[last]);
+        let (y, rate) = (self.flow.y[last], self.rate[last]);
         let size = Pack::of(|lane| {
             let size = y.0[lane].abs().max(rate.0[lane].abs());
             if size > 0.0 { MOVED * size } else { MOVED }
         });
-        self.state.copy_from_slice(&self.y);
+        self.state.copy_from_slice(&self.flow.y);
         self.state[last] = Pack::of(|lane| y.0[lane] + size.0[lane]);
         rates(&self.last.share, &self.state, &mut self.scaled);
         #[allow(clippy::cast_precision_loss)]
@@ -233,7 +177,7 @@ impl Method {
     fn stage(&mut self, stage: usize, tableau: &Tableau, rates: Rates<'_>) {
         for i in 0..self.order {
             let sum = self.sum(&tableau.stages[stage], i);
-            let (y, length) = (&self.y[i], &self.last.length);
+            let (y, length) = (&self.flow.y[i], &self.last.length);
             self.scaled[i] = Pack::of(|lane| y.0[lane] + length.0[lane] * sum.0[lane]);
         }
         let share = self.rescale(tableau.nodes[stage]);
@@ -268,7 +212,7 @@ impl Method {
         for i in 0..self.order {
             let slope = self.sum(&tableau.weights, i);
             let off = [&tableau.error, &tableau.embedded].map(|row| self.sum(row, i));
-            let y = &self.y[i];
+            let y = &self.flow.y[i];
             let new = Pack::of(|lane| y.0[lane] + self.last.length.0[lane] * slope.0[lane]);
             for lane in 0..LANES {
                 let own = y.0[lane].abs();
@@ -296,7 +240,7 @@ impl Method {
         let n = self.order;
         let length = self.last.length;
         for i in 0..n {
-            let (y, new) = (self.y[i], &self.new[i]);
+            let (y, new) = (self.flow.y[i], &self.new[i]);
             let (first, last) = (&self.k[i], &self.k[END * n + i]);
             let whole = Pack::of(|lane| new.0[lane] - y.0[lane]);
             let bend = Pack::of(|lane| length.0[lane] * first.0[lane] - whole.0[lane]);
@@ -323,5 +267,59 @@ impl Method {
             }
         }
         sum
+    }
+}
+
+/// All rates of a chain, from that of its last component.
+fn rates_of(last: LastRate<'_>) -> impl FnMut(&Pack, &[Pack], &mut [Pack]) {
+    |share, state, rates| {
+        let [pace, rate] = last(share, state, false);
+        let end = state.len() - 1;
+        for i in 0..end {
+            for lane in 0..LANES {
+                rates[i].0[lane] = pace.0[lane] * state[i + 1].0[lane];
+            }
+        }
+        rates[end] = rate;
+    }
+}
+
+impl Steps for Explicit {
+    fn flow(&mut self) -> &mut Flow {
+        &mut self.flow
+    }
+
+    fn begin(&mut self, lanes: &Which, last: LastRate<'_>) {
+        let share = self.flow.at.map(|at| (-at).exp());
+        rates_of(last)(&share, &self.flow.y, &mut self.state);
+        for (rate, new) in self.rate.iter_mut().zip(&self.state) {
+            rate.take(new, lanes);
+        }
+    }
+
+    fn step(&mut self, active: &Which, end: &Pack, last: LastRate<'_>) -> Which {
+        self.take(active, end, &mut rates_of(last))
+    }
+
+    fn accept(&mut self, moved: &Which, last: LastRate<'_>) {
+        self.finish(moved, &mut rates_of(last));
+    }
+
+    fn within(&mut self, at: &Pack, into: &mut [Pack]) {
+        let Last { from, length, .. } = self.last;
+        let part = Pack::of(|lane| (at.0[lane] - from.0[lane]) / length.0[lane]);
+        self.rescale_at(&Pack::of(|lane| at.0[lane] - from.0[lane]));
+        for (i, into) in into.iter_mut().enumerate() {
+            let mut sum = self.dense[(DENSE - 1) * self.order + i];
+            for place in (0..DENSE - 1).rev() {
+                let own = &self.dense[place * self.order + i];
+                for lane in 0..LANES {
+                    let part = part.0[lane];
+                    let factor = if place % 2 == 0 { part } else { 1.0 - part };
+                    sum.0[lane] = own.0[lane] + factor * sum.0[lane];
+                }
+            }
+            *into = Pack::of(|lane| sum.0[lane] * self.scale[i].0[lane]);
+        }
     }
 }

@@ -1,0 +1,76 @@
+//! What the methods in lanes have in common: where each lane is, and how long its next step.
+
+use crate::program::lanes::{LANES, Pack};
+
+/// Lanes that something is true of.
+pub(super) type Which = [bool; LANES];
+
+/// Of a chain, by sigma, at a T/tau and a state of each lane: how fast it goes, dy_i = pace y_(i+1), and the
+/// rate of its last component; whether T is as it was at the call before.
+pub(super) type LastRate<'a> = &'a mut dyn FnMut(&Pack, &[Pack], bool) -> [Pack; 2];
+
+/// Where each lane is.
+#[derive(Clone, Debug)]
+pub(super) struct Flow {
+    /// sigma.
+    pub(super) at: Pack,
+    /// The step with which it would go on.
+    pub(super) step: Pack,
+    pub(super) y: Vec<Pack>,
+}
+
+/// A method that steps in every lane: the numbers of a lane do not depend on the others.
+pub(super) trait Steps {
+    fn flow(&mut self) -> &mut Flow;
+
+    /// Begins anew in some lanes, where they are.
+    fn begin(&mut self, lanes: &Which, last: LastRate<'_>);
+
+    /// A step in each of the `active` lanes, at most to its `end`; those whose step is accurate enough
+    /// are to [`accept`](Self::accept) it.
+    fn step(&mut self, active: &Which, end: &Pack, last: LastRate<'_>) -> Which;
+
+    /// Takes the step of the lanes that `moved`: afterwards [`within`](Self::within) gives their states
+    /// in it.
+    fn accept(&mut self, moved: &Which, last: LastRate<'_>);
+
+    /// The state of each lane at a sigma in its last step.
+    fn within(&mut self, at: &Pack, into: &mut [Pack]);
+}
+
+impl Flow {
+    pub(super) fn new(order: usize) -> Self {
+        let zero = Pack::all(0.0);
+        Self { at: zero, step: zero, y: vec![zero; order] }
+    }
+
+    /// The length of the next step of each lane, at most to its `end`, and whether that cuts it.
+    pub(super) fn lengths(&self, active: &Which, end: &Pack) -> (Pack, Which) {
+        let left = Pack::of(|lane| end.0[lane] - self.at.0[lane]);
+        let cut: Which = std::array::from_fn(|lane| self.step.0[lane] >= left.0[lane]);
+        let length = Pack::of(|lane| match (active[lane], cut[lane]) {
+            (false, _) => 0.0,
+            (true, true) => left.0[lane],
+            (true, false) => self.step.0[lane],
+        });
+        (length, cut)
+    }
+
+    /// Where a lane is after a step of a length, and the next step, by the factor that its error allows.
+    pub(super) fn go_on(
+        &mut self,
+        lane: usize,
+        (moved, cut): (bool, bool),
+        (length, factor): (f64, f64),
+        end: f64,
+    ) {
+        let next = length * if moved { factor } else { factor.min(1.0) };
+        // What was cut says only that the next step may be as long.
+        if !(moved && cut && next < self.step.0[lane]) {
+            self.step.0[lane] = next;
+        }
+        if moved {
+            self.at.0[lane] = if cut { end } else { self.at.0[lane] + length };
+        }
+    }
+}
