@@ -1,6 +1,6 @@
 //! `schema`: a JSON schema of design files, from the tables of keys.
 
-use ptc_codegen::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};
+use ptc_codegen::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 use ptc_codegen::keys::{KEYS, KeyInfo, PLANT_KEYS};
 use ptc_codegen::syntax::number;
 use serde_json::{Map, Value, json};
@@ -34,7 +34,7 @@ pub(crate) fn schema() -> String {
             table(named("plant").chain(&PLANT_KEYS), true),
         ),
         ("disturbance", DISTURBANCE.meaning, table([], true)),
-        ("verify", "what is drawn, and how much", verified(true)),
+        ("verify", "what is drawn, and how much", verified()),
     ];
     let objectives = json!({
         "description": "what has to hold",
@@ -65,9 +65,6 @@ pub(crate) fn schema() -> String {
     // A linear plant and a model have an order.
     let order = ["n", "plant", "model"].map(|key| json!({ "required": [key] }));
     schema.insert("anyOf".to_owned(), json!(order));
-    // The states of a model have names of their own.
-    schema.insert("if".to_owned(), json!({ "required": ["model"] }));
-    schema.insert("else".to_owned(), json!({ "properties": { "verify": verified(false) } }));
     format!("{:#}\n", Value::Object(schema))
 }
 
@@ -80,11 +77,13 @@ fn table<'a>(keys: impl IntoIterator<Item = &'a KeyInfo>, open: bool) -> Map<Str
     table.as_object().cloned().unwrap_or_default()
 }
 
-/// That of `verify`, with the initial states x1, x2, ..., and others where it is `open`.
-fn verified(open: bool) -> Map<String, Value> {
-    let mut table = table(&verify::KEYS, open);
+/// That of `verify`, with the initial states x1, x2, ...; the states of a model and parameters have names of
+/// their own.
+fn verified() -> Map<String, Value> {
+    let mut table = table(&verify::KEYS, true);
     let states = json!({ "^x[1-9][0-9]?$": key(&INITIAL_STATE) });
     table.insert("patternProperties".to_owned(), states);
+    table.insert("additionalProperties".to_owned(), key(&PARAMETER));
     table
 }
 

@@ -236,6 +236,11 @@ impl Resolver<'_, '_> {
                 let message = format!("`{name}` is given {count} arguments");
                 self.wrong(place, message, "min and max take two or more, mean one or more")
             }
+            ("integral", ..) => self.wrong(
+                place,
+                "an integral outside of an objective's h".to_owned(),
+                "integrals over a run are for `h` of the bound `within`, where they are bounded by `low` and `high`",
+            ),
             _ => {
                 let meant = match name {
                     "log" => Some("ln"),
