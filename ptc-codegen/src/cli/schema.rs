@@ -34,7 +34,7 @@ pub(crate) fn schema() -> String {
             table(named("plant").chain(&PLANT_KEYS), true),
         ),
         ("disturbance", DISTURBANCE.meaning, table([], true)),
-        ("verify", "what is drawn, and how much", verified()),
+        ("verify", "what is drawn, and how much", verified(true)),
     ];
     let objectives = json!({
         "description": "what has to hold",
@@ -65,6 +65,12 @@ pub(crate) fn schema() -> String {
     // A linear plant and a model have an order.
     let order = ["n", "plant", "model"].map(|key| json!({ "required": [key] }));
     schema.insert("anyOf".to_owned(), json!(order));
+    // The states of a model have names of their own, and so have the parameters of expressions.
+    let own = ["model", "kappa", "pi0", "f", "g"].map(|key| json!({ "required": [key] }));
+    let of_time = json!({ "required": ["mu"], "properties": { "mu": { "pattern": "\\bt\\b" } } });
+    let named: Vec<_> = own.into_iter().chain([of_time]).collect();
+    schema.insert("if".to_owned(), json!({ "anyOf": named }));
+    schema.insert("else".to_owned(), json!({ "properties": { "verify": verified(false) } }));
     format!("{:#}\n", Value::Object(schema))
 }
 
@@ -77,13 +83,15 @@ fn table<'a>(keys: impl IntoIterator<Item = &'a KeyInfo>, open: bool) -> Map<Str
     table.as_object().cloned().unwrap_or_default()
 }
 
-/// That of `verify`, with the initial states x1, x2, ...; the states of a model and parameters have names of
-/// their own.
-fn verified() -> Map<String, Value> {
-    let mut table = table(&verify::KEYS, true);
-    let states = json!({ "^x[1-9][0-9]?$": key(&INITIAL_STATE) });
-    table.insert("patternProperties".to_owned(), states);
-    table.insert("additionalProperties".to_owned(), key(&PARAMETER));
+/// That of `verify`, with the initial states x1, x2, ... and the parameters of families and gains, and others
+/// where it is `open`.
+fn verified(open: bool) -> Map<String, Value> {
+    let mut table = table(&verify::KEYS, open);
+    let names = json!({
+        "^x[1-9][0-9]?$": key(&INITIAL_STATE),
+        "^([ak][1-9][0-9]?|a|m|start)$": key(&PARAMETER),
+    });
+    table.insert("patternProperties".to_owned(), names);
     table
 }
 

@@ -4,10 +4,11 @@
 //! Over sigma = -ln(T/tau) time passes at the rate T, so that the integral of h over time has the rate T h:
 //! close to the deadline T falls by what a law of Theorem 1 makes of u, and no digit of T is lost.
 
-use super::{Along, Failure, Values};
+use super::{Along, Cause, Failure, Values};
 use crate::expression::Expression;
 use crate::lower;
 use crate::parameter::Precision;
+use crate::program::kink::Kink;
 use crate::program::{Value, passes};
 use crate::request::Spec;
 
@@ -17,6 +18,11 @@ use crate::request::Spec;
 pub(super) struct Integrals {
     along: Along,
     integrands: Vec<Value>,
+    /// Where they are not smooth: no step leads across, as one that begins with nothing accumulated is not
+    /// accurate to a part of what it adds.
+    kinks: Vec<Kink>,
+    /// Whether one had no value where the plant has one.
+    lost: bool,
 }
 
 impl Integrals {
@@ -29,7 +35,8 @@ impl Integrals {
         let program = lower::observed(&spec, &integrands.iter().collect::<Vec<_>>());
         let program = passes::optimise(program, &mut |_, _| {});
         let along = Along::new(&program, &program.watched, spec.variables());
-        Some(Self { along, integrands: program.watched })
+        let kinks = along.machine.kinks();
+        Some(Self { along, integrands: program.watched, kinks, lost: false })
     }
 
     pub(super) fn count(&self) -> usize {
@@ -41,6 +48,7 @@ impl Integrals {
         values.give(&mut self.along.machine)?;
         self.along.start(x0);
         self.along.settle();
+        self.lost = false;
         Ok(())
     }
 
@@ -53,10 +61,51 @@ impl Integrals {
         so_far: &[f64],
         rates: &mut [f64],
     ) {
-        self.along.accumulated(so_far);
-        self.along.at(time_to_go, x, u);
+        self.at(time_to_go, (x, u), so_far);
+        let known = x.iter().chain(u).chain(so_far).all(|value| value.is_finite());
         for (rate, value) in rates.iter_mut().zip(&self.integrands) {
             *rate = scale * self.along.machine.get(*value);
+            self.lost |= known && !rate.is_finite();
         }
+    }
+
+    fn at(&mut self, time_to_go: f64, (x, u): (&[f64], &[f64]), so_far: &[f64]) {
+        self.along.accumulated(so_far);
+        self.along.at(time_to_go, x, u);
+    }
+
+    /// Number of kinks of the integrands.
+    pub(super) fn kinks(&self) -> usize {
+        self.kinks.len()
+    }
+
+    /// The distances from these.
+    pub(super) fn distances(
+        &mut self,
+        time_to_go: f64,
+        acting: (&[f64], &[f64]),
+        so_far: &[f64],
+        into: &mut Vec<f64>,
+    ) {
+        self.at(time_to_go, acting, so_far);
+        into.extend(self.kinks.iter().map(|kink| self.along.machine.distance(kink)));
+    }
+
+    /// Holds every kink above or below 0.
+    pub(super) fn choose(&mut self, above: &[bool]) {
+        for (kink, above) in self.kinks.iter().zip(above) {
+            self.along.machine.hold(kink, *above);
+        }
+    }
+
+    /// Why a run ends, where it is an integrand that stops it.
+    pub(super) fn failure(&self, failure: Failure) -> Failure {
+        if !self.lost || failure.cause != Cause::Unfinished {
+            return failure;
+        }
+        Failure::unfinished(
+            "what an objective integrates has no finite value close by",
+            "see what it is at this instant, for example a quotient with 0 below, or the square root of a negative number",
+        )
     }
 }

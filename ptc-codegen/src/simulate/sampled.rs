@@ -312,7 +312,10 @@ impl Sampled {
         let mut end = begin;
         let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;
         let done = walk.on(&mut between, begin, &[0.0, 1.0], (First::Fifth, BETWEEN), &mut see);
-        done.map_err(|(_, failure)| failure)?;
+        if let Err((_, failure)) = done {
+            let of_integral = |own: &Integrals| own.failure(failure.clone());
+            return Err(self.integrals.as_ref().map_or_else(|| failure.clone(), of_integral));
+        }
         if let Some(exact) = exact {
             end.as_mut_slice()[..*n].copy_from_slice(&exact.as_slice()[..*n]);
         }
@@ -360,6 +363,14 @@ impl Between<'_> {
     fn time(&self, s: f64) -> f64 {
         self.from + self.length * s
     }
+
+    /// Number of kinks of the plant.
+    fn of_plant(&self) -> usize {
+        match &self.moved {
+            Moved::Rates(motion) => motion.kinks(),
+            Moved::Linear(_) => 0,
+        }
+    }
 }
 
 impl Piecewise for Between<'_> {
@@ -389,30 +400,38 @@ impl Piecewise for Between<'_> {
     }
 
     fn kinks(&self) -> usize {
-        match &self.moved {
-            Moved::Rates(motion) => motion.kinks(),
-            Moved::Linear(_) => 0,
-        }
+        self.of_plant() + self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
     }
 
     fn distances(&mut self, s: f64, x: &State, into: &mut Vec<f64>) {
-        let (t, order) = (self.time(s), self.order());
+        let t = self.time(s);
+        let (own, so_far) = x.as_slice().split_at(self.order());
         if let Moved::Rates(motion) = &mut self.moved {
-            motion.at(t, &x.as_slice()[..order], self.held.acts);
+            motion.at(t, own, self.held.acts);
             motion.distances(into);
+        }
+        if let Some(integrals) = self.integrals.as_mut().filter(|own| own.kinks() > 0) {
+            let time_to_go = self.time_to_go - self.length * s;
+            integrals.distances(time_to_go, (own, self.held.u), so_far, into);
         }
     }
 
     fn choose(&mut self, above: &[bool]) {
+        let (of_plant, of_integrals) = above.split_at(self.of_plant());
         if let Moved::Rates(motion) = &mut self.moved {
-            motion.choose(above);
+            motion.choose(of_plant);
+        }
+        if let Some(integrals) = &mut self.integrals {
+            integrals.choose(of_integrals);
         }
     }
 
     fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
         match &self.moved {
-            Moved::Rates(motion) => motion.barrier(kink),
-            Moved::Linear(_) => None,
+            Moved::Rates(motion) if kink.is_none_or(|kink| kink < motion.kinks()) => {
+                motion.barrier(kink)
+            }
+            _ => None,
         }
     }
 

@@ -52,7 +52,7 @@ pub trait Side {
         (*state, f64::INFINITY)
     }
 
-    /// The plant's state and its inputs where the rates were computed last.
+    /// The plant's state and its inputs where the rates, or the distances, were computed last.
     fn acting<'a>(&'a mut self, at: At, state: &'a State) -> (&'a [f64], &'a [f64]);
 
     /// Hands over the plant and its control.
@@ -165,6 +165,8 @@ impl<S: Side> Run<S> {
         let how = (First::Eighth, accuracy);
         let end = walk.on(&mut system, start, &points, how, &mut seen);
         end.map_err(|(sigma, failure)| {
+            let of_integral = |own: &Integrals| own.failure(failure.clone());
+            let failure = integrals.as_ref().map_or_else(|| failure.clone(), of_integral);
             let share = (-sigma).exp();
             let t = t0 + tau * (1.0 - share);
             failure.at(t, format_args!("t = {t} s, T/tau = {share:.2e}"))
@@ -196,10 +198,10 @@ impl<S: Side> OnSigma<'_, S> {
         visit: &mut dyn FnMut(Sample<'_>),
     ) {
         let beyond = slide.and_then(|(mode, part)| {
-            self.side.choose(&mode.slide.as_ref()?.beyond);
+            self.choose(&mode.slide.as_ref()?.beyond);
             let mut u = Vec::new();
             self.side.tell(at, state, &mut |sample| u = sample.u.to_vec());
-            self.side.choose(&mode.above);
+            self.choose(&mode.above);
             Some((u, part))
         });
         let behind = self.side.order();
@@ -236,19 +238,30 @@ impl<S: Side> Piecewise for OnSigma<'_, S> {
     }
 
     fn kinks(&self) -> usize {
-        self.side.kinks()
+        self.side.kinks() + self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
     }
 
     fn distances(&mut self, sigma: f64, state: &State, into: &mut Vec<f64>) {
-        self.side.distances(self.at(sigma), state, into);
+        let at = self.at(sigma);
+        self.side.distances(at, state, into);
+        let behind = self.side.order();
+        if let Some(integrals) = self.integrals.as_mut().filter(|own| own.kinks() > 0) {
+            let acting = self.side.acting(at, state);
+            integrals.distances(at.time_to_go, acting, &state.as_slice()[behind..], into);
+        }
     }
 
     fn choose(&mut self, above: &[bool]) {
-        self.side.choose(above);
+        let (of_side, of_integrals) = above.split_at(self.side.kinks());
+        self.side.choose(of_side);
+        if let Some(integrals) = &mut self.integrals {
+            integrals.choose(of_integrals);
+        }
     }
 
     fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
-        self.side.barrier(kink)
+        let own = kink.is_none_or(|kink| kink < self.side.kinks());
+        if own { self.side.barrier(kink) } else { None }
     }
 
     fn form(&mut self, sigma: f64, state: &State, slides: bool) -> (State, f64) {

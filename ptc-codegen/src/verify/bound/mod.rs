@@ -111,17 +111,16 @@ pub fn proved(campaign: &Campaign) -> Vec<Proof> {
 /// The same where no objective has an integral.
 fn of_states(campaign: &Campaign) -> Vec<Proof> {
     let all = |why: String| vec![Proof::NotProved { why }; campaign.objectives.len()];
-    if let Some(drawn) = campaign.drawn() {
-        return all(format!(
-            "{} is an interval, and the proof is of one controller",
-            drawn.spelling()
-        ));
-    }
-    if campaign.around.is_some() {
-        return running::proved(campaign);
-    }
-    if campaign.spec.has_model() {
+    let is_running = campaign.around.is_some();
+    if campaign.spec.has_model() && !is_running {
         return all("the plant is a model, and proofs are of chains of integrators".to_owned());
+    }
+    if let Some(drawn) = campaign.drawn() {
+        let drawn = drawn.spelling();
+        return all(format!("{drawn} is an interval, and the proof is of one controller"));
+    }
+    if is_running {
+        return running::proved(campaign);
     }
     let values = clock::values(campaign);
     let mut prover = match Prover::of(campaign, &values) {

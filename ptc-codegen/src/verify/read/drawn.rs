@@ -35,7 +35,6 @@ impl Reader<'_> {
         drawn.extend(
             bounds.filter_map(|(p, (low, high))| Some((*p, (to_f64(low)?, to_f64(high)?)))),
         );
-        drawn.retain(|(symbol, _)| !self.plant.bounds.contains_key(symbol));
         drawn
     }
 

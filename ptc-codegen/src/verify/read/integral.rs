@@ -1,14 +1,11 @@
 //! Integrals in an objective: `integral(e)` is a state of the run that begins at 0 with the rate e.
 
 use super::Reader;
-use super::objective::in_states;
-use crate::expression::{Expression, Scope, Subject, Variable, resolve};
+use super::objective::{in_names, in_states};
+use crate::expression::{Expression, INTEGRAL, Scope, Subject, Variable, resolve};
 use crate::parameter::Name;
 use crate::request::MAX_ORDER;
 use crate::syntax::{Argument, Node, Value};
-
-/// The name of the function.
-const INTEGRAL: &str = "integral";
 
 /// An integral over the run.
 #[derive(Clone, Debug)]
@@ -95,7 +92,7 @@ impl Reader<'_> {
             return None;
         }
         let name = Name::new(&format!("ptc_integral{}", self.integrals.len() + 1))?;
-        let written = super::objective::in_names(&read, &names);
+        let written = in_names(&read, &names);
         self.integrals.push(Integral { name, written, integrand });
         Some(name)
     }

@@ -20,7 +20,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec, known};
 use crate::simulate::Loop;
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value, number as exact, real};
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
@@ -222,6 +222,7 @@ impl Reader<'_> {
         let constant = self.plant.bounds.iter().filter(|(symbol, _)| !varies.contains(symbol));
         let constant = constant
             .filter_map(|(symbol, (low, high))| Some((*symbol, (to_f64(low)?, to_f64(high)?))));
+        let mut intervals: Vec<_> = constant.collect();
         let mut spec = self.spec.clone();
         if given.contains_key("tau") {
             spec.fixed.remove(&Parameter::Tau);
@@ -229,17 +230,26 @@ impl Reader<'_> {
         // Each of them may have told what is wrong with it.
         (x0.len() == n).then_some(())?;
         let tau = tau?;
+        // What is one number is known, and what the controller is built with.
+        let (known, drawn): (Vec<_>, Vec<_>) =
+            drawn.into_iter().partition(|(_, (low, high))| low == high);
+        for (symbol, (value, _)) in &known {
+            spec.bounds.remove(symbol);
+            spec.fixed.insert(*symbol, exact(&format!("{value:e}"))?);
+        }
         if around.is_some() {
             spec = self.running(spec, &x0)?;
         }
         // An eps of the checks is that of the values that the design gives.
         for (symbol, _) in &drawn {
             spec.fixed.remove(symbol);
-            if matches!(symbol, Parameter::Gain(_)) {
-                spec.poles.clear();
-            }
         }
-        let intervals = constant.chain(drawn).collect();
+        if known.iter().chain(&drawn).any(|(symbol, _)| matches!(symbol, Parameter::Gain(_))) {
+            spec.poles.clear();
+        }
+        // What is both of the controller and of the plant is drawn once.
+        let new = |(symbol, _): &(Parameter, _)| !self.plant.bounds.contains_key(symbol);
+        intervals.extend(drawn.into_iter().filter(|own| new(own) || varies.contains(&own.0)));
         Some(Campaign {
             spec,
             plant: self.plant.clone(),
