@@ -1,6 +1,6 @@
 //! `schema`: a JSON schema of design files, from the tables of keys.
 
-use ptc_codegen::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};
+use ptc_codegen::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 use ptc_codegen::keys::{KEYS, KeyInfo, PLANT_KEYS};
 use ptc_codegen::syntax::number;
 use serde_json::{Map, Value, json};
@@ -65,8 +65,11 @@ pub(crate) fn schema() -> String {
     // A linear plant and a model have an order.
     let order = ["n", "plant", "model"].map(|key| json!({ "required": [key] }));
     schema.insert("anyOf".to_owned(), json!(order));
-    // The states of a model have names of their own.
-    schema.insert("if".to_owned(), json!({ "required": ["model"] }));
+    // The states of a model have names of their own, and so have the parameters of expressions.
+    let own = ["model", "kappa", "pi0", "f", "g"].map(|key| json!({ "required": [key] }));
+    let of_time = json!({ "required": ["mu"], "properties": { "mu": { "pattern": "\\bt\\b" } } });
+    let named: Vec<_> = own.into_iter().chain([of_time]).collect();
+    schema.insert("if".to_owned(), json!({ "anyOf": named }));
     schema.insert("else".to_owned(), json!({ "properties": { "verify": verified(false) } }));
     format!("{:#}\n", Value::Object(schema))
 }
@@ -80,11 +83,15 @@ fn table<'a>(keys: impl IntoIterator<Item = &'a KeyInfo>, open: bool) -> Map<Str
     table.as_object().cloned().unwrap_or_default()
 }
 
-/// That of `verify`, with the initial states x1, x2, ..., and others where it is `open`.
+/// That of `verify`, with the initial states x1, x2, ... and the parameters of families and gains, and others
+/// where it is `open`.
 fn verified(open: bool) -> Map<String, Value> {
     let mut table = table(&verify::KEYS, open);
-    let states = json!({ "^x[1-9][0-9]?$": key(&INITIAL_STATE) });
-    table.insert("patternProperties".to_owned(), states);
+    let names = json!({
+        "^x[1-9][0-9]?$": key(&INITIAL_STATE),
+        "^([ak][1-9][0-9]?|a|m|start)$": key(&PARAMETER),
+    });
+    table.insert("patternProperties".to_owned(), names);
     table
 }
 

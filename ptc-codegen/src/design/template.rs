@@ -1,7 +1,7 @@
 //! A design file to begin with, made from the table of keys so that it lists them all.
 
 use super::TABLES;
-use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};
+use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 use crate::keys::{KEYS, KeyInfo, PLANT_KEYS};
 use crate::plant;
 use crate::syntax::number;
@@ -36,7 +36,9 @@ pub fn template(name: Option<&str>) -> String {
 /// The tables of `verify`, and of `design`.
 fn of_verify() -> String {
     let mut text = format!("\n[disturbance]\n{}\n[verify]\n", entry(&DISTURBANCE, None));
-    text.extend(std::iter::once(&INITIAL_STATE).chain(&verify::KEYS).map(|info| entry(info, None)));
+    text.extend(
+        [&INITIAL_STATE, &PARAMETER].into_iter().chain(&verify::KEYS).map(|info| entry(info, None)),
+    );
     text.push_str("\n# What has to hold: a table for each objective.\n# [[objective]]\n");
     text.extend(OBJECTIVE_KEYS.iter().map(|info| entry(info, None)));
     text

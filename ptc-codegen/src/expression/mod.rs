@@ -33,7 +33,7 @@ pub(crate) use arithmetic::power_bits;
 pub use names::Subject;
 pub(crate) use node::Found;
 pub use node::{Expression, Node};
-pub use resolve::{Scope, family_form, resolve};
+pub use resolve::{INTEGRAL, Scope, family_form, resolve};
 pub use solve::solve;
 
 /// What varies while the controller runs, beside its parameters.

@@ -10,6 +10,9 @@ use crate::limits::{ARGUMENTS, BITS, Limit, SIZE};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::syntax::{self, Argument, Operator, Value, parse};
 
+/// The name of the integral over a run.
+pub const INTEGRAL: &str = "integral";
+
 /// What names mean.
 #[derive(Clone, Copy)]
 pub struct Scope<'a> {
@@ -173,7 +176,7 @@ impl Resolver<'_, '_> {
         {
             return self.family(name, &[], place);
         }
-        if functions().any(|function| function == name) {
+        if functions(subject).any(|function| function == name) {
             return self.wrong(
                 place,
                 format!("the function `{name}` has no argument"),
@@ -236,14 +239,19 @@ impl Resolver<'_, '_> {
                 let message = format!("`{name}` is given {count} arguments");
                 self.wrong(place, message, "min and max take two or more, mean one or more")
             }
+            (INTEGRAL, ..) => self.wrong(
+                place,
+                "an integral outside of an objective's h".to_owned(),
+                "integrals over a run are for `h` of the bound `within`, where they are bounded by `low` and `high`",
+            ),
             _ => {
                 let meant = match name {
                     "log" => Some("ln"),
                     "sgn" => Some("sign"),
                     "arctan" => Some("atan"),
-                    _ => near_miss(name, functions()),
+                    _ => near_miss(name, functions(self.scope.subject)),
                 };
-                let all = functions().collect::<Vec<_>>().join(", ");
+                let all = functions(self.scope.subject).collect::<Vec<_>>().join(", ");
                 let meant = meant.map(|m| format!("did you mean `{m}`? ")).unwrap_or_default();
                 let message = format!("unknown function `{}`", shorten(name));
                 self.wrong(place, message, &format!("{meant}the functions are {all}"))
@@ -283,9 +291,10 @@ impl Resolver<'_, '_> {
     }
 }
 
-/// The names of all functions.
-fn functions() -> impl Iterator<Item = &'static str> + Clone {
-    Function::ALL.iter().map(|(name, _)| *name).chain(["min", "max", "mean"])
+/// The names of all functions. An objective has integrals over the run too, which are names before it is read.
+fn functions(subject: Subject) -> impl Iterator<Item = &'static str> + Clone {
+    let own = (subject == Subject::Objective).then_some(INTEGRAL);
+    Function::ALL.iter().map(|(name, _)| *name).chain(["min", "max", "mean"]).chain(own)
 }
 
 fn named(key: &str) -> Option<Parameter> {

@@ -18,13 +18,27 @@ pub static INITIAL_STATE: KeyInfo = KeyInfo {
     example: "-1,1",
 };
 
-/// The keys of the table `[verify]` beside the states.
-pub static KEYS: [KeyInfo; 6] = [
+/// A key of the table `[verify]` that is a parameter of mapping or law.
+pub static PARAMETER: KeyInfo = KeyInfo {
+    key: "k1",
+    meaning: "interval of a parameter of mapping or law, by its name: a, m, start, a1.., k1..kn or one of your own; its value in the design, or its bounds under [params], where it is not given",
+    legal: "[least, greatest] within its domain, or a number",
+    example: "18,22",
+};
+
+/// The keys of the table `[verify]` beside states and parameters.
+pub static KEYS: [KeyInfo; 7] = [
     KeyInfo {
         key: "tau",
         meaning: "interval of the prescribed settling time; the tau of the design where it is not given",
         legal: "[least, greatest] in s, both > 0, or a number",
         example: "0.5,2",
+    },
+    KeyInfo {
+        key: "t0",
+        meaning: "interval of the start time; the t0 of the design, or 0, where it is not given",
+        legal: "[least, greatest] in s, or a number",
+        example: "0,5",
     },
     KeyInfo {
         key: "scenarios",
@@ -93,7 +107,7 @@ pub static OBJECTIVE_KEYS: [KeyInfo; 8] = [
     KeyInfo {
         key: "h",
         meaning: "of within: low <= h <= high",
-        legal: "an expression in x1..xn, u, dt, T, t",
+        legal: "an expression in x1..xn, u, dt, T, t; integral(e) is that of e over time since t0",
         example: "x1 + x2",
     },
     KeyInfo {

@@ -11,7 +11,7 @@ use super::{series, state};
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::request::Spec;
+use crate::request::{MAX_ORDER, Spec};
 
 /// The closed loop as a program: inputs are T as the time, x as the state, x(t0), t0 and parameters.
 #[derive(Clone, Debug)]
@@ -137,10 +137,11 @@ pub fn plant(spec: &Spec, rates: &[Expression]) -> Program {
 }
 
 /// `expressions` of the plant's time, state and inputs, all watched: inputs are T as the time, x as
-/// the state, and u, of which several stand behind x.
+/// the state, and u, of which several stand behind x, and behind these what is accumulated along the run.
 pub fn observed(spec: &Spec, expressions: &[&Expression]) -> Program {
     let mut b = Builder::new(spec);
-    let states = (1..=spec.variables()).map(|j| b.push(Op::Input(Input::State(j)))).collect();
+    let states =
+        (1..=spec.variables() + MAX_ORDER).map(|j| b.push(Op::Input(Input::State(j)))).collect();
     b.plant = Some(PlantPoint { states, control: None });
     let watched = expressions.iter().map(|expression| b.scalar(expression)).collect();
     let limits = no_limits(&mut b);

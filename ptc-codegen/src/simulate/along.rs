@@ -2,6 +2,7 @@
 
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Program, Stage, Value};
+use crate::request::MAX_ORDER;
 
 /// A program with the slots of what changes along a run.
 #[derive(Clone, Debug)]
@@ -10,6 +11,8 @@ pub(crate) struct Along {
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
     control: Option<Slot>,
+    /// What is accumulated along the run, behind these.
+    integrals: Vec<Option<Slot>>,
 }
 
 impl Along {
@@ -20,6 +23,7 @@ impl Along {
             time: machine.slot(Input::Time),
             state: (1..=variables).map(|j| machine.slot(Input::State(j))).collect(),
             control: machine.slot(Input::Control),
+            integrals: (1..=MAX_ORDER).map(|k| machine.slot(Input::State(variables + k))).collect(),
             machine,
         }
     }
@@ -36,6 +40,13 @@ impl Along {
     pub(crate) fn settle(&mut self) {
         self.machine.run(Stage::Init, None);
         self.machine.run(Stage::Arm, None);
+    }
+
+    /// What has been accumulated, before [`at`](Self::at).
+    pub(crate) fn accumulated(&mut self, integrals: &[f64]) {
+        for (slot, integral) in self.integrals.iter().zip(integrals) {
+            self.machine.set(*slot, *integral);
+        }
     }
 
     /// Computes the rest at a time, a state and its inputs. Several inputs are variables behind the state.

@@ -41,6 +41,7 @@ pub struct Continuous {
     infinite: bool,
     u_max: f64,
     x: Vec<f64>,
+    u: [f64; 1],
 }
 
 /// Values of a program at one point.
@@ -87,6 +88,7 @@ impl Continuous {
             infinite: false,
             u_max: f64::INFINITY,
             x: vec![0.0; spec.n],
+            u: [0.0],
             closed: Arc::new(closed),
         }))
     }
@@ -222,6 +224,12 @@ impl Side for Continuous {
         (if infinite { xi } else { x }, again)
     }
 
+    fn acting<'a>(&'a mut self, At { time_to_go, .. }: At, _: &'a State) -> (&'a [f64], &'a [f64]) {
+        self.outputs.at(time_to_go, &self.x);
+        self.u = [self.outputs.machine.get(self.closed.control())];
+        (&self.x, &self.u)
+    }
+
     fn tell(&mut self, At { t, time_to_go }: At, state: &State, visit: &mut dyn FnMut(Sample<'_>)) {
         self.plant(time_to_go, state);
         self.outputs.at(time_to_go, &self.x);
@@ -234,6 +242,7 @@ impl Side for Continuous {
             x: &self.x,
             measured: &self.x,
             u: &u,
+            integrals: &[],
             status: if self.clipped() { Status::Saturated } else { Status::Ok },
         });
     }

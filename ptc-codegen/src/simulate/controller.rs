@@ -156,6 +156,11 @@ impl Controller {
         self.inputs.held(&self.smooth)
     }
 
+    /// Every u where they were last held.
+    pub(super) fn acting(&self) -> &[f64] {
+        self.inputs.last()
+    }
+
     /// Number of its kinks: those of its program, and those of its inputs.
     pub(super) fn kinks(&self) -> usize {
         self.kinks.len() + self.inputs.kinks()

@@ -73,11 +73,16 @@ impl Side for Direct {
         self.motion.order()
     }
 
+    fn acting<'a>(&'a mut self, _: At, x: &'a State) -> (&'a [f64], &'a [f64]) {
+        (&x.as_slice()[..self.order()], self.controller.acting())
+    }
+
     fn tell(&mut self, At { t, time_to_go }: At, x: &State, visit: &mut dyn FnMut(Sample<'_>)) {
         let x = &x.as_slice()[..self.order()];
         let (_, status) = self.controller.step(t, x);
         let u = self.controller.held(t, x);
-        visit(Sample { t, time_to_go, stretched: f64::NAN, x, measured: x, u, status });
+        let (stretched, integrals) = (f64::NAN, &[][..]);
+        visit(Sample { t, time_to_go, stretched, x, measured: x, u, integrals, status });
     }
 
     fn kinks(&self) -> usize {

@@ -14,6 +14,8 @@ pub(super) const SAME: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Linear {
     plant: linear::Linear,
+    /// (A, B) by rows.
+    rates: Vec<Vec<f64>>,
     c: Vec<Vec<f64>>,
     /// A length in s with the rows of (Phi, Gamma).
     over: Option<(f64, Vec<Vec<f64>>)>,
@@ -23,7 +25,9 @@ impl Linear {
     /// The plant, sampled with period `h`.
     pub(super) fn new(plant: &linear::Linear, h: Option<&BigRational>) -> Self {
         let c = plant.c.iter().map(|row| row.iter().map(double).collect()).collect();
-        let mut linear = Self { plant: plant.clone(), c, over: None };
+        let rows = plant.a.iter().zip(&plant.b);
+        let rates = rows.map(|(row, b)| row.iter().chain([b]).map(double).collect()).collect();
+        let mut linear = Self { plant: plant.clone(), rates, c, over: None };
         if let Some(h) = h {
             linear.over = linear.rows(h).map(|rows| (double(h), rows));
         }
@@ -34,6 +38,19 @@ impl Linear {
         let held = zero_order_hold(&self.plant, h, &Delay::default())?;
         let rows = held.phi.iter().zip(&held.older);
         Some(rows.map(|(row, gamma)| row.iter().chain([gamma]).map(double).collect()).collect())
+    }
+
+    /// Number of states.
+    pub(super) fn order(&self) -> usize {
+        self.rates.len()
+    }
+
+    /// The rates, times `scale`.
+    pub(super) fn rates(&self, scale: f64, x: &[f64], u: f64, rates: &mut State) {
+        for (rate, row) in rates.iter_mut().zip(&self.rates) {
+            let own = row.iter().zip(x.iter().chain([&u])).map(|(factor, x)| factor * x);
+            *rate = scale * own.sum::<f64>();
+        }
     }
 
     /// y.

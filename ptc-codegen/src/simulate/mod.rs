@@ -19,6 +19,7 @@ mod direct;
 mod failure;
 mod held;
 mod inputs;
+mod integrals;
 pub mod lanes;
 mod linear;
 mod mechanics;
@@ -74,6 +75,8 @@ pub struct Sample<'a> {
     pub measured: &'a [f64],
     /// The inputs of the plant, as they act on it.
     pub u: &'a [f64],
+    /// The integrals that are asked for, from t0 to here.
+    pub integrals: &'a [f64],
     /// The status of `step`.
     pub status: Status,
 }

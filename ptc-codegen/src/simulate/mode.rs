@@ -76,6 +76,9 @@ impl Tangent {
         let kept = -(along + distance) / across;
         let part = (kept - rates[last]) / (beyond[last] - rates[last]);
         rates[last] = kept;
+        for i in last + 1..=last + system.integrals() {
+            rates[i] += part * (beyond[i] - rates[i]);
+        }
         Self { rates, part }
     }
 }

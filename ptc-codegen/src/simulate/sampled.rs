@@ -7,6 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::around::SAME;
+use super::integrals::Integrals;
 use super::linear::Linear;
 use super::mode::Mode;
 use super::plant::Motion;
@@ -28,6 +29,7 @@ pub struct Sampled {
     inputs: usize,
     controller: Kind,
     moved: Moved,
+    integrals: Option<Integrals>,
 }
 
 /// The plant between samples.
@@ -99,6 +101,7 @@ impl Sampled {
                 inputs: spec.input_names().len(),
                 controller,
                 moved,
+                integrals: None,
             });
         };
         if spec.what == What::Observer {
@@ -110,14 +113,20 @@ impl Sampled {
         if let Some(plant) = &sampled.linear {
             let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
             let moved = Moved::Linear(Linear::new(plant, h));
-            return Ok(Self { n: spec.n, inputs: 1, controller, moved });
+            return Ok(Self { n: spec.n, inputs: 1, controller, moved, integrals: None });
         }
         // A chain has the f that the controller knows.
         let f = spec.drift.clone().unwrap_or(Expression::integer(0));
         let own = Plant { f, ..Plant::default() };
         let plant = if *plant == Plant::default() { &own } else { plant };
         let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-        Ok(Self { n: spec.n, inputs: 1, controller, moved })
+        Ok(Self { n: spec.n, inputs: 1, controller, moved, integrals: None })
+    }
+
+    /// The same with integrals over the run beside it.
+    #[must_use]
+    pub fn with_integrals(self, spec: &Spec, integrands: &[Expression]) -> Self {
+        Self { integrals: Integrals::new(spec, integrands), ..self }
     }
 
     /// Runs from `x0` at t0 to the end of the loop and hands over every sample, with the u that acts
@@ -151,6 +160,10 @@ impl Sampled {
         if let Moved::Rates(motion) = &mut self.moved {
             motion.init(values, x0)?;
         }
+        if let Some(integrals) = &mut self.integrals {
+            integrals.start(values, x0)?;
+        }
+        let behind = self.n + self.integrals.as_ref().map_or(0, Integrals::count);
         let mut kind = self.controller.clone();
         let mut controller = match &mut kind {
             Kind::Time(controller) => {
@@ -222,6 +235,7 @@ impl Sampled {
                 x: state,
                 measured: &measured,
                 u: &u,
+                integrals: &x.as_slice()[self.n..behind],
                 status,
             });
             if last {
@@ -240,13 +254,14 @@ impl Sampled {
             };
             for (u, from, to) in [(&u, now, over), (newer, over, until)] {
                 let acts: Vec<_> = u.iter().map(|u| gain * u).collect();
+                let held = Held { u, acts: &acts };
                 let at = |part: u32| match part == around.parts {
                     true => to,
                     false => from + (to - from) * f64::from(part) / f64::from(around.parts),
                 };
                 for part in (0..around.parts).filter(|_| from < to) {
                     let ends = (t0 + at(part), t0 + at(part + 1));
-                    let moved = self.between(&mut walk, x, &acts, ends);
+                    let moved = self.between(&mut walk, x, held, (ends, deadline - at(part)));
                     x = moved.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
                     if part + 1 < around.parts {
                         visit(Sample {
@@ -256,6 +271,7 @@ impl Sampled {
                             x: &x.as_slice()[..self.n],
                             measured: &measured,
                             u,
+                            integrals: &x.as_slice()[self.n..behind],
                             status,
                         });
                     }
@@ -266,34 +282,55 @@ impl Sampled {
         Ok(())
     }
 
-    /// The state at the end of a time in which u is constant.
+    /// The state at the end of a time in which u is constant, at whose beginning `time_to_go` is left.
     fn between(
         &mut self,
         walk: &mut Walk,
         x: State,
-        u: &[f64],
-        (from, to): (f64, f64),
+        Held { u, acts }: Held<'_>,
+        ((from, to), time_to_go): ((f64, f64), f64),
     ) -> Result<State, Failure> {
-        let motion = match &mut self.moved {
-            Moved::Rates(motion) => motion,
-            Moved::Linear(plant) => return plant.after(x, u[0], to - from),
+        let Self { n, moved, integrals, .. } = self;
+        let exact = match moved {
+            Moved::Rates(motion) => motion.after(&x, acts, to - from),
+            Moved::Linear(plant) => Some(plant.after(x, acts[0], to - from)?),
         };
-        if let Some(next) = motion.after(&x, u, to - from) {
-            let finite = next.iter().all(|x| x.is_finite());
-            return if finite { Ok(next) } else { Err(Failure::range()) };
+        if exact.is_some_and(|next| next.iter().any(|x| !x.is_finite())) {
+            return Err(Failure::range());
+        }
+        if let (Some(exact), None) = (exact, &integrals) {
+            return Ok(exact);
         }
         // Of states that have died out the errors of a step would underflow.
-        let nothing =
-            x.iter().all(|x| x.abs() < NOTHING[0]) && u.iter().all(|u| u.abs() < NOTHING[1]);
-        let rest = vec![0.0; u.len()];
-        let (x, u) = if nothing { (State::zeros(), rest.as_slice()) } else { (x, u) };
-        let mut between = Between { motion, u, from, length: to - from };
-        let mut end = x;
+        let nothing = x.as_slice()[..*n].iter().all(|x| x.abs() < NOTHING[0])
+            && acts.iter().all(|u| u.abs() < NOTHING[1]);
+        let rest = vec![0.0; acts.len()];
+        let (mut begin, held) = (x, Held { u, acts: if nothing { &rest } else { acts } });
+        if nothing {
+            begin.as_mut_slice()[..*n].fill(0.0);
+        }
+        let length = to - from;
+        let integrals = integrals.as_mut();
+        let mut between = Between { moved, integrals, held, from, length, time_to_go };
+        let mut end = begin;
         let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;
-        let done = walk.on(&mut between, x, &[0.0, 1.0], (First::Fifth, BETWEEN), &mut see);
-        done.map_err(|(_, failure)| failure)?;
+        let done = walk.on(&mut between, begin, &[0.0, 1.0], (First::Fifth, BETWEEN), &mut see);
+        if let Err((_, failure)) = done {
+            let of_integral = |own: &Integrals| own.failure(failure.clone());
+            return Err(self.integrals.as_ref().map_or_else(|| failure.clone(), of_integral));
+        }
+        if let Some(exact) = exact {
+            end.as_mut_slice()[..*n].copy_from_slice(&exact.as_slice()[..*n]);
+        }
         Ok(end)
     }
+}
+
+/// The inputs between two samples: as they are given, and as they act on the plant.
+#[derive(Clone, Copy)]
+struct Held<'a> {
+    u: &'a [f64],
+    acts: &'a [f64],
 }
 
 /// The controller in samples with its parameters.
@@ -316,43 +353,89 @@ fn started<'a>(
 
 /// The plant between two samples, over the part of the time between them.
 struct Between<'a> {
-    motion: &'a mut Motion,
-    u: &'a [f64],
+    moved: &'a mut Moved,
+    integrals: Option<&'a mut Integrals>,
+    held: Held<'a>,
     from: f64,
     length: f64,
+    /// Time-to-go at the beginning.
+    time_to_go: f64,
 }
 
 impl Between<'_> {
     fn time(&self, s: f64) -> f64 {
         self.from + self.length * s
     }
+
+    /// Number of kinks of the plant.
+    fn of_plant(&self) -> usize {
+        match &self.moved {
+            Moved::Rates(motion) => motion.kinks(),
+            Moved::Linear(_) => 0,
+        }
+    }
 }
 
 impl Piecewise for Between<'_> {
     fn order(&self) -> usize {
-        self.motion.order()
+        match &self.moved {
+            Moved::Rates(motion) => motion.order(),
+            Moved::Linear(plant) => plant.order(),
+        }
+    }
+
+    fn integrals(&self) -> usize {
+        self.integrals.as_ref().map_or(0, |integrals| integrals.count())
     }
 
     fn rates(&mut self, s: f64, x: &State, rates: &mut State) {
         let at = (self.time(s), self.length);
-        self.motion.rates(at, &x.as_slice()[..self.order()], self.u, rates);
+        let (own, so_far) = x.as_slice().split_at(self.order());
+        match &mut self.moved {
+            Moved::Rates(motion) => motion.rates(at, own, self.held.acts, rates),
+            Moved::Linear(plant) => plant.rates(self.length, own, self.held.acts[0], rates),
+        }
+        if let Some(integrals) = &mut self.integrals {
+            let at = (self.time_to_go - self.length * s, self.length);
+            let rates = &mut rates.as_mut_slice()[own.len()..];
+            integrals.rates(at, (own, self.held.u), so_far, rates);
+        }
     }
 
     fn kinks(&self) -> usize {
-        self.motion.kinks()
+        self.of_plant() + self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
     }
 
     fn distances(&mut self, s: f64, x: &State, into: &mut Vec<f64>) {
-        self.motion.at(self.time(s), &x.as_slice()[..self.order()], self.u);
-        self.motion.distances(into);
+        let t = self.time(s);
+        let (own, so_far) = x.as_slice().split_at(self.order());
+        if let Moved::Rates(motion) = &mut self.moved {
+            motion.at(t, own, self.held.acts);
+            motion.distances(into);
+        }
+        if let Some(integrals) = self.integrals.as_mut().filter(|own| own.kinks() > 0) {
+            let time_to_go = self.time_to_go - self.length * s;
+            integrals.distances(time_to_go, (own, self.held.u), so_far, into);
+        }
     }
 
     fn choose(&mut self, above: &[bool]) {
-        self.motion.choose(above);
+        let (of_plant, of_integrals) = above.split_at(self.of_plant());
+        if let Moved::Rates(motion) = &mut self.moved {
+            motion.choose(of_plant);
+        }
+        if let Some(integrals) = &mut self.integrals {
+            integrals.choose(of_integrals);
+        }
     }
 
     fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
-        self.motion.barrier(kink)
+        match &self.moved {
+            Moved::Rates(motion) if kink.is_none_or(|kink| kink < motion.kinks()) => {
+                motion.barrier(kink)
+            }
+            _ => None,
+        }
     }
 
     fn floors(&self) -> bool {

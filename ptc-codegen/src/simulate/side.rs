@@ -1,10 +1,13 @@
 //! What both sides of Theorem 1 share: a run in sigma = -ln(T/tau) that stops where it is looked at.
 
+use super::integrals::Integrals;
 use super::mode::Mode;
 use super::solver::{First, State};
 use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Failure, Sample, Values};
+use crate::expression::Expression;
 use crate::parameter::Parameter;
+use crate::request::Spec;
 
 /// One side of Theorem 1: what is integrated, and what is reported of it.
 pub trait Side {
@@ -49,6 +52,9 @@ pub trait Side {
         (*state, f64::INFINITY)
     }
 
+    /// The plant's state and its inputs where the rates, or the distances, were computed last.
+    fn acting<'a>(&'a mut self, at: At, state: &'a State) -> (&'a [f64], &'a [f64]);
+
     /// Hands over the plant and its control.
     fn tell(&mut self, at: At, state: &State, visit: &mut dyn FnMut(Sample<'_>));
 
@@ -72,6 +78,7 @@ pub struct At {
 #[derive(Clone, Debug)]
 pub struct Run<S> {
     side: S,
+    integrals: Option<Integrals>,
     sigma: f64,
     state: State,
     walk: Walk,
@@ -79,7 +86,14 @@ pub struct Run<S> {
 
 impl<S: Side> Run<S> {
     pub(super) fn of(side: S) -> Self {
-        Self { side, sigma: 0.0, state: State::zeros(), walk: Walk::default() }
+        let walk = Walk::default();
+        Self { side, integrals: None, sigma: 0.0, state: State::zeros(), walk }
+    }
+
+    /// The same with integrals over the run beside it.
+    #[must_use]
+    pub fn with_integrals(self, spec: &Spec, integrands: &[Expression]) -> Self {
+        Self { integrals: Integrals::new(spec, integrands), ..self }
     }
 
     pub(super) fn side(&self) -> &S {
@@ -109,6 +123,9 @@ impl<S: Side> Run<S> {
     /// A parameter without a value, or outside its domain.
     pub fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         self.state = self.side.start(values, x0)?;
+        if let Some(integrals) = &mut self.integrals {
+            integrals.start(values, x0)?;
+        }
         self.sigma = 0.0;
         self.walk = Walk::default();
         Ok(())
@@ -129,12 +146,12 @@ impl<S: Side> Run<S> {
         self.side.give(values)?;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let at = move |share: f64| At { t: t0 + (tau - tau * share), time_to_go: tau * share };
-        let (start, most) = (self.state, self.state.amax());
+        let (start, most) = (self.state, self.state.rows(0, self.side.order()).amax());
         // A run begins where the last one ended, whether or not that is looked at.
         let mut points = vec![self.sigma];
         points.extend(shares.iter().map(|share| -share.ln()));
-        let Self { side, sigma, state, walk } = self;
-        let mut system = OnSigma { side, tau, t0, most };
+        let Self { side, integrals, sigma, state, walk } = self;
+        let mut system = OnSigma { side, integrals: integrals.as_mut(), tau, t0, most };
         let mut seen = |system: &mut OnSigma<'_, S>,
                         index: usize,
                         at_sigma: f64,
@@ -148,6 +165,8 @@ impl<S: Side> Run<S> {
         let how = (First::Eighth, accuracy);
         let end = walk.on(&mut system, start, &points, how, &mut seen);
         end.map_err(|(sigma, failure)| {
+            let of_integral = |own: &Integrals| own.failure(failure.clone());
+            let failure = integrals.as_ref().map_or_else(|| failure.clone(), of_integral);
             let share = (-sigma).exp();
             let t = t0 + tau * (1.0 - share);
             failure.at(t, format_args!("t = {t} s, T/tau = {share:.2e}"))
@@ -158,6 +177,7 @@ impl<S: Side> Run<S> {
 /// A side over sigma.
 struct OnSigma<'a, S> {
     side: &'a mut S,
+    integrals: Option<&'a mut Integrals>,
     tau: f64,
     t0: f64,
     most: f64,
@@ -178,13 +198,16 @@ impl<S: Side> OnSigma<'_, S> {
         visit: &mut dyn FnMut(Sample<'_>),
     ) {
         let beyond = slide.and_then(|(mode, part)| {
-            self.side.choose(&mode.slide.as_ref()?.beyond);
+            self.choose(&mode.slide.as_ref()?.beyond);
             let mut u = Vec::new();
             self.side.tell(at, state, &mut |sample| u = sample.u.to_vec());
-            self.side.choose(&mode.above);
+            self.choose(&mode.above);
             Some((u, part))
         });
+        let behind = self.side.order();
+        let integrals = &state.as_slice()[behind..behind + self.integrals()];
         self.side.tell(at, state, &mut |sample| {
+            let sample = Sample { integrals, ..sample };
             let Some((beyond, part)) = &beyond else { return visit(sample) };
             let both = sample.u.iter().zip(beyond);
             let u: Vec<_> = both.map(|(u, beyond)| u + part * (beyond - u)).collect();
@@ -198,28 +221,54 @@ impl<S: Side> Piecewise for OnSigma<'_, S> {
         self.side.order()
     }
 
+    fn integrals(&self) -> usize {
+        self.integrals.as_ref().map_or(0, |integrals| integrals.count())
+    }
+
     fn rates(&mut self, sigma: f64, state: &State, rates: &mut State) {
-        self.side.rates(self.at(sigma), state, rates);
+        let at = self.at(sigma);
+        self.side.rates(at, state, rates);
+        let behind = self.side.order();
+        if let Some(integrals) = &mut self.integrals {
+            let acting = self.side.acting(at, state);
+            let (so_far, rates) =
+                (&state.as_slice()[behind..], &mut rates.as_mut_slice()[behind..]);
+            integrals.rates((at.time_to_go, at.time_to_go), acting, so_far, rates);
+        }
     }
 
     fn kinks(&self) -> usize {
-        self.side.kinks()
+        self.side.kinks() + self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
     }
 
     fn distances(&mut self, sigma: f64, state: &State, into: &mut Vec<f64>) {
-        self.side.distances(self.at(sigma), state, into);
+        let at = self.at(sigma);
+        self.side.distances(at, state, into);
+        let behind = self.side.order();
+        if let Some(integrals) = self.integrals.as_mut().filter(|own| own.kinks() > 0) {
+            let acting = self.side.acting(at, state);
+            integrals.distances(at.time_to_go, acting, &state.as_slice()[behind..], into);
+        }
     }
 
     fn choose(&mut self, above: &[bool]) {
-        self.side.choose(above);
+        let (of_side, of_integrals) = above.split_at(self.side.kinks());
+        self.side.choose(of_side);
+        if let Some(integrals) = &mut self.integrals {
+            integrals.choose(of_integrals);
+        }
     }
 
     fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
-        self.side.barrier(kink)
+        let own = kink.is_none_or(|kink| kink < self.side.kinks());
+        if own { self.side.barrier(kink) } else { None }
     }
 
     fn form(&mut self, sigma: f64, state: &State, slides: bool) -> (State, f64) {
-        self.side.form(self.at(sigma), state, slides)
+        let (mut formed, length) = self.side.form(self.at(sigma), state, slides);
+        let behind = self.side.order();
+        formed.as_mut_slice()[behind..].copy_from_slice(&state.as_slice()[behind..]);
+        (formed, length)
     }
 
     fn floors(&self) -> bool {

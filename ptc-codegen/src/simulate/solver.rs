@@ -30,9 +30,10 @@ const LONGEST: f64 = 1.0;
 /// Relative accuracy that is not loosened further.
 const LOOSEST: f64 = 1e-7;
 
-/// A right-hand side of `order` equations.
+/// A right-hand side of `order` equations, of which the first are of states and the rest of integrals.
 pub(super) struct Rates<F: Fn(f64, &State, &mut State)> {
     pub(super) order: usize,
+    pub(super) states: usize,
     pub(super) rates: F,
 }
 
@@ -45,7 +46,7 @@ impl<F: Fn(f64, &State, &mut State)> ODE<f64, State> for Rates<F> {
     fn jacobian(&self, s: f64, y: &State, jacobian: &mut Matrix<f64>) {
         let (mut here, mut there) = (State::zeros(), State::zeros());
         (self.rates)(s, y, &mut here);
-        let scale = y.amax();
+        let scale = y.rows(0, self.states).amax();
         for column in 0..MAX_ORDER {
             let mut moved = *y;
             let size = y[column].abs().max(1e-3 * scale).max(1e-200) * f64::EPSILON.sqrt();
@@ -176,7 +177,7 @@ fn explicit<F: Fn(f64, &State, &mut State)>(
     limited: bool,
     visit: Visit<'_>,
 ) -> Result<Reached, (Reached, Option<Failure>)> {
-    let wanted = Wanted::new(system.order, piece);
+    let wanted = Wanted::new(system, piece);
     // As many as the order of the method takes for the accuracy.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let most = (EXPLICIT * (1e-12 / piece.accuracy.relative).powf(0.125)) as usize;
@@ -238,7 +239,7 @@ fn implicit<F: Fn(f64, &State, &mut State)>(
     pass: &mut Pass<'_>,
     visit: Visit<'_>,
 ) -> Result<Reached, (Reached, Option<Failure>)> {
-    let mut wanted = Wanted::new(system.order, piece);
+    let mut wanted = Wanted::new(system, piece);
     let Begin { mut at, mut state, mut step, .. } = begin;
     loop {
         let new = |at, state: &State, step| {
@@ -291,15 +292,21 @@ struct Wanted {
     relative: f64,
     absolute: f64,
     floors: bool,
+    states: usize,
 }
 
+/// An error of an integral that counts as nothing: its unit is another than that of the states, and what
+/// has been accumulated does not decay.
+const NONE: f64 = 1e-280;
+
 impl Wanted {
-    fn new(order: usize, piece: &Piece<'_>) -> Self {
+    fn new<F: Fn(f64, &State, &mut State)>(system: &Rates<F>, piece: &Piece<'_>) -> Self {
         // Their error is a mean over all components, most of which may be unused.
         #[allow(clippy::cast_precision_loss)]
-        let used = (order as f64 / MAX_ORDER as f64).sqrt();
+        let used = (system.order as f64 / MAX_ORDER as f64).sqrt();
         let Accuracy { relative, absolute, .. } = piece.accuracy;
-        Self { relative: relative * used, absolute, floors: piece.floors }
+        let (floors, states) = (piece.floors, system.states);
+        Self { relative: relative * used, absolute, floors, states }
     }
 
     /// The same with a larger error that counts as nothing.
@@ -312,6 +319,9 @@ impl Wanted {
     fn floors(&self, state: &State) -> [f64; MAX_ORDER] {
         let mut most = 0.0_f64;
         std::array::from_fn(|i| {
+            if i >= self.states {
+                return NONE;
+            }
             let floor = self.relative * most + self.absolute;
             if self.floors {
                 most = most.max(state[i].abs());

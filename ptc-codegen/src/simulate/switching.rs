@@ -19,6 +19,11 @@ pub(super) trait Piecewise {
     /// Number of equations.
     fn order(&self) -> usize;
 
+    /// Number of integrals behind these, on which no rate but their own depends.
+    fn integrals(&self) -> usize {
+        0
+    }
+
     /// The rates, with the kinks held as chosen.
     fn rates(&mut self, s: f64, state: &State, rates: &mut State);
 
@@ -108,7 +113,8 @@ impl Walk {
                 let last = system.order() - 1;
                 Surface::of(system, slide.kink, at, &formed).project(&mut formed, last);
             }
-            let (floors, kinks, order) = (system.floors(), system.kinks(), system.order());
+            let (floors, kinks, states) = (system.floors(), system.kinks(), system.order());
+            let order = states + system.integrals();
             pass.until = at + length;
             let cell = RefCell::new((&mut *system, &mut *see));
             let rates = |s: f64, y: &State, rates: &mut State| {
@@ -137,7 +143,7 @@ impl Walk {
                 monitor: (kinks > 0).then_some(&monitor),
             };
             let begin = Begin { at, state: formed, step, stiff: self.stiff && floors };
-            let rates = Rates { order, rates };
+            let rates = Rates { order, states, rates };
             let end = integrate(&rates, begin, &piece, &mut pass, &mut visit);
             let (reached, stiff) =
                 end.map_err(|(at, failure)| (at, system.barrier(None).unwrap_or(failure)))?;

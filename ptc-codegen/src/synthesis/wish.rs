@@ -85,6 +85,7 @@ impl<'a> Wish<'a> {
         let (spec, campaign) = read(entries, &stand_in(entries, in_samples))?;
         spec.needs_rest("design")?;
         let mut wish = Self { entries, spec, campaign, order_in_samples: None };
+        wish.needs_what_it_draws()?;
         // A clock is chosen with its law, for a loop whose samples are known.
         if clock.is_none() && wish.leaves_law() && wish.campaign.around.is_some() {
             let choice = Choice { clock: Some(SAMPLES.to_owned()), ..stand_in(entries, true) };
@@ -92,6 +93,30 @@ impl<'a> Wish<'a> {
             wish.order_in_samples = legal.map(|(spec, _)| spec.loop_order());
         }
         Ok(wish)
+    }
+
+    /// Refuses intervals of what is to be chosen.
+    fn needs_what_it_draws(&self) -> Result<(), Vec<Diagnostic>> {
+        let of_mapping = self.spec.time_mapping.parameters();
+        let chosen = |symbol: &Parameter| match symbol {
+            Parameter::Gain(_) => self.leaves_law(),
+            symbol => self.leaves_mapping() && of_mapping.contains(symbol),
+        };
+        let mut drawn = self.campaign.intervals.iter().map(|(symbol, _)| *symbol);
+        let Some(symbol) = drawn.find(chosen) else { return Ok(()) };
+        let (name, what) = match symbol {
+            Parameter::Gain(_) => (symbol.spelling(), "gains"),
+            _ => (symbol.spelling(), "mu"),
+        };
+        let key = format!("verify.{name}");
+        let place = self.entries.iter().find(|entry| entry.key == key);
+        Err(vec![Diagnostic {
+            code: "conflict",
+            key,
+            place: place.map(|entry| entry.place),
+            message: format!("`{name}` is to be chosen, and is an interval under [verify]"),
+            help: format!("leave the interval out, or give `{what}` in the design"),
+        }])
     }
 
     /// What is to be verified, with a mapping and poles in place of what is missing.

@@ -53,7 +53,7 @@ fn tracks<S: LaneSide>(
     let jobs = settings.iter();
     let jobs = jobs.map(|Setting { values, x0, pieces, .. }| Job { values, x0, pieces });
     let jobs: Vec<_> = jobs.collect();
-    let of_setting = |setting: &Setting| Track::new(setting, observer.objectives());
+    let of_setting = |setting: &Setting| Track::new(setting, observer.objectives(), 0);
     let mut tracks: Vec<_> = settings.iter().map(of_setting).collect();
     let mut known = vec![true; settings.len()];
     observer.forget();
@@ -65,7 +65,8 @@ fn tracks<S: LaneSide>(
             .look(instants, &mut |job, objective, excess| tracks[job].exceed(objective, excess));
         for (lane, job) in (0..).zip(&instants.jobs) {
             if let Some(job) = job {
-                tracks[*job].push(instants.x.iter().map(|x| x.0[lane]), instants.u.0[lane]);
+                let numbers = instants.x.iter().chain([instants.u]).map(|pack| pack.0[lane]);
+                tracks[*job].push(numbers);
             }
         }
     });

@@ -32,7 +32,7 @@ mod trajectory;
 mod trial;
 mod verdict;
 
-pub use crate::keys::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
+pub use crate::keys::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS, PARAMETER};
 pub use corner::Corners;
 pub use course::{Course, Signal};
 pub use envelope::Envelope;
@@ -87,10 +87,13 @@ pub struct Campaign {
     pub tau: Interval,
     /// x_1..x_n at t0.
     pub x0: Vec<Interval>,
-    /// Symbols of the plant that are constant but not known.
+    /// Symbols of the plant, and parameters of the controller, that are constant but not known.
     pub intervals: Vec<(Parameter, Interval)>,
     /// Symbols of the plant that vary within their bounds, and how they may.
     pub disturbances: Vec<(Parameter, Interval, Vec<Signal>)>,
+    /// What is accumulated along a run, from 0 at t0: the integrands, each a function of the plant, of time and
+    /// of the integrals before it, which are variables behind those of the plant.
+    pub integrals: Vec<Expression>,
     /// What has to hold.
     pub objectives: Vec<Objective>,
 }
@@ -133,6 +136,13 @@ impl Campaign {
     pub(super) fn gains(&self) -> Option<Interval> {
         let [least, most] = self.around.as_ref()?.gain;
         (least < most).then_some((least, most))
+    }
+
+    /// A parameter of the controller that is drawn, if one is; those of a model are of the plant too.
+    pub(super) fn drawn(&self) -> Option<Parameter> {
+        let of_controller = self.spec.parameters();
+        let mut symbols = self.intervals.iter().map(|(symbol, _)| *symbol);
+        symbols.find(|symbol| of_controller.contains(symbol))
     }
 
     /// Whether both sides of Theorem 1 are run: the law of a chain, at every instant.

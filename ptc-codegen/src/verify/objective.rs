@@ -13,6 +13,10 @@ pub struct Objective {
     pub kind: Kind,
     /// The same in the words of the user: another only for a model, whose states have names.
     pub written: Kind,
+    /// It in one line.
+    pub text: String,
+    /// Whether an integral over the run is in it, a variable behind those of the plant.
+    pub integrates: bool,
 }
 
 /// The kinds of objectives.
@@ -112,7 +116,7 @@ impl Kind {
 impl From<Kind> for Objective {
     /// An objective of a plant whose states have no other names.
     fn from(kind: Kind) -> Self {
-        Self { written: kind.clone(), kind }
+        Self { text: kind.to_string(), written: kind.clone(), kind, integrates: false }
     }
 }
 
@@ -134,15 +138,21 @@ impl Objective {
 
 impl fmt::Display for Objective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.written {
-            Kind::State { sigma, zeta } => write!(f, "|x| <= {sigma} |x0| ({zeta})"),
-            Kind::Input { upsilon } => write!(f, "|u| <= {upsilon}"),
-            Kind::Inputs { upsilon } => {
+        f.write_str(&self.text)
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::State { sigma, zeta } => write!(f, "|x| <= {sigma} |x0| ({zeta})"),
+            Self::Input { upsilon } => write!(f, "|u| <= {upsilon}"),
+            Self::Inputs { upsilon } => {
                 let each = upsilon.iter().map(|(name, bound)| format!("|{name}| <= {bound}"));
                 f.write_str(&each.collect::<Vec<_>>().join(", "))
             }
-            Kind::Attractive { error } => write!(f, "|x| <= {error} at the end"),
-            Kind::Within { h, low, high } => {
+            Self::Attractive { error } => write!(f, "|x| <= {error} at the end"),
+            Self::Within { h, low, high } => {
                 low.iter().try_for_each(|low| write!(f, "{low} <= "))?;
                 write!(f, "{h}")?;
                 high.iter().try_for_each(|high| write!(f, " <= {high}"))

@@ -24,6 +24,19 @@ pub(super) struct Observer {
     size_at_start: f64,
 }
 
+/// Where objectives are looked at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Here<'a> {
+    /// Time-to-go in s.
+    pub(super) time_to_go: f64,
+    /// The plant's state.
+    pub(super) x: &'a [f64],
+    /// The inputs.
+    pub(super) u: &'a [f64],
+    /// The integrals from t0 on.
+    pub(super) integrals: &'a [f64],
+}
+
 /// The objectives with the values that they bound.
 #[derive(Clone, Debug)]
 struct Watched {
@@ -84,22 +97,18 @@ impl Observer {
 
     /// By how much each objective is exceeded here: above 0 it fails. Bounds of x and u are exceeded
     /// as a part of the bound, h in its own unit. `last` where the run ends.
-    pub(super) fn excess(
-        &mut self,
-        here: (f64, &[f64], &[f64]),
-        last: bool,
-        visit: &mut dyn FnMut(usize, f64),
-    ) {
+    pub(super) fn excess(&mut self, here: Here<'_>, last: bool, visit: &mut dyn FnMut(usize, f64)) {
         self.levels(here, last, &mut |index, kind, level| visit(index, level.excess(kind)));
     }
 
     /// What each objective bounds here, and its bounds. `last` where the run ends.
     pub(super) fn levels(
         &mut self,
-        (time_to_go, x, u): (f64, &[f64], &[f64]),
+        Here { time_to_go, x, u, integrals }: Here<'_>,
         last: bool,
         visit: &mut dyn FnMut(usize, &Kind, Level),
     ) {
+        self.along.accumulated(integrals);
         self.along.at(time_to_go, x, u);
         let sizes = (self.size(x), self.size_at_start);
         self.watched.levels(|value| self.along.machine.get(value), (sizes, u), last, visit);

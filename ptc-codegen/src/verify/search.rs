@@ -48,7 +48,9 @@ pub fn search(
     let worst = |(_, _, legal): &(_, _, Vec<Signal>)| legal.contains(&Signal::Worst);
     let switches = campaign.disturbances.iter().any(worst);
     // The slopes are those of the law and a chain: elsewhere the bounds are tried piece by piece.
-    let sloped = switches && campaign.has_sides();
+    // An integral has none by the state that it is looked at in.
+    let integrates = campaign.objectives[objective].integrates;
+    let sloped = switches && campaign.has_sides() && !integrates;
     let rates = sloped.then(|| Rates::new(campaign)).flatten();
     let left = campaign.search;
     let mut search = Search { campaign, trial, switches, rates, objective, told, left, best: None };

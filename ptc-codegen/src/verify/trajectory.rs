@@ -67,11 +67,14 @@ pub fn csv(
     let states = campaign.spec.state_names().join(",");
     let inputs = campaign.spec.input_names().join(",");
     let excess: String = (1..=campaign.objectives.len()).map(|i| format!(",excess{i}")).collect();
-    let mut text = format!("t,time_to_go,{states},{inputs}{excess}\n");
+    let integrals: String =
+        (1..=campaign.integrals.len()).map(|k| format!(",integral{k}")).collect();
+    let mut text = format!("t,time_to_go,{states},{inputs}{integrals}{excess}\n");
     let (instants, ended) = trajectory(campaign, trial, scenario);
     for instant in instants {
         text.push_str(&format!("{:?},{:?}", instant.t, instant.time_to_go));
-        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.excess);
+        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.integrals);
+        let numbers = numbers.chain(&instant.excess);
         numbers.for_each(|number| text.push_str(&format!(",{number:?}")));
         text.push('\n');
     }

@@ -1,8 +1,8 @@
 //! One scenario: on both sides of Theorem 1, or in the loop of the emitted program alone.
 
 use super::batch::InLanes;
-use super::observer::Observer;
-use super::{Campaign, Level, Other, Outcome, Setting};
+use super::observer::{Here, Observer};
+use super::{Campaign, Kind, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
@@ -19,6 +19,8 @@ pub struct Trial {
     observer: Observer,
     objectives: usize,
     inputs: usize,
+    /// The integrals at t0.
+    none: Vec<f64>,
     /// Difference of the sides above which their integration may show: see [`is_blurred`].
     pub(super) blur: f64,
 }
@@ -45,10 +47,20 @@ pub struct Instant {
     pub x: Vec<f64>,
     /// The inputs.
     pub u: Vec<f64>,
+    /// The integrals of the campaign, from t0 to here.
+    pub integrals: Vec<f64>,
     /// By how much each objective is exceeded here.
     pub excess: Vec<f64>,
     /// Whether what has to hold at the end has to hold here.
     pub at_end: bool,
+}
+
+impl Instant {
+    /// Where it is, for the objectives.
+    pub(super) fn here(&self) -> Here<'_> {
+        let Self { time_to_go, x, u, integrals, .. } = self;
+        Here { time_to_go: *time_to_go, x, u, integrals }
+    }
 }
 
 /// Far below the tolerance of the sides, and an order above what would cost time.
@@ -69,33 +81,41 @@ impl Trial {
     pub fn new(campaign: &Campaign) -> Result<Self, Failure> {
         let spec = Spec { precision: Precision::F64, ..campaign.spec.clone() };
         let plant = campaign.disturbed();
+        let integrals = &campaign.integrals;
+        let direct = || Ok(Direct::of(&spec, &plant)?.with_integrals(&spec, integrals));
         let closed = match campaign.around {
             Some(_) => {
                 has_eps(&campaign.spec)?;
-                Closed::Running(Box::new(Sampled::new(&campaign.spec, &plant)?))
+                let sampled = Sampled::new(&campaign.spec, &plant)?;
+                Closed::Running(Box::new(sampled.with_integrals(&spec, integrals)))
             }
-            None if !campaign.has_sides() => Closed::Direct(Box::new(Direct::of(&spec, &plant)?)),
+            None if !campaign.has_sides() => Closed::Direct(Box::new(direct()?)),
             None => {
-                let sides = (Continuous::of(&spec, &plant)?, Direct::of(&spec, &plant)?);
-                Closed::Theorem(Box::new(sides))
+                let infinite = Continuous::of(&spec, &plant)?.with_integrals(&spec, integrals);
+                Closed::Theorem(Box::new((infinite, direct()?)))
             }
         };
         let observer = Observer::new(&spec, &campaign.objectives);
         let lanes = match &closed {
-            Closed::Theorem(sides) => InLanes::of((&sides.0, &sides.1), &observer),
+            // A lane integrates components that decay alike; what is accumulated does not decay.
+            Closed::Theorem(sides) if integrals.is_empty() => {
+                InLanes::of((&sides.0, &sides.1), &observer)
+            }
             _ => None,
         };
         let lanes = lanes.map(Box::new);
         let blur = BLUR * campaign.tolerance;
         let (objectives, inputs) = (campaign.objectives.len(), spec.input_names().len());
-        Ok(Self { closed, lanes, observer, objectives, inputs, blur })
+        let none = vec![0.0; integrals.len()];
+        Ok(Self { closed, lanes, observer, objectives, inputs, none, blur })
     }
 
     /// Runs a scenario.
     pub fn run(&mut self, setting: &Setting) -> Outcome {
         if let Closed::Theorem(sides) = &mut self.closed {
             let mut run = |accuracy: Accuracy| {
-                both(sides, (&mut self.observer, self.objectives), setting, accuracy)
+                let watched = (&mut self.observer, self.objectives);
+                both(sides, watched, (setting, accuracy), self.none.len())
             };
             let outcome = run(ACCURACY);
             return if is_blurred(&outcome, self.blur) { run(CLOSER) } else { outcome };
@@ -140,9 +160,9 @@ impl Trial {
     ) -> Result<Vec<Vec<Level>>, Failure> {
         self.observer.start(&setting.values, &setting.x0)?;
         let mut levels = vec![Vec::with_capacity(instants.len()); self.objectives];
-        for Instant { time_to_go, x, u, at_end, .. } in instants {
-            let here = (*time_to_go, x.as_slice(), u.as_slice());
-            self.observer.levels(here, *at_end, &mut |i, _, level| levels[i].push(level));
+        for instant in instants {
+            let visit = &mut |i: usize, _: &Kind, level| levels[i].push(level);
+            self.observer.levels(instant.here(), instant.at_end, visit);
         }
         Ok(levels)
     }
@@ -154,7 +174,7 @@ impl Trial {
     pub(super) fn excess_at(
         &mut self,
         setting: &Setting,
-        here: (f64, &[f64], &[f64]),
+        here: Here<'_>,
         (objective, last): (usize, bool),
     ) -> Result<f64, Failure> {
         self.observer.start(&setting.values, &setting.x0)?;
@@ -176,7 +196,8 @@ impl Trial {
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
         let tau = setting.values.get(Parameter::Tau);
         let rest = vec![0.0; self.inputs];
-        let here = (tau, setting.x0.as_slice(), rest.as_slice());
+        let integrals = &self.none;
+        let here = Here { time_to_go: tau, x: &setting.x0, u: &rest, integrals };
         self.observer.excess(here, false, &mut |i, value| excess[i] = value);
         Ok(excess)
     }
@@ -216,13 +237,12 @@ pub(super) fn is_blurred(outcome: &Outcome, blur: f64) -> bool {
 fn both(
     (infinite, direct): &mut (Run<Continuous>, Run<Direct>),
     (observer, objectives): (&mut Observer, usize),
-    setting: &Setting,
-    accuracy: Accuracy,
+    how: (&Setting, Accuracy),
+    integrals: usize,
 ) -> Outcome {
-    let (mut first, mut second) =
-        (Track::new(setting, objectives), Track::new(setting, objectives));
+    let track = || Track::new(how.0, objectives, integrals);
+    let (mut first, mut second) = (track(), track());
     let watched = (&mut *observer, objectives);
-    let how = (setting, accuracy);
     let infinite = along(infinite, watched, how, &mut |instant| first.take(&instant));
     let direct = along(direct, (observer, objectives), how, &mut |i| second.take(&i));
     compared((&first, &infinite), (&second, direct))
@@ -321,15 +341,17 @@ impl<'a> Watch<'a> {
     }
 
     fn instant(&mut self, sample: Sample<'_>, at_end: bool) -> Instant {
-        let Sample { t, time_to_go, x, u, .. } = sample;
+        let Sample { t, time_to_go, x, u, integrals, .. } = sample;
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
-        let here = (time_to_go, x, u);
+        let here = Here { time_to_go, x, u, integrals };
         self.observer.excess(here, at_end, &mut |i, value| excess[i] = value);
-        Instant { t, time_to_go, x: x.to_vec(), u: u.to_vec(), excess, at_end }
+        let [x, u, integrals] = [x, u, integrals].map(<[f64]>::to_vec);
+        Instant { t, time_to_go, x, u, integrals, excess, at_end }
     }
 }
 
-/// What is kept of one side of a run: x_1..x_n and u at each instant, and the worst of each objective.
+/// What is kept of one side of a run: x_1..x_n, u and the integrals at each instant, and the worst of each
+/// objective.
 #[derive(Clone, Debug)]
 pub(super) struct Track {
     width: usize,
@@ -338,20 +360,21 @@ pub(super) struct Track {
 }
 
 impl Track {
-    pub(super) fn new(setting: &Setting, objectives: usize) -> Self {
-        let width = setting.x0.len() + 1;
+    pub(super) fn new(setting: &Setting, objectives: usize, integrals: usize) -> Self {
+        let width = setting.x0.len() + 1 + integrals;
         let count: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
         let excess = vec![f64::NEG_INFINITY; objectives];
         Self { width, numbers: Vec::with_capacity(count * width), excess }
     }
 
     fn take(&mut self, instant: &Instant) {
-        self.push(instant.x.iter().copied(), instant.u[0]);
+        let numbers = instant.x.iter().chain(&instant.u[..1]).chain(&instant.integrals);
+        self.push(numbers.copied());
         (0..).zip(&instant.excess).for_each(|(objective, excess)| self.exceed(objective, *excess));
     }
 
-    pub(super) fn push(&mut self, x: impl Iterator<Item = f64>, u: f64) {
-        self.numbers.extend(x.chain([u]));
+    pub(super) fn push(&mut self, numbers: impl Iterator<Item = f64>) {
+        self.numbers.extend(numbers);
     }
 
     pub(super) fn exceed(&mut self, objective: usize, excess: f64) {

@@ -42,6 +42,8 @@ fn the_schema_takes_every_example_and_no_other_key() {
     wrong("n = 2\nclock = \"sample\"\n", "clock");
     wrong("[verify]\ny1 = 2\n", "y1");
     assert_eq!(fits("[model]\ninput = \"u\"\n[verify]\ny1 = 2\n", &schema), Ok(()));
+    assert_eq!(fits("[verify]\nk1 = [2, 3]\na = 1\nt0 = [0, 5]\n", &schema), Ok(()));
+    wrong("[verify]\nk = [2, 3]\n", "k");
     wrong("[[objective]]\nbond = \"input\"\n", "bond");
     assert_eq!(fits("[params]\nanything = 2\n[plant]\nf = 0\nq = 1\n", &schema), Ok(()));
     assert_eq!(fits("disturbance = \"constant\"\n", &schema), Ok(()));
@@ -78,9 +80,10 @@ fn fits(text: &str, schema: &Value) -> Result<(), String> {
         }
         let own = &table["properties"][key];
         let own = if own["anyOf"].is_array() { &own["anyOf"][0] } else { own };
-        let state = table["patternProperties"].is_object()
-            && key.strip_prefix('x').is_some_and(|j| j.parse::<u8>().is_ok());
-        let known = own.is_object() || state || table["additionalProperties"] == true;
+        let numbered = key.strip_prefix(['x', 'a', 'k']).is_some_and(|j| j.parse::<u8>().is_ok());
+        let named = numbered || ["a", "m", "start"].contains(&key);
+        let pattern = table["patternProperties"].is_object() && named;
+        let known = own.is_object() || pattern || table["additionalProperties"] == true;
         let word = value.trim_matches('"');
         let legal = own["enum"].as_array().is_none_or(|words| words.iter().any(|own| own == word));
         if !known || !legal {

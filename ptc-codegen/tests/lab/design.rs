@@ -334,3 +334,39 @@ fn bad_input_gets_one_clear_message_and_no_file() {
     assert_eq!(code, Some(2));
     assert!(wrong.contains("there is no design file none.toml"), "{wrong}");
 }
+
+/// x1 = T^k x1(t0) with tau = 1, so that the square of u over the run is k^2/(2k - 1): least at k = 1, where x is
+/// slowest, so that the end asks for more.
+#[test]
+fn what_a_run_spends_is_bounded_for_every_start_time() {
+    let wish = "name = \"slide\"\nn = 1\nmu = \"exp(a=1)\"\n\n[params]\ntau = 1\n\n[plant]\nf = 0\n\n\
+                [verify]\nx1 = [-1, 1]\nt0 = [0, 100]\nscenarios = 4\nsearch = 12\n\n\
+                [[objective]]\nbound = \"within\"\nh = \"integral(u^2)\"\nhigh = 1.6\n\n\
+                [[objective]]\nbound = \"attractive\"\nerror = 1e-6\n";
+    let folder = folder("spends", wish);
+    let (design, told) = designed(&folder);
+    let [pole] = numbers(&design, "poles")[..] else { panic!("{design}") };
+    // 2 % of the bound are left free, and |x| <= 1e-6 at T = 1e-3.
+    let spent = pole * pole / (-2.0 * pole - 1.0);
+    assert!(spent <= 0.98 * 1.6 && pole < -2.0, "{told}");
+    is_taken(&folder);
+}
+
+/// An interval of what is to be chosen is no wish.
+#[test]
+fn intervals_of_what_is_chosen_are_refused() {
+    for (key, with, without) in
+        [("k1 = [4, 5]", "gains", "mu = \"exp(a=1)\"\n"), ("a = [1, 2]", "mu", "poles = [-3]\n")]
+    {
+        let wish = format!(
+            "name = \"slide\"\nn = 1\n{without}[params]\ntau = 1\n[plant]\nf = 0\n[verify]\nx1 = 1\n{key}\n\
+             [[objective]]\nbound = \"attractive\"\nerror = 1\n"
+        );
+        let folder = folder("intervals", &wish);
+        let (code, told, wrong) = run(&folder, &["design", "wish.toml", "-o", "roll.toml"]);
+        assert_eq!(code, Some(2), "{told}");
+        let help = format!("leave the interval out, or give `{with}` in the design");
+        assert!(wrong.contains("is to be chosen") && wrong.contains(&help), "{wrong}");
+        assert!(wrong.contains(&format!("| {key}")), "the line: {wrong}");
+    }
+}

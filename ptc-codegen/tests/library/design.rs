@@ -294,10 +294,14 @@ fn the_template_tells_every_key_and_is_a_design() {
 #[cfg(feature = "lab")]
 #[test]
 fn the_template_tells_what_verify_reads() {
-    use ptc_codegen::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};
+    use ptc_codegen::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 
     let text = design::template(None);
-    let all = verify::KEYS.iter().chain(&OBJECTIVE_KEYS).chain([&DISTURBANCE, &INITIAL_STATE]);
+    let all = verify::KEYS.iter().chain(&OBJECTIVE_KEYS).chain([
+        &DISTURBANCE,
+        &INITIAL_STATE,
+        &PARAMETER,
+    ]);
     for info in all {
         assert!(text.contains(info.meaning) && text.contains(info.legal), "{}", info.key);
     }

@@ -140,6 +140,10 @@ fn formula(objective: &Objective) -> Math {
     let size = |of: Math| fenced("|", of, "|");
     let below = |left: Math, right: Math| relation(left, "\u{2264}", right);
     let bound = |value: f64| number(value);
+    // An integral has no name of its own in a formula.
+    if objective.integrates {
+        return words(&objective.text);
+    }
     match &objective.written {
         Kind::State { sigma, zeta } => {
             let start = size(sub(name("x"), number(0)));

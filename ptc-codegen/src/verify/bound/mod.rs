@@ -98,12 +98,29 @@ const NARROW: u32 = 40;
 
 /// For each objective whether it is proved, or why not.
 pub fn proved(campaign: &Campaign) -> Vec<Proof> {
-    if campaign.around.is_some() {
-        return running::proved(campaign);
+    let mut proofs = of_states(campaign);
+    for (proof, objective) in proofs.iter_mut().zip(&campaign.objectives) {
+        if objective.integrates {
+            let why = "the proof encloses x and u, and not an integral over the run".to_owned();
+            *proof = Proof::NotProved { why };
+        }
     }
+    proofs
+}
+
+/// The same where no objective has an integral.
+fn of_states(campaign: &Campaign) -> Vec<Proof> {
     let all = |why: String| vec![Proof::NotProved { why }; campaign.objectives.len()];
-    if campaign.spec.has_model() {
+    let is_running = campaign.around.is_some();
+    if campaign.spec.has_model() && !is_running {
         return all("the plant is a model, and proofs are of chains of integrators".to_owned());
+    }
+    if let Some(drawn) = campaign.drawn() {
+        let drawn = drawn.spelling();
+        return all(format!("{drawn} is an interval, and the proof is of one controller"));
+    }
+    if is_running {
+        return running::proved(campaign);
     }
     let values = clock::values(campaign);
     let mut prover = match Prover::of(campaign, &values) {

@@ -14,6 +14,7 @@ pub(super) use rates::Rates;
 use step::{Step, dot};
 
 use super::objective::norm;
+use super::observer::Here;
 use super::trial::Instant;
 use super::{Campaign, Course, Kind, Scenario, Setting, Signal, Trial};
 use crate::parameter::Parameter;
@@ -167,7 +168,7 @@ impl Line {
         (objective, target): (usize, usize),
         from: &Scenario,
     ) -> [Option<Way>; 2] {
-        let Instant { t, time_to_go, x, .. } = &self.instants[target];
+        let Instant { t, time_to_go, x, integrals, .. } = &self.instants[target];
         let n = x.len();
         let whole: usize = self.setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
         let last = target + 1 == whole;
@@ -176,7 +177,7 @@ impl Line {
         let mut excess = |x0: &[f64], x: &[f64], rates: &mut Rates| {
             let u = [rates.control(*t, x)];
             setting.x0.copy_from_slice(x0);
-            let here = (*time_to_go, x, u.as_slice());
+            let here = Here { time_to_go: *time_to_go, x, u: &u, integrals };
             let excess = trial.excess_at(&setting, here, (objective, last));
             excess.unwrap_or(f64::NEG_INFINITY)
         };

@@ -2,6 +2,8 @@
 //! once.
 
 mod disturbance;
+mod drawn;
+mod integral;
 mod objective;
 mod running;
 
@@ -9,14 +11,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::ToPrimitive;
 
+use integral::Integral;
+
 use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::keys::verify::KEYS;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
-use crate::request::{Entry, Spec};
+use crate::request::{Entry, Spec, known};
 use crate::simulate::Loop;
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value, number as exact, real};
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
@@ -73,12 +77,14 @@ const UNVALUED: &str = "missing-value";
 /// # Errors
 /// Every mistake in the tables.
 pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, Vec<Diagnostic>> {
-    let mut reader = Reader { spec, plant, found: Diagnostics::default() };
+    let (found, integrals) = (Diagnostics::default(), Vec::new());
+    let mut reader = Reader { spec, plant, found, integrals };
     let table = |name: &str| -> Vec<&Entry> {
         let own = |entry: &&Entry| entry.key.split_once('.').is_some_and(|(own, _)| own == name);
         entries.iter().filter(own).collect()
     };
     let of_verify = reader.table(&table("verify"));
+    let drawn = reader.drawn(&of_verify);
     let of_disturbance = reader.table(&table("disturbance"));
     let number = |entry: &Entry| {
         let rest = entry.key.strip_prefix("objective[")?;
@@ -97,9 +103,9 @@ pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, V
         reader.found.push("missing-key", "objective", None, message, help);
     }
     let disturbances = reader.disturbances(&of_disturbance);
-    reader.valued(entries, &objectives);
+    reader.valued(entries, &objectives, &drawn);
     let whole: Vec<_> = objectives.into_iter().map(|(_, objective)| objective).collect();
-    let campaign = reader.campaign(&of_verify, disturbances, whole);
+    let campaign = reader.campaign(&of_verify, (drawn, disturbances), whole);
     reader.found.finish(campaign)
 }
 
@@ -107,7 +113,13 @@ struct Reader<'a> {
     spec: &'a Spec,
     plant: &'a Plant,
     found: Diagnostics,
+    /// Of all objectives together, each once.
+    integrals: Vec<Integral>,
 }
+
+type Drawn = Vec<(Parameter, Interval)>;
+
+type Disturbances = Vec<(Parameter, Interval, Vec<Signal>)>;
 
 impl Reader<'_> {
     fn table<'b>(&mut self, entries: &[&'b Entry]) -> Given<'b> {
@@ -149,7 +161,7 @@ impl Reader<'_> {
     fn campaign(
         &mut self,
         given: &Given<'_>,
-        disturbances: Vec<(Parameter, Interval, Vec<Signal>)>,
+        (drawn, disturbances): (Drawn, Disturbances),
         objectives: Vec<Objective>,
     ) -> Option<Campaign> {
         let states = self.spec.state_names();
@@ -158,8 +170,8 @@ impl Reader<'_> {
             let message = format!("the state `{state}` has the name of a key of [verify]");
             self.found.push("conflict", "states", None, message, "call it something else");
         }
-        let legal: Vec<_> =
-            states.iter().cloned().chain(KEYS.iter().map(|info| info.key.to_owned())).collect();
+        let fixed = KEYS.iter().map(|info| info.key.to_owned());
+        let legal: Vec<_> = self.quantities().into_iter().chain(fixed).collect();
         for (name, (place, _)) in given {
             if !legal.iter().any(|key| key == name) {
                 self.unknown(&format!("verify.{name}"), *place, &legal);
@@ -208,10 +220,9 @@ impl Reader<'_> {
         let tolerance = self.number("tolerance", given, &|t| t > 0.0).unwrap_or(1e-6);
         let varies: BTreeSet<_> = disturbances.iter().map(|(symbol, ..)| *symbol).collect();
         let constant = self.plant.bounds.iter().filter(|(symbol, _)| !varies.contains(symbol));
-        let intervals = constant
-            .chain(self.at_run_time())
-            .filter_map(|(symbol, (low, high))| Some((*symbol, (to_f64(low)?, to_f64(high)?))))
-            .collect();
+        let constant = constant
+            .filter_map(|(symbol, (low, high))| Some((*symbol, (to_f64(low)?, to_f64(high)?))));
+        let mut intervals: Vec<_> = constant.collect();
         let mut spec = self.spec.clone();
         if given.contains_key("tau") {
             spec.fixed.remove(&Parameter::Tau);
@@ -219,9 +230,26 @@ impl Reader<'_> {
         // Each of them may have told what is wrong with it.
         (x0.len() == n).then_some(())?;
         let tau = tau?;
+        // What is one number is known, and what the controller is built with.
+        let (known, drawn): (Vec<_>, Vec<_>) =
+            drawn.into_iter().partition(|(_, (low, high))| low == high);
+        for (symbol, (value, _)) in &known {
+            spec.bounds.remove(symbol);
+            spec.fixed.insert(*symbol, exact(&format!("{value:e}"))?);
+        }
         if around.is_some() {
             spec = self.running(spec, &x0)?;
         }
+        // An eps of the checks is that of the values that the design gives.
+        for (symbol, _) in &drawn {
+            spec.fixed.remove(symbol);
+        }
+        if known.iter().chain(&drawn).any(|(symbol, _)| matches!(symbol, Parameter::Gain(_))) {
+            spec.poles.clear();
+        }
+        // What is both of the controller and of the plant is drawn once.
+        let new = |(symbol, _): &(Parameter, _)| !self.plant.bounds.contains_key(symbol);
+        intervals.extend(drawn.into_iter().filter(|own| new(own) || varies.contains(&own.0)));
         Some(Campaign {
             spec,
             plant: self.plant.clone(),
@@ -235,22 +263,34 @@ impl Reader<'_> {
             x0,
             intervals,
             disturbances,
+            integrals: self.integrands(),
             objectives,
         })
     }
 
-    /// The parameters of a model that the controller is given at run time, as they are of the plant.
-    fn at_run_time(&self) -> impl Iterator<Item = (&Parameter, &(Fixed, Fixed))> {
-        self.spec.bounds.iter().filter(|_| self.spec.has_model())
+    /// Order of the chain; several outputs are several chains, which have names of their own.
+    fn order(&self) -> usize {
+        if self.spec.coupled.is_some() { 0 } else { self.spec.n }
+    }
+
+    /// The parameters that an objective may name.
+    fn known(&self) -> Vec<Parameter> {
+        known(self.spec.time_mapping.parameters())
     }
 
     /// Every name has a value or an interval; one that has none is blamed on what uses it.
-    fn valued(&mut self, entries: &[Entry], objectives: &[(usize, Objective)]) {
+    fn valued(
+        &mut self,
+        entries: &[Entry],
+        objectives: &[(usize, Objective)],
+        drawn: &[(Parameter, Interval)],
+    ) {
         let (spec, plant) = (self.spec, self.plant);
+        let integrands = self.integrands();
         let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax];
         let lacks = |p: &Parameter| {
             let fixed = spec.fixed.contains_key(p) || plant.gives(*p);
-            let drawn = spec.has_model() && spec.bounds.contains_key(p);
+            let drawn = drawn.iter().any(|(symbol, _)| symbol == p);
             !fixed && !drawn && !of_run.contains(p)
         };
         let mut told: BTreeSet<Parameter> = BTreeSet::new();
@@ -270,6 +310,9 @@ impl Reader<'_> {
         let of_plant = "a symbol of the plant has its value, or [least, greatest], under [plant]";
         for (key, expression) in plant.keyed() {
             tell(key, &mut expression.parameters().into_iter(), of_plant);
+        }
+        for integrand in &integrands {
+            tell("objective", &mut integrand.parameters().into_iter(), of_controller);
         }
         for (number, objective) in objectives {
             for (name, expression) in objective.kind.expressions() {

@@ -4,7 +4,7 @@ use super::{Given, Reader, number};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::verify::OBJECTIVE_KEYS;
 use crate::parameter::{Name, Parameter};
-use crate::request::{Spec, items, known};
+use crate::request::{Spec, items};
 use crate::syntax::{Node, Value};
 use crate::verify::{Kind, Objective};
 
@@ -59,10 +59,13 @@ impl Reader<'_> {
             }
             value
         };
-        let known = known(self.spec.time_mapping.parameters());
-        // Several outputs are several chains, which have names of their own.
-        let n = if self.spec.coupled.is_some() { 0 } else { self.spec.n };
-        let names = names(self.spec);
+        let (n, known) = (self.order(), self.known());
+        // Integrals are names before h is read.
+        let lifted = match given.get("h") {
+            Some((_, node)) if word == "within" => Some(self.lifted(index, node)?),
+            _ => None,
+        };
+        let names = self.names();
         let expression = |reader: &mut Self, node: &Node, subject: Subject| {
             // A bound is of time alone.
             let own = if subject == Subject::Objective { names.as_slice() } else { &[] };
@@ -97,7 +100,7 @@ impl Reader<'_> {
             },
             "attractive" => Kind::Attractive { error: positive(self, "error")? },
             _ => {
-                let h = given_expression(self, "h", Subject::Objective);
+                let h = lifted.and_then(|node| expression(self, &node, Subject::Objective));
                 let (low, high) = (
                     given_expression(self, "low", Subject::Bound),
                     given_expression(self, "high", Subject::Bound),
@@ -116,14 +119,17 @@ impl Reader<'_> {
                 Kind::Within { h: h?, low, high }
             }
         };
-        let spec = self.spec;
-        Some(match spec.has_model() {
-            false => kind.into(),
-            true => Objective {
-                written: kind.map(&|e| in_names(e, &names)),
-                kind: kind.map(&|e| in_states(e, spec)),
-            },
-        })
+        let written = kind.map(&|e| in_names(e, &names));
+        let text = self.spelt(written.to_string());
+        let kind = kind.map(&|e| in_states(e, self.spec));
+        let is_integral = |e: &Expression| matches!(e.variable(), Some(Variable::State(j)) if j > self.spec.variables());
+        let integrates = matches!(&kind, Kind::Within { h, .. } if h.any(&is_integral));
+        Some(Objective { kind, written, text, integrates })
+    }
+
+    /// The names of the plant and of the integrals.
+    pub(super) fn names(&self) -> Vec<(Name, Variable)> {
+        names(self.spec).into_iter().chain(self.accumulated()).collect()
     }
 
     /// The bounds of the inputs of a plant: one, which all share, or one for each.
@@ -139,7 +145,12 @@ impl Reader<'_> {
     }
 
     /// An expression in which nothing has the name that it has with one input.
-    fn of_several(&mut self, table: &str, node: &Node, read: Expression) -> Option<Expression> {
+    pub(super) fn of_several(
+        &mut self,
+        table: &str,
+        node: &Node,
+        read: Expression,
+    ) -> Option<Expression> {
         let Some(coupled) = &self.spec.coupled else { return Some(read) };
         let own_limits = self.spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty());
         let one = [Expression::from(Variable::Control), Parameter::UMax.into()];
@@ -178,13 +189,16 @@ fn names(spec: &Spec) -> Vec<(Name, Variable)> {
 }
 
 /// The same as it was written.
-fn in_names(expression: &Expression, names: &[(Name, Variable)]) -> Expression {
+pub(super) fn in_names(expression: &Expression, names: &[(Name, Variable)]) -> Expression {
     let of = |variable: Variable| names.iter().find(|(_, own)| *own == variable);
     expression.substitute(&|e| Some(Parameter::Named(of(e.variable()?)?.0).into()))
 }
 
 /// The same in the states of a model, in which a chain is what the law takes it to be.
-fn in_states(expression: &Expression, spec: &Spec) -> Expression {
+pub(super) fn in_states(expression: &Expression, spec: &Spec) -> Expression {
+    if !spec.has_model() {
+        return expression.clone();
+    }
     let coordinates: Vec<_> = spec.coordinates().collect();
     let coordinate = |place: usize| Some((*coordinates.get(place - 1)?).clone());
     let at_start = |place: usize| {

@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use super::{DRIVEN, UNCERTAIN, command, folder, objective, run};
+use super::{DRIVEN, UNCERTAIN, command, folder, objective, run, spending};
 
 #[test]
 fn parts_merge_to_the_bytes_of_one_run() {
@@ -73,6 +73,40 @@ fn the_number_of_cores_and_an_interruption_change_nothing() {
     let read = |name: &str| fs::read(folder.join(name)).expect("a file");
     assert!(read("resumed.parquet") == read("one.parquet"));
     assert!(!rows.exists());
+}
+
+/// Start times, parameters and integrals are drawn and summed alike, whoever runs them.
+#[test]
+fn what_is_drawn_of_the_controller_depends_on_seed_and_index_alone() {
+    let folder = folder("spending", &spending());
+    let whole = command(&folder, &["stage.toml", "--out", "whole.parquet"])
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .expect("runs");
+    assert_eq!(whole.status.code(), Some(0), "{whole:?}");
+    let told = String::from_utf8_lossy(&whole.stdout);
+    assert!(told.contains("objective 3, integral(integral(u^2)) + x1 <= 30: holds"), "{told}");
+    let mut parts = Vec::new();
+    for part in 1..=3 {
+        let (shard, out) = (format!("{part}/3"), format!("part{part}.parquet"));
+        let (code, _, wrong) = run(&folder, &["stage.toml", "--shard", &shard, "--out", &out]);
+        assert_eq!(code, Some(0), "{wrong}");
+        parts.push(out);
+    }
+    let parts: Vec<_> = parts.iter().map(String::as_str).collect();
+    let merge = [&["stage.toml", "--out", "merged.parquet", "--merge"], &parts[..]].concat();
+    let (_, merged, wrong) = run(&folder, &merge);
+    assert_eq!((merged.as_bytes(), wrong.as_str()), (&whole.stdout[..], ""));
+    let read = |name: &str| fs::read(folder.join(name)).expect("a file");
+    assert!(read("merged.parquet") == read("whole.parquet"));
+    // The worst draw is run again as it is printed.
+    let (_, worst) = told.split_once("worst trajectory, ").expect("a trajectory");
+    let worst = worst.lines().next().expect("a scenario");
+    assert!(["t0 = ", "a = ", "k1 = "].iter().all(|name| worst.contains(name)), "{worst}");
+    let (code, csv, _) = run(&folder, &["stage.toml", "--scenario", worst]);
+    assert_eq!(code, Some(0));
+    assert!(csv.starts_with("t,time_to_go,x1,u,integral1,integral2,excess1,"), "{csv}");
+    assert_eq!(run(&folder, &["stage.toml", "--scenario", worst]).1, csv);
 }
 
 #[test]

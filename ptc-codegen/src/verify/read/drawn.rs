@@ -1,0 +1,75 @@
+//! Parameters of the controller that are uncertain: the start time, and those of mapping and law.
+
+use super::{Given, Interval, Reader, to_f64};
+use crate::keys::verify::KEYS;
+use crate::parameter::Parameter;
+use crate::plant::TABLE;
+
+impl Reader<'_> {
+    /// The parameters that may be intervals: what `init` and `arm` are given beside tau, eps and u_max, which
+    /// have a meaning of their own. With a clock in samples all is computed from them beforehand.
+    pub(super) fn may_be_drawn(&self) -> Vec<Parameter> {
+        let spec = self.spec;
+        let others = [Parameter::Tau, Parameter::Eps, Parameter::UMax];
+        let mut all = spec.parameters();
+        all.retain(|p| spec.sampled().is_none() && !others.contains(p));
+        all
+    }
+
+    /// Those that are: intervals of [verify], and the bounds that the design has for others.
+    pub(super) fn drawn(&mut self, given: &Given<'_>) -> Vec<(Parameter, Interval)> {
+        let legal = self.may_be_drawn();
+        let mut drawn = Vec::new();
+        for parameter in &legal {
+            let name = parameter.spelling();
+            if let Some(interval) = self.interval("verify", &name, given)
+                && self.admits(*parameter, interval, given)
+            {
+                drawn.push((*parameter, interval));
+            }
+        }
+        let bounds = self.spec.bounds.iter().filter(|(symbol, _)| {
+            let own = legal.contains(symbol) || self.spec.has_model();
+            own && !given.contains_key(symbol.spelling().as_str())
+        });
+        drawn.extend(
+            bounds.filter_map(|(p, (low, high))| Some((*p, (to_f64(low)?, to_f64(high)?)))),
+        );
+        drawn
+    }
+
+    /// Whether an interval of [verify] is within the domain of its parameter.
+    fn admits(&mut self, parameter: Parameter, ends: Interval, given: &Given<'_>) -> bool {
+        let name = parameter.spelling();
+        let key = format!("verify.{name}");
+        let place = given.get(name.as_str()).map(|(_, node)| node.place);
+        if self.plant.fixed.contains_key(&parameter) || self.plant.bounds.contains_key(&parameter) {
+            let message = format!("`{name}` has its value under [{TABLE}] too");
+            let help = "give the interval in one of the two: under [plant] it is of the plant alone, and of the controller under [verify]";
+            self.found.push("conflict", key, place, message, help);
+            return false;
+        }
+        let spec = self.spec;
+        let within = |value: f64| {
+            let bounds = spec.bounds.get(&parameter);
+            let bounds = bounds.and_then(|(low, high)| Some((to_f64(low)?, to_f64(high)?)));
+            bounds.map_or(spec.keeps_digits(parameter, value), |(low, high)| {
+                (low..=high).contains(&value)
+            })
+        };
+        if within(ends.0) && within(ends.1) {
+            return true;
+        }
+        let message = format!("{name} ({}) leaves its domain", parameter.meaning());
+        self.wrong(&key, place, message, &format!("{name} is {}", spec.legal(parameter)));
+        false
+    }
+
+    /// The names of states and parameters that are keys of [verify], before those that it always has.
+    pub(super) fn quantities(&self) -> Vec<String> {
+        let states = self.spec.state_names();
+        let fixed = |name: &String| KEYS.iter().any(|info| info.key == name);
+        let own = self.may_be_drawn().into_iter().map(Parameter::spelling);
+        states.into_iter().chain(own.filter(|name| !fixed(name))).collect()
+    }
+}
