@@ -141,6 +141,31 @@ fn an_integral_goes_on_where_u_leaves_its_bound() {
     }
 }
 
+/// x' = -3 sign(x)/T from 1 is 1 + 3 ln T until it is 0, and stays there: u is either of -3/T and 3/T, whose mean
+/// is 0, while the mean of its square is 9/T^2.
+#[test]
+fn a_state_that_slides_integrates_the_mean_of_both_sides() {
+    let text = format!(
+        "n = 1\nmu = \"exp(a=1)\"\npi0 = \"-3*sign(xi1)\"\n[params]\ntau = 1\n[plant]\nf = 0\n\
+         [verify]\nx1 = 1\nt0 = 3\nuntil = 1e-2\nscenarios = 1\n{}",
+        objectives(&["integral(u)", "integral(u^2)", "integral(abs(u))"])
+    );
+    let campaign = campaign(&text);
+    let scenario = campaign.scenario(0);
+    let all = instants(&campaign, &scenario);
+    for Instant { time_to_go, x, integrals, .. } in &all[1..] {
+        let there = (1.0 + 3.0 * time_to_go.ln()).max(0.0);
+        assert!(
+            (x[0] - there).abs() < 1e-9 && (integrals[0] - (there - 1.0)).abs() < 1e-8,
+            "{x:?}"
+        );
+        near(integrals[1], 9.0 * (1.0 / time_to_go - 1.0), 1e-7);
+        near(integrals[2], -3.0 * time_to_go.ln(), 1e-7);
+    }
+    let slides = all.iter().filter(|instant| instant.time_to_go < 0.7).count();
+    assert!(slides > 30, "{slides}");
+}
+
 #[test]
 fn held_inputs_are_summed() {
     let text = format!(

@@ -103,7 +103,7 @@ pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, V
         reader.found.push("missing-key", "objective", None, message, help);
     }
     let disturbances = reader.disturbances(&of_disturbance);
-    reader.valued(entries, &objectives, &drawn);
+    reader.valued(entries, &objectives, (&of_verify, &drawn));
     let whole: Vec<_> = objectives.into_iter().map(|(_, objective)| objective).collect();
     let campaign = reader.campaign(&of_verify, (drawn, disturbances), whole);
     reader.found.finish(campaign)
@@ -283,14 +283,16 @@ impl Reader<'_> {
         &mut self,
         entries: &[Entry],
         objectives: &[(usize, Objective)],
-        drawn: &[(Parameter, Interval)],
+        (given, drawn): (&Given<'_>, &[(Parameter, Interval)]),
     ) {
         let (spec, plant) = (self.spec, self.plant);
         let integrands = self.integrands();
         let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax];
         let lacks = |p: &Parameter| {
             let fixed = spec.fixed.contains_key(p) || plant.gives(*p);
-            let drawn = drawn.iter().any(|(symbol, _)| symbol == p);
+            // One that is given and not legal has been reported.
+            let drawn = drawn.iter().any(|(symbol, _)| symbol == p)
+                || given.contains_key(p.spelling().as_str());
             !fixed && !drawn && !of_run.contains(p)
         };
         let mut told: BTreeSet<Parameter> = BTreeSet::new();
