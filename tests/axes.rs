@@ -70,6 +70,7 @@ fn coupled() -> Vec<Spec> {
     let with = |keys: &[(&str, &str)], further: &[(&str, &str)]| {
         spec(&[keys, &[("allow", "zeros")], further].concat())
     };
+    let unruled: Vec<_> = mixed.into_iter().filter(|(key, _)| *key != "poles").collect();
     vec![
         with(&mixed, &[("name", "mixed")]),
         with(&mixed, &[("name", "mixed_small"), ("precision", "f32"), ("limits", "20,0.5")]),
@@ -87,6 +88,29 @@ fn coupled() -> Vec<Spec> {
             ("mu", "tanh(a=0.5)"),
             ("name", "arm"),
             ("poles", "[[-3,-4],[-5,-6]]"),
+            ("states", "p, q, v, w"),
+            ("inputs", "a, b"),
+            ("inertia", "[[2 + q^2, q], [q, m]]"),
+            ("bias", "v*w*q, -v^2 + 9.81*p"),
+        ]),
+        // Laws of all outputs, one with time and a wall, of outputs of different orders and of an arm.
+        with(
+            &unruled,
+            &[
+                ("name", "mixed_laws"),
+                (
+                    "pi0",
+                    "-12*xi1_1 - 7*xi2_1 + xi1_2*sin(t) - h*T, -5*xi1_2*(1 + kappa_rate*xi1_1^2)",
+                ),
+            ],
+        ),
+        spec(&[
+            ("mu", "rational(a=2)"),
+            ("name", "guarded"),
+            (
+                "pi0",
+                "inverse_inertia_1_1*(-k*xi1_1/(1 - xi1_1^2/9) - xi2_1), inverse_inertia_2_2*bias_2 - x1_2 - 4*x2_2",
+            ),
             ("states", "p, q, v, w"),
             ("inputs", "a, b"),
             ("inertia", "[[2 + q^2, q], [q, m]]"),

@@ -4,7 +4,7 @@ use super::Language;
 use crate::code::{Shape, Variable};
 use crate::expression::Expression;
 use crate::parameter::Parameter;
-use crate::request::{Feedback, Spec};
+use crate::request::Spec;
 
 /// The run-time parameters in the order of the emitted struct, arrays taken together.
 pub(super) fn declared(spec: &Spec, language: Language) -> Vec<Variable> {
@@ -32,19 +32,15 @@ pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
     match parameter {
         Parameter::Gain(_) => format!("gains of pi0 = {}", linear(spec.n)),
         Parameter::Named(_) => {
-            let law = match &spec.feedback {
-                Feedback::Expression(law) => Some(law),
-                Feedback::Linear | Feedback::Extern => None,
-            };
+            let uses = |e: &Expression| e.parameters().contains(&parameter);
             let custom = spec.custom();
             let of = [
                 (custom.map_or("mu", |c| c.subject.key()), custom.map(|c| &c.given)),
-                ("pi0", law),
+                ("pi0", spec.laws().find(|law| uses(law))),
                 ("f", spec.drift.as_ref().filter(|_| spec.model.is_none())),
                 ("g", spec.input_gain.as_ref().filter(|_| spec.model.is_none())),
                 ("reference", spec.derivative(0)),
             ];
-            let uses = |e: &Expression| e.parameters().contains(&parameter);
             let keys = of.into_iter().filter(|(_, e)| e.is_some_and(uses)).map(|(key, _)| key);
             let of_axes = spec.axes.iter().flat_map(|axes| &axes.input_gains).any(uses);
             let of_axes = of_axes && !spec.input_gain.as_ref().is_some_and(uses);

@@ -188,11 +188,15 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
 /// The law of each output of a plant with several inputs, and u from it.
 fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
     let spec = controller.spec();
+    let linear_law = spec.feedback == Feedback::Linear;
+    let v = "  v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x)";
     let mut lines = vec![
         String::new(),
         "Law of each output, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:".to_owned(),
-        "  v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x) = sum_j gain_j x_j".to_owned(),
+        if linear_law { format!("{v} = sum_j gain_j x_j") } else { v.to_owned() },
     ];
+    let laws = (1..).zip(spec.laws());
+    lines.extend(laws.map(|(i, law)| format!("  pi0 of v_{i} = {}", coupled.law_text(law))));
     let mut orders = coupled.orders();
     orders.sort_unstable();
     orders.dedup();
@@ -204,7 +208,9 @@ fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
         if orders.len() > 1 {
             lines.push(format!("Order n = {order}:"));
         }
-        lines.push(format!("  pi0 = {}", linear(order)));
+        if linear_law {
+            lines.push(format!("  pi0 = {}", linear(order)));
+        }
         lines.extend(forms(spec, &law, "x"));
     }
     lines.extend(super::coupled::law(coupled));

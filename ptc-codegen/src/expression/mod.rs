@@ -49,6 +49,8 @@ pub enum Variable {
     Elapsed,
     /// Time-to-go T = tau - Dt.
     TimeToGo,
+    /// kappa'(Dt), the rate of stretched time: `kappa_rate`.
+    KappaRate,
     /// Control u.
     Control,
     /// State `x_j` of the plant, from 1.

@@ -16,6 +16,15 @@ pub(super) fn controls<'a>(
     designs: &'a [Spec],
 ) -> (Value, Vec<Value>, Option<Value>) {
     let spec = b.spec;
+    if spec.laws().next().is_some() {
+        // A law knows the chains of all outputs.
+        let mut all = Vec::new();
+        for (index, own) in (1..).zip(designs) {
+            b.of_axis(own, index);
+            all.extend(state::stretched_state(b, ""));
+        }
+        b.states[0] = all;
+    }
     let mut wanted = Vec::with_capacity(designs.len());
     for (index, own) in (1..).zip(designs) {
         b.of_axis(own, index);

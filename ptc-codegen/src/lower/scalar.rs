@@ -126,6 +126,7 @@ impl Builder<'_> {
             Variable::Time => self.push(Op::Input(Input::Time)),
             Variable::Elapsed => self.since_start(),
             Variable::TimeToGo => self.time_to_go(),
+            Variable::KappaRate => self.taylor().base_inverse,
             Variable::SinceStart => self.stretched(),
             Variable::StretchedTime => {
                 let start = self.push(Op::Input(Input::StartTime));

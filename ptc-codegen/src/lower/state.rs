@@ -37,6 +37,12 @@ pub(super) fn law(b: &mut Builder<'_>) -> Value {
     b.name(law, "law", "pi0 at this state and stretched time")
 }
 
+/// xi = BB_n x of a chain, with names that end in `tail`.
+pub(super) fn stretched_state(b: &mut Builder<'_>, tail: &str) -> Vec<Value> {
+    let taylor = b.taylor();
+    series::xi(b, &taylor, &|i| format!("xi{i}{tail}"))
+}
+
 impl Builder<'_> {
     /// The Taylor series of mu at the current time, or at the start; once each.
     pub(super) fn taylor(&mut self) -> Taylor {
@@ -53,16 +59,15 @@ impl Builder<'_> {
         self.taylor().stretched
     }
 
-    /// State xi_j of the infinite-time system.
+    /// State xi_j of the infinite-time system; where there are several chains, j counts through all.
     pub(super) fn xi(&mut self, j: usize) -> Value {
         if self.is_of_infinite_time() {
             return self.push(Op::Input(Input::State(j)));
         }
         let index = usize::from(self.is_at_start());
         if self.states[index].is_empty() {
-            let taylor = self.taylor();
             let tail = if index == 1 { "_0" } else { "" };
-            self.states[index] = series::xi(self, &taylor, &|i| format!("xi{i}{tail}"));
+            self.states[index] = stretched_state(self, tail);
         }
         self.states[index][j - 1]
     }

@@ -1,6 +1,6 @@
 //! Several axes that share one deadline and one mapping.
 
-use super::Spec;
+use super::{Feedback, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::model::{Coupled, Model, Output};
@@ -20,12 +20,18 @@ pub struct Axes {
     pub limits: Vec<Fixed>,
     /// Input gain g of each.
     pub input_gains: Vec<Expression>,
+    /// Law pi0 of each output of a plant that is not a sum of gains. In these `x_j` are the states of the
+    /// plant, and `xi_j` count through the chains of all outputs, one after the other.
+    pub laws: Vec<Expression>,
 }
 
 impl Axes {
     /// Whether an axis has something of its own.
     pub fn differ(&self) -> bool {
-        !self.gains.is_empty() || !self.limits.is_empty() || !self.input_gains.is_empty()
+        !self.gains.is_empty()
+            || !self.limits.is_empty()
+            || !self.input_gains.is_empty()
+            || !self.laws.is_empty()
     }
 }
 
@@ -46,6 +52,9 @@ impl Spec {
         }
         if let Some(limit) = axes.limits.get(index) {
             spec.fixed.insert(Parameter::UMax, limit.clone());
+        }
+        if let Some(law) = axes.laws.get(index) {
+            spec.feedback = Feedback::Expression(law.clone());
         }
         if let Some(gain) = axes.input_gains.get(index) {
             spec.input_gain = (*gain != Expression::integer(1)).then(|| gain.clone());

@@ -252,12 +252,18 @@ impl Spec {
         }
     }
 
+    /// The expressions for pi0: one, or one for each output of a plant with several.
+    pub fn laws(&self) -> impl Iterator<Item = &Expression> {
+        let one = match (&self.feedback, &self.axes) {
+            (Feedback::Expression(law), None) => Some(law),
+            _ => None,
+        };
+        one.into_iter().chain(self.axes.iter().flat_map(|axes| &axes.laws))
+    }
+
     /// Every expression that a controller is computed from.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
-        let law = match &self.feedback {
-            Feedback::Expression(law) => Some(law),
-            Feedback::Linear | Feedback::Extern => None,
-        };
+        let law = self.laws();
         let given = self.custom().map(|custom| &custom.given);
         let model = self.model.iter().flat_map(|model| &model.coordinates);
         let reference = (0..=self.n).filter_map(|order| self.derivative(order));

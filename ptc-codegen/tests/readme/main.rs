@@ -50,6 +50,9 @@ const TANK: &str = include_str!("../../../examples/tank.toml");
 
 const ROBOT: &str = include_str!("../../../examples/two_link.toml");
 
+/// The robot with a law of both joints that docs/models.md runs.
+const BARRIER: &str = include_str!("../../../examples/barrier_arm.toml");
+
 /// The plant with uncertain numbers that docs/models.md verifies.
 const PENDULUM: &str = include_str!("../../../examples/pendulum.toml");
 
@@ -273,7 +276,11 @@ fn pages_show_what_is_printed() {
     assert_eq!(blocks_of(SAMPLES, "toml"), [MOTOR]);
     fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
     let [shown @ .., uncertain] = &blocks_of(MODELS, "toml")[..] else { panic!("designs") };
-    assert_eq!(*shown, [DRIVE, TANK, ROBOT, PENDULUM]);
+    let [drive, tank, robot, barrier, pendulum] = shown else { panic!("designs") };
+    assert_eq!([drive, tank, robot, pendulum], [DRIVE, TANK, ROBOT, PENDULUM]);
+    let (_, law) = barrier.split_once('\n').expect("a comment and a law");
+    assert!(BARRIER.contains(law), "{law}");
+    fs::write(folder.join("barrier_arm.toml"), BARRIER).expect("writable");
     fs::write(folder.join("arm.toml"), format!("{ROBOT}\n{uncertain}")).expect("writable");
     fs::write(folder.join("drive.toml"), DRIVE).expect("writable");
     fs::write(folder.join("pendulum.toml"), PENDULUM).expect("writable");

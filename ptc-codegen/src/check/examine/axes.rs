@@ -6,14 +6,20 @@ use super::{Report, envelope, examine_expanded};
 use crate::check::{Outcome, Verdict, zeros};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::Spec;
+use crate::request::{Feedback, Spec};
 
 /// What the checks find of the axes of `spec`. An open eps is the largest that an axis requires.
 pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     let examined = |spec: &Spec| -> Vec<Report> {
         let designs = spec.designs().into_iter();
         let forms = |design: &Spec| expanded.filter(|_| design.n == spec.n).cloned();
-        designs.map(|design| examine_expanded(&design, forms(&design))).collect()
+        // Of one output alone a law of all outputs means nothing.
+        let of_all = spec.axes.as_ref().is_some_and(|axes| !axes.laws.is_empty());
+        let alone = |design: Spec| match of_all {
+            true => Spec { feedback: Feedback::Extern, ..design },
+            false => design,
+        };
+        designs.map(alone).map(|design| examine_expanded(&design, forms(&design))).collect()
     };
     let mut spec = spec.clone();
     let mut reports = examined(&spec);

@@ -78,10 +78,16 @@ fn of_coupled((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Result<Vec<G
     let highest = designs.iter().max_by_key(|design| design.n).unwrap_or(spec);
     let mut groups = vec![coupled_group((spec, coupled), plant), mapping(spec), r(highest)?];
     groups.push(matrix(highest)?);
-    let law_of = |design: &Spec| (design.n, design.fixed.clone(), design.drift.clone());
+    let law_of = |design: &Spec| {
+        (design.n, design.fixed.clone(), design.drift.clone(), design.feedback.clone())
+    };
     let alike = designs.windows(2).all(|pair| law_of(&pair[0]) == law_of(&pair[1]));
     for (i, design) in (1..).zip(&designs).take(if alike { 1 } else { designs.len() }) {
-        let mut group = law(design)?;
+        let feedback = match &design.feedback {
+            Feedback::Expression(law) => Feedback::Expression(coupled.law_named(law)),
+            other => other.clone(),
+        };
+        let mut group = law(&Spec { feedback, ..design.clone() })?;
         let of = if alike { "Each output".to_owned() } else { format!("Output {i}") };
         let told = "x is the output with its derivatives, and u stands for w";
         group.told = format!("{of}: {told}. {}", group.told);

@@ -40,9 +40,14 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
         match info.sense {
             Sense::Gain if subject == Law || !exact || !exists => return Found::Free,
             // Several chains have no order in common.
-            Sense::Indexed(_) if n == 0 && subject == Subject::Objective => {
+            Sense::Indexed(_) if n == 0 && matches!(subject, Subject::Objective | Law) => {
                 let message = format!("`{shown}` does not exist where there are several outputs");
-                let help = "x1_2 is the output 2, x2_2 its rate, and x1_2_0 the output 2 at t0";
+                let help = match subject {
+                    Law => {
+                        "xi1_2 is xi_1 of output 2, x1_2 the output 2 and x2_2 its rate; states at t0 are not known"
+                    }
+                    _ => "x1_2 is the output 2, x2_2 its rate, and x1_2_0 the output 2 at t0",
+                };
                 return Found::wrong(message, help.to_owned());
             }
             Sense::Indexed(_) if !exists => {
@@ -140,13 +145,14 @@ mod tests {
 
     /// V where a name has its meaning, P where it names a parameter, E where it is an error: in mu,
     /// kappa, pi0, f, g, reference, plant.f, plant.g, plant.dynamics, h and the bounds, at order 3.
-    const VERDICTS: [(&str, &[&str]); 17] = [
+    const VERDICTS: [(&str, &[&str]); 18] = [
         ("VVVVVVVVVVV", &["tau", "pi"]),
         ("VEVVVVVVVVV", &["t"]),
         ("EVVVVVVVVVV", &["dt"]),
         ("EEVVVVVVVVV", &["t0", "eps", "u_max"]),
         ("EEVEEEEEEVV", &["T"]),
         ("EEVVVEEEEEE", &["t_kappa"]),
+        ("EEVEEEEEEEE", &["kappa_rate"]),
         ("EEEEEEVEEVE", &["u"]),
         ("EEEVVEVVEVE", &["x1", "x3"]),
         ("EEVVVEVVEVE", &["x1_0", "x3_0"]),

@@ -139,7 +139,7 @@ const WITH_MODEL: &[Subject] = &[
 
 /// The table. A name with several meanings has a row for each.
 #[rustfmt::skip]
-static NAMES: [NameInfo; 17] = [
+static NAMES: [NameInfo; 18] = [
     info("x1", "state of the plant", "", Sense::Indexed(Variable::State), OF_STATE),
     info("xi1", "state in stretched time, xi = BB_n x", "", Sense::Indexed(Variable::Xi), &[Law]),
     info("u", "input of the plant", "", Sense::Variable(Variable::Control), &[Drift, Objective]),
@@ -149,6 +149,7 @@ static NAMES: [NameInfo; 17] = [
     info("t_kappa", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law, Force, InputGain]),
     info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Reference, Drift, PlantGain, PlantRate, Objective, Bound]),
     info("T", "time-to-go, t0 + tau - t, in `pi0` held at eps", "time-to-go", Sense::Variable(Variable::TimeToGo), &[Family, Law, Objective, Bound]),
+    info("kappa_rate", "rate of stretched time, kappa'(dt), with `T` held at eps", "rate of stretched time", Sense::Variable(Variable::KappaRate), &[Law]),
     info("tau", "settling time", "", Sense::Parameter(Parameter::Tau), EVERYWHERE),
     info("t0", "start time", "", Sense::Parameter(Parameter::StartTime), OUTSIDE_MAPPING),
     info("eps", "time-to-go at which the gains are held", "", Sense::Parameter(Parameter::Eps), OUTSIDE_MAPPING),

@@ -54,15 +54,21 @@ impl<'a> Reader<'a> {
     }
 
     /// What the axes of a spec, which is that of the first, have of their own; each has its order.
-    pub(super) fn own_values(&mut self, spec: &mut Spec, orders: &[Option<usize>]) {
+    pub(super) fn own_values(
+        &mut self,
+        spec: &mut Spec,
+        orders: &[Option<usize>],
+        (laws, gains): (Vec<Expression>, Vec<Vec<Fixed>>),
+    ) {
         let number = orders.len();
         let known = super::known(spec.time_mapping.parameters());
         let mut axes = Axes {
             count: number,
-            gains: Vec::new(),
+            gains,
             poles: Vec::new(),
             limits: Vec::new(),
             input_gains: Vec::new(),
+            laws,
         };
         let first = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i)).cloned());
         let first: Option<Vec<Fixed>> = first.collect();

@@ -9,6 +9,7 @@ use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
+use crate::model::Coupled;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Pole, gains};
 use crate::syntax::{Node, Value, constant};
@@ -18,18 +19,38 @@ pub(super) struct Law {
     pub(super) feedback: Feedback,
     pub(super) gains: FixedValues,
     pub(super) poles: Vec<(BigRational, BigRational)>,
+    /// The expression for each output of a plant with several, where these are no sums of gains.
+    pub(super) laws: Vec<Expression>,
+    /// The gains of each such output, where the expressions are.
+    pub(super) own_gains: Vec<Vec<Fixed>>,
 }
 
-/// k_1, ..., k_n where a law is -(k_1 xi_1 + ... + k_n xi_n) with numbers k_i, however it is spelt, as
-/// far as that is found within the effort.
-fn gains_of(law: &Expression, n: usize) -> Option<Vec<BigRational>> {
+impl Law {
+    /// Gains that are left to run time.
+    pub(super) fn open() -> Self {
+        Self {
+            feedback: Feedback::Linear,
+            gains: BTreeMap::new(),
+            poles: Vec::new(),
+            laws: Vec::new(),
+            own_gains: Vec::new(),
+        }
+    }
+}
+
+/// The gains k where a law is -(k_1 xi_1 + ... ) of these `states` xi with numbers k_i, however it is spelt,
+/// as far as that is found within the effort.
+pub(super) fn gains_of(
+    law: &Expression,
+    states: impl Iterator<Item = usize>,
+) -> Option<Vec<BigRational>> {
     let other = |e: &Expression| e.variable().is_some_and(|v| !matches!(v, Variable::Xi(_)));
     if law.any(&Expression::is_kink) || law.any(&other) {
         return None;
     }
     bounded(|| {
-        let (mut rest, mut gains) = (law.clone(), Vec::with_capacity(n));
-        for xi in (1..=n).map(Variable::Xi) {
+        let (mut rest, mut gains) = (law.clone(), Vec::new());
+        for xi in states.map(Variable::Xi) {
             law.differentiable()?;
             let slope = normal(&law.derivative(xi));
             rest = rest.sub(slope.clone().mul(xi.into()));
@@ -51,8 +72,13 @@ pub(super) fn fixed(gains: Vec<BigRational>) -> FixedValues {
 
 impl<'a> Reader<'a> {
     /// The law; `n` is the order if it could be read, and `order` is used in its place.
-    pub(super) fn law(&mut self, n: Option<usize>, order: usize, known: &[Parameter]) -> Law {
-        let mut law = Law { feedback: Feedback::Linear, gains: BTreeMap::new(), poles: Vec::new() };
+    pub(super) fn law(
+        &mut self,
+        (n, order): (Option<usize>, usize),
+        known: &[Parameter],
+        coupled: Option<&Coupled>,
+    ) -> Law {
+        let mut law = Law::open();
         match self.only_one(&["gains", "poles", "pi0"]) {
             Some(("gains", node)) => {
                 let node = self.first("gains", node);
@@ -66,10 +92,15 @@ impl<'a> Reader<'a> {
             Some((_, node)) if matches!(&node.value, Value::Word(word) if word == "extern") => {
                 law.feedback = Feedback::Extern;
             }
+            // What it is of has not been read.
+            Some(_) if coupled.is_none() && self.has_coupled() => {}
+            Some((_, node)) if coupled.is_some() => {
+                law = coupled.map_or(law, |coupled| self.laws(node, known, coupled));
+            }
             Some((_, node)) => {
                 let scope = Scope { subject: Subject::Law, n: order, known, own: &[] };
                 if let Some(expression) = resolve(node, scope, &mut self.found) {
-                    match gains_of(&expression, order) {
+                    match gains_of(&expression, 1..=order) {
                         Some(gains) => law.gains = fixed(gains),
                         None => law.feedback = Feedback::Expression(expression),
                     }

@@ -121,13 +121,10 @@ impl Reader<'_> {
             let same = |p: &&Parameter| p.key() == name && p != &parameter && !free(p);
             let Some(other) = all.iter().find(same) else { continue };
             let of = |e: Option<&Expression>| e.is_some_and(|e| e.parameters().contains(parameter));
-            let law = match &spec.feedback {
-                Feedback::Expression(law) => Some(law),
-                Feedback::Linear | Feedback::Extern => None,
-            };
+            let of_law = spec.laws().any(|law| of(Some(law)));
             let key = match spec.custom() {
                 Some(custom) if of(Some(&custom.given)) => custom.subject.key(),
-                _ if of(law) => "pi0",
+                _ if of_law => "pi0",
                 _ if spec.model.is_some() => "dynamics",
                 _ if spec.coupled.is_some() => match self.keys.contains_key("inertia") {
                     true => "inertia",

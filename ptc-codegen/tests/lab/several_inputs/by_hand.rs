@@ -11,20 +11,20 @@ pub(super) struct Arm {
 }
 
 /// What the law takes the arm to be.
-const KNOWN: Arm = Arm { m1: 2.0, m2: 1.5, drag: 0.0 };
+pub(super) const KNOWN: Arm = Arm { m1: 2.0, m2: 1.5, drag: 0.0 };
 
-const L1: f64 = 0.6;
-const L2: f64 = 0.5;
+pub(super) const L1: f64 = 0.6;
+pub(super) const L2: f64 = 0.5;
 const GRAVITY: f64 = 9.81;
 
 /// tau and the limits of the torques in `examples/two_link.toml`, and its time-to-go where gains are held.
 pub(super) const TAU: f64 = 20.0;
-const LIMITS: [f64; 2] = [120.0, 60.0];
-const EPS: f64 = 1.0;
+pub(super) const LIMITS: [f64; 2] = [120.0, 60.0];
+pub(super) const EPS: f64 = 1.0;
 
 impl Arm {
     /// The inertia, whose off-diagonal entries are one number, and the bias.
-    fn equations(self, x: &[f64]) -> ([f64; 3], [f64; 2]) {
+    pub(super) fn equations(self, x: &[f64]) -> ([f64; 3], [f64; 2]) {
         let [q1, q2, w1, w2] = x[..] else { panic!("four states") };
         let Self { m1, m2, drag } = self;
         let share = m2 * L1 * L2;

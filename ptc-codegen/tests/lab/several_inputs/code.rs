@@ -60,6 +60,7 @@ fn the_whole_code_gives_the_same_bits() {
             arm.replace("name =", "guard = \"result\"\nprecision = \"f32\"\nname ="),
             &[3.0, 3.0, 4.0, 4.0],
         ),
+        (example("barrier_arm.toml"), &[1.5, 1.0, 4.0, 4.0]),
         (example("tank.toml"), &[0.9, 40.0, 40.0]),
         (UNICYCLE.to_owned(), &[1.0, 1.0, 2.0, 3.0]),
         (UNICYCLE.replace("u_max = inf", "u_max = 12"), &[1.0, 1.0, 2.0, 3.0]),

@@ -1,6 +1,7 @@
 //! Plants with several inputs in closed loop: `simulate` and `verify` against plants, laws and integrators
 //! by hand.
 
+mod barrier;
 mod by_hand;
 mod campaigns;
 mod code;

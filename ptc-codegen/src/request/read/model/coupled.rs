@@ -179,9 +179,9 @@ impl Reader<'_> {
             ),
             (
                 "pi0",
-                spec.feedback != Feedback::Linear,
-                "the outputs need a linear law",
-                "give gains or poles",
+                spec.feedback == Feedback::Extern,
+                "the outputs need a law that is known",
+                "give gains, poles or an expression for each output",
             ),
             (
                 "after",
@@ -205,7 +205,7 @@ impl Reader<'_> {
             ),
         ];
         self.against(&beside);
-        if !differ {
+        if !differ || self.keys.contains_key("pi0") {
             return;
         }
         let all: Vec<_> = orders.iter().map(ToString::to_string).collect();

@@ -2,6 +2,7 @@
 
 mod coupled;
 mod ill;
+mod laws;
 mod linear;
 mod names;
 

@@ -1,0 +1,159 @@
+//! Laws that see all outputs: what they are read as, what becomes of them in C, and what is refused.
+
+use ptc_codegen::emit::Language;
+use ptc_codegen::request::Feedback;
+
+use super::{checked, example, folder_with, in_c, run_in, spec};
+
+const PLANT: &str = "name = \"pair\"
+mu = \"exp(a=1)\"
+pi0 = [\"-6*xi1_1 - 5*xi2_1\", \"-3*xi1_2\"]
+[params]
+tau = 1
+eps = 1e-2
+u_max = inf
+[model]
+states = [\"p\", \"v\", \"h\"]
+inputs = [\"a\", \"b\"]
+outputs = [\"p\", \"h\"]
+dynamics = { p = \"v\", v = \"a\", h = \"b - h\" }
+";
+
+const LAWS: &str = "[\"-6*xi1_1 - 5*xi2_1\", \"-3*xi1_2\"]";
+
+fn with(laws: &str) -> String {
+    assert!(PLANT.contains(LAWS));
+    PLANT.replace(LAWS, laws)
+}
+
+/// Sums of gains are the gains that they are, so that all that is known of these is known of them.
+#[test]
+fn sums_of_gains_are_gains() {
+    let own = spec(PLANT);
+    let gains = spec(&PLANT.replace(&format!("pi0 = {LAWS}"), "gains = [[6, 5], [3]]"));
+    assert_eq!((&own.feedback, own.command()), (&Feedback::Linear, gains.command()));
+    let code = |spec| ptc_codegen::generate(spec, Language::C).expect("accepted");
+    assert_eq!(code(&own), code(&gains));
+    // An output that takes part in the law of another one is no longer a sum of its own gains.
+    let crossed = spec(&with("[\"-6*xi1_1 - 5*xi2_1 + xi1_2\", \"-3*xi1_2\"]"));
+    assert!(matches!(crossed.feedback, Feedback::Expression(_)));
+    let (verdict, summary) =
+        checked("growth", "laws_growth", &with("[\"-6*xi1_1 - 5*xi2_1 + xi1_2\", \"-3*xi1_2\"]"));
+    assert_eq!(verdict, "not checked");
+    assert!(summary.contains("the law is not a sum of gains"), "{summary}");
+}
+
+/// Each check says what it knows of such a law, and none stops at it.
+#[test]
+fn checks_say_what_they_know() {
+    let text = with("[\"-6*xi1_1 - 5*xi2_1 + xi1_2\", \"-3*xi1_2*(1 + xi2_1^2)\"]")
+        .replace("tau = 1\n", "tau = 1\nt0 = 0\n")
+        .replace("mu =", "sample_time = 1e-3\nmu =")
+        + "[envelope]\nx_max = [1, 1, 1]\n";
+    for (check, wanted) in [
+        ("membership", "sound"),
+        ("growth", "not checked"),
+        ("sampling", "not checked"),
+        ("deadline", "not checked"),
+        ("loop", "not checked"),
+        ("envelope", "sound"),
+        ("zeros", "sound"),
+    ] {
+        let (verdict, summary) = checked(check, "laws_checks", &text);
+        assert_eq!(verdict, wanted, "{check}: {summary}");
+    }
+    // With eps left to the checks there is none: it follows from gains.
+    let open = text.replace("eps = 1e-2\n", "");
+    let (verdict, _) = checked("sampling", "laws_open", &open);
+    assert_ne!(verdict, "sound");
+}
+
+/// By hand: kappa = -ln T and kappa' = 1/T at tau = 1, so that the chain of p has the coordinates p and T v in
+/// stretched time, and kappa'^2 b^T x = v/T; h' = b - h.
+#[test]
+fn u_is_that_of_the_formula() {
+    let text = with(
+        "[\"-6*xi1_1 - 5*xi2_1 + sin(xi1_2)*T + p*v\", \"-3*xi1_2 + kappa_rate*xi2_1*x2_1 - t_kappa*dt\"]",
+    );
+    let main = "static const pair_params params = { .t0 = 0.25 };\n\
+        int main(void)\n{\n    pair control;\n    double u[2];\n    ptc_status axes[2];\n\
+        \x20   const double x[3] = { 0.5, -0.75, 0.3 };\n\
+        \x20   if (pair_init(&control, &params) != PTC_OK) { return 1; }\n\
+        \x20   for (double t = 0.25; t < 1.5; t += 0.1875) {\n\
+        \x20       if (pair_step(&control, t, x, u, axes) < 0) { return 2; }\n\
+        \x20       printf(\"%.17g %.17g %.17g\\n\", t, u[0], u[1]);\n    }\n    return 0;\n}\n";
+    let rows = in_c::run("laws_formula", &spec(&text), main);
+    assert_eq!(rows.len(), 7);
+    let (p, v, h) = (0.5_f64, -0.75_f64, 0.3_f64);
+    for row in rows {
+        let t = row[0];
+        // Held at eps = 0.01.
+        let to_go = (1.25 - t).max(0.01);
+        let pi0 = -6.0 * p - 5.0 * to_go * v + h.sin() * to_go + p * v;
+        let a = (pi0 / to_go + v) / to_go;
+        let kappa = 0.25 - to_go.ln();
+        let b = (-3.0 * h + v * v - kappa * (t - 0.25)) / to_go + h;
+        for (found, wanted) in [(row[1], a), (row[2], b)] {
+            // Some ten roundings of terms that are no larger than 40 times u.
+            assert!(
+                (found - wanted).abs() <= 1e-13 * (1.0 + wanted.abs()),
+                "{found}, not {wanted}"
+            );
+        }
+    }
+}
+
+/// The command in the head gives the design back, in the names of the plant.
+#[test]
+fn the_command_is_in_the_names_of_the_plant() {
+    let arm = example("barrier_arm.toml");
+    let mixed = with("[\"-6*xi1_1 - 5*xi2_1 + T*p\", \"-3*xi1_2 - xi2_1^3*kappa_rate\"]");
+    for (text, part) in [
+        (arm.as_str(), "inverse_inertia_1_1*("),
+        (arm.as_str(), "k*xi1_2/(1 - (xi1_2/b2)^2)"),
+        (mixed.as_str(), "xi2_1^3*kappa_rate"),
+    ] {
+        let own = spec(text);
+        let command = own.command();
+        assert!(command.contains(part), "{command}");
+        let again = crate::command::spec_of(&command).expect("a legal command");
+        assert_eq!(again, own);
+        let head = ptc_codegen::generate(&own, Language::C).expect("accepted")[0].text.clone();
+        assert!(head.contains("pi0 of v_2 = "), "{head}");
+    }
+}
+
+#[test]
+fn mistakes_are_shown_at_their_lines() {
+    for (laws, message, help) in [
+        ("\"-xi1_1\"", "1 expressions of pi0 for 2 outputs", "one for each output"),
+        (
+            "[\"-xi1\", \"-xi1_2\"]",
+            "`xi1` does not exist where there are several",
+            "xi1_2 is xi_1 of",
+        ),
+        ("[\"-xi3_1\", \"-xi1_2\"]", "`xi3_1` is no part of the plant", "p, v, h, xi1_1, x1_1"),
+        ("[\"-xi1_1\", \"-xi1_3\"]", "`xi1_3` is no part of the plant", "xi1_2"),
+        ("[\"-xi1_1_0\", \"-xi1_2\"]", "`xi1_1_0` is no part of the plant", "xi1_2"),
+        (
+            "[\"-xi1_1*inverse_inertia_1_2\", \"-xi1_2\"]",
+            "`inverse_inertia_1_2` is no part",
+            "xi1_2",
+        ),
+        ("[\"-x1_0\", \"-xi1_2\"]", "`x1_0` does not exist where", "states at t0 are not known"),
+        ("[\"-u\", \"-xi1_2\"]", "`u` is not known where pi0", "parameter"),
+        ("[\"-xi1_1\", \"-xi1_2/0\"]", "division by zero", "divisor"),
+        ("\"extern\"", "the outputs need a law that is known", "an expression for each output"),
+    ] {
+        let folder = folder_with("laws_mistakes", "design.toml", with(laws));
+        let (status, _, stderr) = run_in(&folder, &["check", "design.toml"]);
+        assert_ne!(status, Some(0), "{laws}");
+        let shown = stderr.contains(message) && stderr.contains(help);
+        assert!(shown && stderr.contains("design.toml:3:"), "{laws}: {stderr}");
+    }
+    // What it is of cannot be read: one mistake, not two.
+    let lost = PLANT.replace(", h = \"b - h\"", "");
+    let folder = folder_with("laws_lost", "design.toml", lost);
+    let (_, _, stderr) = run_in(&folder, &["check", "design.toml"]);
+    assert_eq!(stderr.matches("error[").count(), 1, "{stderr}");
+}
