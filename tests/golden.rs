@@ -24,13 +24,14 @@ const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
 /// The languages whose files are kept: those of every controller in C and Rust, and in the others
 /// those of an explicit family, an iterated one, one in single precision, one that latches its state,
 /// and one that calls functions of the user's.
-const LANGUAGES: [Language; 6] = [
+const LANGUAGES: [Language; 7] = [
     Language::C,
     Language::Rust,
     Language::Cpp,
     Language::Matlab,
     Language::Python,
     Language::StructuredText,
+    Language::PlcOpen,
 ];
 const FEW: [&str; 5] =
     ["ptc_exp3", "ptc_exp_sum2", "ptc_exp3_f32", "ptc_own_law1_latched", "ptc_tanh3_extern"];

@@ -3,7 +3,7 @@
 import { $, download, element } from "dom";
 
 const FORMULAS = "formulas";
-const TITLES = { c: "C", rust: "Rust", cpp: "C++", matlab: "MATLAB", python: "Python", st: "Structured Text", [FORMULAS]: "Formulas" };
+const TITLES = { c: "C", rust: "Rust", cpp: "C++", matlab: "MATLAB", python: "Python", st: "Structured Text", plcopen: "PLCopen XML", [FORMULAS]: "Formulas" };
 
 let chosen = "c";
 let onchoose = () => {};

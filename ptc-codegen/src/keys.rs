@@ -28,7 +28,7 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "axes",
-        meaning: "number of chains with one deadline that each call gives u for",
+        meaning: "number of chains that share one deadline; each call gives u for all",
         legal: "an integer 1..=16",
         example: "3",
     },
@@ -58,19 +58,19 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "units",
-        meaning: "unit of x1, from which comments give those of x2..xn and u",
+        meaning: "unit of x1, from which the units of x2..xn and u follow, in comments and pictures",
         legal: "a word of at most 16 letters",
         example: "rad",
     },
     KeyInfo {
         key: "what",
-        meaning: "what is generated: the controller, the infinite-time system on which pi0 is designed, or the observer alone",
+        meaning: "what to generate: the controller, the infinite-time system on which pi0 is designed, or the observer alone",
         legal: "controller, associated or observer",
         example: "associated",
     },
     KeyInfo {
         key: "clock",
-        meaning: "what a call is given: time t, or the number k of the sample",
+        meaning: "argument of each call: the time t, or the sample number k",
         legal: "time or samples",
         example: "samples",
     },
@@ -130,7 +130,7 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "reference",
-        meaning: "what x1, or the output of a model, follows in place of 0; with clock = time",
+        meaning: "reference that x1, or the output of a model, follows in place of 0; with clock = time",
         legal: "an expression in t, or input: each call is given r and its n derivatives",
         example: "0.1*sin(2*t)",
     },
@@ -148,7 +148,7 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "output",
-        meaning: "output of the model that is brought to 0: x1",
+        meaning: "output of the model, x1, which is brought to 0",
         legal: "an expression in the states",
         example: "angle",
     },
@@ -160,7 +160,7 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "inputs",
-        meaning: "names of the inputs of a model with several",
+        meaning: "names of the inputs of a model with several inputs",
         legal: "a list of names",
         example: "left,right",
     },
@@ -178,7 +178,7 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "bias",
-        meaning: "what the inputs of a mechanical model balance at q'' = 0: gravity, friction, Coriolis forces",
+        meaning: "forces of a mechanical model at q'' = 0: gravity, friction, Coriolis forces",
         legal: "an expression in q and q' for each input",
         example: "9.81*cos(q1), 0.1*w2",
     },
@@ -190,13 +190,13 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "B",
-        meaning: "what the input of the linear plant moves",
+        meaning: "input matrix B of the linear plant",
         legal: "n finite numbers",
         example: "[0, 1]",
     },
     KeyInfo {
         key: "C",
-        meaning: "what is measured of the linear plant, in place of `measured`",
+        meaning: "output matrix C of the linear plant: its measurements, in place of `measured`",
         legal: "n finite numbers, or rows of them",
         example: "[1, 0]",
     },
@@ -215,13 +215,13 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "u_max",
-        meaning: "bound of |u|; inf leaves the clipping out",
+        meaning: "bound of |u|; inf omits the clipping",
         legal: "a number > 0, or inf",
         example: "5",
     },
     KeyInfo {
         key: "after",
-        meaning: "what follows the deadline: the held gains, u = 0, or a user-defined law",
+        meaning: "u after the deadline: held gains, 0, or a user-defined law",
         legal: "hold, zero or extern",
         example: "zero",
     },
@@ -233,7 +233,7 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "error",
-        meaning: "wanted bound of |x_i| at the deadline, in units of x_i; sets eps",
+        meaning: "required bound of |x_i| at the deadline, in units of x_i; sets eps",
         legal: "a number > 0, or one for each state, with x0_max",
         example: "1e-3",
     },
@@ -251,31 +251,31 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "g_error",
-        meaning: "least and greatest true input gain, in parts of g",
+        meaning: "lower and upper bound of the true input gain, relative to g",
         legal: "two numbers > 0, the smaller one first",
         example: "0.9,1.1",
     },
     KeyInfo {
         key: "jitter",
-        meaning: "how early or late a sample may be, in s",
+        meaning: "bound on how early or late a sample is, in s",
         legal: "a number >= 0 and < sample_time/2",
         example: "1e-5",
     },
     KeyInfo {
         key: "sensor_step",
-        meaning: "steps in which each state is measured, in units of x_i",
+        meaning: "resolution of each sensor, in units of x_i",
         legal: "a number >= 0, or one for each state",
         example: "1e-6,1e-3",
     },
     KeyInfo {
         key: "u_step",
-        meaning: "step of the actuator: what acts is the nearest multiple of it",
+        meaning: "resolution of the actuator: u is rounded to a multiple of it",
         legal: "a number >= 0",
         example: "0.01",
     },
     KeyInfo {
         key: "delay",
-        meaning: "samples between a measurement and the input that follows from it",
+        meaning: "samples between a measurement and the input computed from it",
         legal: "a number from 0 to 16; with clock = time an integer",
         example: "1",
     },
@@ -287,13 +287,13 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "measured",
-        meaning: "states that are measured; an observer gives the others; with clock = samples",
+        meaning: "measured states; an observer estimates the others; with clock = samples",
         legal: "x1, or x1 to x_m without a gap; any states of a linear plant",
         example: "x1",
     },
     KeyInfo {
         key: "disturbance",
-        meaning: "what is added to u and not known: it is estimated and cancelled; with clock = samples",
+        meaning: "unknown disturbance added to u, which is estimated and cancelled; with clock = samples",
         legal: "none or constant",
         example: "constant",
     },
@@ -348,13 +348,13 @@ pub const PARAMETERS_TOO: [&str; 4] = ["inputs", "outputs", "inertia", "bias"];
 pub static PLANT_KEYS: [KeyInfo; 3] = [
     KeyInfo {
         key: "f",
-        meaning: "what moves the plant xn' = f + g*u beside its input; that of the controller where it is not given",
+        meaning: "drift f of the plant xn' = f + g*u; default: that of the controller",
         legal: "an expression in x1..xn, u and t",
         example: "-0.4*x2 + 0.1*sin(3*t)",
     },
     KeyInfo {
         key: "g",
-        meaning: "true input gain of the plant; that of the controller where it is not given",
+        meaning: "true input gain of the plant; default: that of the controller",
         legal: "an expression in x1..xn and t",
         example: "0.8",
     },

@@ -73,8 +73,8 @@ def _vector(given: ArrayLike, name: str) -> Sequence[float]:
 def emit(design: Design, lang: str = "c", *, selftest: bool = False) -> dict[str, str]:
     """The source files of a controller: their texts by their names.
 
-    ``lang`` is ``c``, ``rust``, ``cpp``, ``matlab``, ``python`` or ``st``. With ``selftest`` its
-    self-test in C is among them.
+    ``lang`` is ``c``, ``rust``, ``cpp``, ``matlab``, ``python``, ``st`` or ``plcopen``. With ``selftest``
+    its self-test in C is among them.
 
     Raises `DesignError` for checks that refuse the design, and for what the language cannot express.
     """

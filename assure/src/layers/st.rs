@@ -1,4 +1,7 @@
-//! Structured Text: parsed by blark, its parse tree run by an interpreter, compared with C.
+//! Structured Text: parsed by blark, its parse tree run by an interpreter, compared with C. Its
+//! PLCopen XML: validated.
+
+mod plcopen;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,8 +19,8 @@ use crate::tool::{GCC, PYTHON};
 
 pub(super) const LAYER: Layer = Layer {
     name: "st",
-    claim: "blark parses emitted Structured Text, and an interpreter of its parse tree with strict types \
-            gives the bits of C where no library is called.",
+    claim: "blark parses emitted Structured Text, an interpreter of its parse tree with strict types \
+            gives the bits of C where no library is called, and its PLCopen XML is valid.",
     tools: &[GCC, PYTHON],
     run,
 };
@@ -57,6 +60,7 @@ fn run(context: &Context) -> Result<Finding> {
         let said = parsed(&python, &files)?;
         finding.seed(defect.2, said.map(|_| "blark".to_owned()));
     }
+    plcopen::validate(context, &mut finding)?;
     Ok(finding)
 }
 

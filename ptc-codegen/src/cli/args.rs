@@ -5,7 +5,7 @@ use clap::{Parser, Subcommand};
 use super::report::with_exit_codes;
 
 /// Generates prescribed-time controllers: closed forms for an order and a time mapping, as source
-/// code in C, Rust, C++, MATLAB, Python or Structured Text.
+/// code in C, Rust, C++, MATLAB, Python, Structured Text or PLCopen XML.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-codegen", version, arg_required_else_help = true, after_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct CommandLine {
@@ -59,7 +59,7 @@ pub(crate) enum Command {
                           ptc-codegen simulate --n <N> --mu <MU> --plant <NAME=VALUE> --x0 <X1,...,XN> [OPTIONS]"
     )]
     Simulate(super::lab::Simulate),
-    /// Verify the closed loop against its objectives, for all that is uncertain
+    /// Verify the closed loop against its objectives under all uncertainties
     #[command(
         after_help = with_exit_codes(super::lab::VERIFY_EXAMPLES),
         override_usage = "ptc-codegen verify <DESIGN> [OPTIONS]\n       \
@@ -67,28 +67,48 @@ pub(crate) enum Command {
                           ptc-codegen verify <DESIGN> --merge <FILES>... [OPTIONS]"
     )]
     Verify(super::lab::Verify),
-    /// Choose the mapping and the poles of a design so that its objectives hold
+    /// Choose the mapping and the poles of a design so that it meets its objectives
     #[command(
         after_help = with_exit_codes(super::lab::DESIGN_EXAMPLES),
         override_usage = "ptc-codegen design <DESIGN> [-o <FILE>] [--tries <COUNT>]"
     )]
     Design(super::lab::Design),
-    /// Write a design file to begin with, which explains every key
+    /// Write a starting design file that explains every key
     #[command(after_help = with_exit_codes(super::new::EXAMPLES))]
     New(super::new::New),
     /// Explain a message, a check or a status: what it means, an example, and its fix
     #[command(after_help = with_exit_codes(super::explain::EXAMPLES))]
     Explain(super::explain::Explain),
-    /// Print what a shell needs to complete commands and flags
+    /// Print the completion script of a shell
     #[command(after_help = with_exit_codes(super::manual::COMPLETIONS_EXAMPLES))]
     Completions(super::manual::Completions),
-    /// Print a page of the manual, in roff
+    /// Print a manual page, in roff
     #[command(after_help = with_exit_codes(super::manual::MAN_EXAMPLES))]
     Man(super::manual::Page),
-    /// Print a JSON schema of design files, with which editors complete and explain their keys
+    /// Print a JSON schema of design files, with which editors complete and explain keys
     #[command(after_help = with_exit_codes(super::schema::EXAMPLES))]
     Schema,
     /// Print the families of time mappings and their parameters
     #[command(after_help = with_exit_codes(super::list::EXAMPLES))]
     List(super::list::List),
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::CommandLine;
+
+    /// clap breaks lines at 100 columns, and would break longer ones a second time.
+    #[test]
+    fn help_is_wrapped_once() {
+        let command = CommandLine::command();
+        for own in command.get_subcommands().chain([&command]) {
+            let told = own.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(told.contains("Exit codes"), "{}", own.get_name());
+            for line in told.lines() {
+                assert!(line.chars().count() <= 100, "{}: {line}", own.get_name());
+            }
+        }
+    }
 }

@@ -14,8 +14,8 @@ use super::report::Failure;
 use super::write;
 
 pub(crate) const EXAMPLES: &str = "\
-What lacks a value is not checked, and the report says which value. A check that is undecided and not
-allowed with --allow does not refuse the design; the exit code is 3.
+Checks with missing values are skipped, and the report names these values. An undecided check that
+--allow does not name does not refuse the design, but the exit code is 3.
 
 JSON: {\"name\":\"...\",\"command\":\"...\",\"accepted\":true,\"undecided\":[],\"checks\":[{\"name\":\"growth\",
 \"verdict\":\"sound\",\"summary\":\"...\",\"details\":[...],\"fix\":null},...]}; a verdict is sound, unsound,

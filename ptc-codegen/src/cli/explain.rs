@@ -18,7 +18,7 @@ Examples:
 /// The flags of `explain`.
 #[derive(Debug, Args)]
 pub(crate) struct Explain {
-    /// Code of a message, check or status; without one, all are listed
+    /// Code of a message, check or status; without it, all are listed
     #[arg(value_name = "CODE")]
     pub(crate) code: Option<String>,
 }

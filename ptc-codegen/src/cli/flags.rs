@@ -21,7 +21,7 @@ pub(crate) struct EngineFlag {
 /// The design file of a command that can have one.
 #[derive(Debug, Args)]
 pub(crate) struct Design {
-    /// Design file, TOML; a flag stands for the file's key of the same name
+    /// Design file, TOML; flags override its keys
     #[arg(value_name = "DESIGN")]
     pub(crate) design: Option<PathBuf>,
 }

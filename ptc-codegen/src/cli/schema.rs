@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 pub(crate) const EXAMPLES: &str = "\
 Examples:
   ptc-codegen schema > ptc-design.schema.json
-  #:schema ./ptc-design.schema.json     as the first line of a design, for editors with Even Better TOML";
+  #:schema ./ptc-design.schema.json     first line of a design, for editors with Even Better TOML";
 
 /// The schema as text.
 pub(crate) fn schema() -> String {

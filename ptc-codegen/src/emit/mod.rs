@@ -21,6 +21,7 @@ mod matlab;
 mod observed;
 mod outline;
 mod plant;
+mod plcopen;
 mod project;
 mod python;
 mod rust;
@@ -59,6 +60,8 @@ pub enum Language {
     Python,
     /// IEC 61131-3 Structured Text: a function block.
     StructuredText,
+    /// The same in PLCopen XML: a project to import.
+    PlcOpen,
     /// An FMU after FMI 2.0: its files by their paths in the archive, without a library.
     Fmu2,
     /// An FMU after FMI 3.0, likewise.
@@ -66,13 +69,14 @@ pub enum Language {
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 8] = [
+const TARGETS: [Target; 9] = [
     c::TARGET,
     rust::TARGET,
     cpp::TARGET,
     matlab::TARGET,
     python::TARGET,
     st::TARGET,
+    plcopen::TARGET,
     fmu::TARGET_2,
     fmu::TARGET_3,
 ];
@@ -147,8 +151,8 @@ struct Target {
 enum Print {
     /// A program is printed.
     Program(fn(&Code) -> Vec<File>),
-    /// Files around the C of a controller.
-    Around(fn(&Report, &Code) -> Vec<File>),
+    /// Files around the code of a controller in another language.
+    Around(Language, fn(&Report, &Code) -> Vec<File>),
 }
 
 /// A generated file.
@@ -208,24 +212,24 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
 /// A name that is a word of the language, and each feature that it cannot express; there are none in
 /// C and Rust.
 pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let target = language.target();
-    accepts(target, controller.spec(), Some(controller.program))?;
-    let files = match target.print {
-        Print::Program(print) => print(&program(controller, language)),
-        Print::Around(files) => files(controller.report, &program(controller, Language::C)),
-    };
-    named_apart(language, controller.spec(), files)
+    accepts(language.target(), controller.spec(), Some(controller.program))?;
+    printed(language, controller.report, |language| program(controller, language))
 }
 
-/// `files`, unless a word that is only known once they are printed has two meanings in them.
-fn named_apart(
+/// The files of the controller whose program in a language is `program`, unless a word that is only
+/// known once they are printed has two meanings in them.
+fn printed(
     language: Language,
-    spec: &Spec,
-    files: Vec<File>,
+    report: &Report,
+    program: impl Fn(Language) -> Code,
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
     let mut found = Diagnostics::default();
-    if language == Language::StructuredText {
-        st::names_itself(spec, &files, &mut found);
+    let (of, files) = match language.target().print {
+        Print::Program(print) => (language, print(&program(language))),
+        Print::Around(of, files) => (of, files(report, &program(of))),
+    };
+    if of == Language::StructuredText {
+        st::names_itself(&report.spec, &code::st(&program(of)), &mut found);
     }
     found.finish(Some(files))
 }
@@ -260,14 +264,9 @@ fn accepts(target: &Target, spec: &Spec, program: Option<&Program>) -> Result<()
 /// As [`emit`].
 pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     accepts(language.target(), &report.spec, None)?;
-    let program = |language| {
+    printed(language, report, |language| {
         sampled::program(report, language).unwrap_or_else(|| fault("a controller without samples"))
-    };
-    let files = match language.target().print {
-        Print::Program(print) => print(&program(language)),
-        Print::Around(files) => files(report, &program(Language::C)),
-    };
-    named_apart(language, &report.spec, files)
+    })
 }
 
 /// The items of the Rust file of a controller in samples on the types of the facade crate `ptc`.

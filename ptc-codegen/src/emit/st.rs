@@ -108,9 +108,9 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
 }
 
 /// Refuses a name that a variable of the function block has too.
-pub(super) fn names_itself(spec: &Spec, files: &[File], found: &mut Diagnostics) {
+pub(super) fn names_itself(spec: &Spec, file: &File, found: &mut Diagnostics) {
     let name = spec.name();
-    if files.iter().any(|file| occurrences(&file.text, &name) > 1) {
+    if occurrences(&file.text, &name) > 1 {
         found.push(
             "reserved-name",
             "name",

@@ -5,7 +5,7 @@ use super::KeyInfo;
 /// A key of the table `[disturbance]`: the symbol of the plant that varies.
 pub static DISTURBANCE: KeyInfo = KeyInfo {
     key: "gust",
-    meaning: "how a symbol of [plant] that is [least, greatest] varies within these, by its name",
+    meaning: "how an uncertain symbol of [plant] varies within its bounds, by its name",
     legal: "constant, sine, square, random, worst, a list of these, or any",
     example: "any",
 };
@@ -30,7 +30,7 @@ pub static PARAMETER: KeyInfo = KeyInfo {
 pub static KEYS: [KeyInfo; 7] = [
     KeyInfo {
         key: "tau",
-        meaning: "interval of the prescribed settling time; the tau of the design where it is not given",
+        meaning: "interval of the prescribed settling time; default: the tau of the design",
         legal: "[least, greatest] in s, both > 0, or a number",
         example: "0.5,2",
     },
@@ -42,31 +42,31 @@ pub static KEYS: [KeyInfo; 7] = [
     },
     KeyInfo {
         key: "scenarios",
-        meaning: "number of scenarios that are drawn; 10000 where it is not given",
+        meaning: "number of scenarios to draw; default: 10000",
         legal: "an integer from 1 to 1e12",
         example: "10000",
     },
     KeyInfo {
         key: "seed",
-        meaning: "seed of all scenarios; 0 where it is not given",
+        meaning: "seed of all scenarios; default: 0",
         legal: "an integer from 0 to 2^53",
         example: "7",
     },
     KeyInfo {
         key: "search",
-        meaning: "runs that the search for the worst case may take for each objective; 2000 where it is not given",
+        meaning: "maximum number of runs of the search for the worst case, per objective; default: 2000",
         legal: "an integer from 0 to 1e9",
         example: "2000",
     },
     KeyInfo {
         key: "until",
-        meaning: "T/tau at which a run ends; 1e-3, or eps/tau where that is more, where it is not given; with a sample period 0, the deadline, and less goes on after it",
+        meaning: "T/tau at which a run ends; default: 1e-3, or eps/tau if larger; with a sample period 0, the deadline, and negative after it",
         legal: "a number > 0 and < 1; with a sample period one from -100 on",
         example: "1e-3",
     },
     KeyInfo {
         key: "tolerance",
-        meaning: "most by which both sides of Theorem 1 may differ, as a part of the largest value of a run; 1e-6 where it is not given",
+        meaning: "maximum difference of both sides of Theorem 1, relative to the largest value of a run; default: 1e-6",
         legal: "a number > 0",
         example: "1e-6",
     },
@@ -88,7 +88,7 @@ pub static OBJECTIVE_KEYS: [KeyInfo; 8] = [
     },
     KeyInfo {
         key: "zeta",
-        meaning: "of state: shape over time; 1 where it is not given",
+        meaning: "of state: shape over time; default: 1",
         legal: "an expression in dt, T, t",
         example: "T/tau",
     },
@@ -112,13 +112,13 @@ pub static OBJECTIVE_KEYS: [KeyInfo; 8] = [
     },
     KeyInfo {
         key: "low",
-        meaning: "of within: least h",
+        meaning: "of within: lower bound of h",
         legal: "an expression in dt, T, t",
         example: "-1",
     },
     KeyInfo {
         key: "high",
-        meaning: "of within: greatest h",
+        meaning: "of within: upper bound of h",
         legal: "an expression in dt, T, t",
         example: "1",
     },

@@ -10,6 +10,7 @@ mod histogram;
 mod panel;
 mod pdf;
 mod pixels;
+mod quantity;
 mod range;
 mod single;
 mod style;
@@ -21,17 +22,19 @@ pub use band::Band;
 pub use curve::Curve;
 pub use histogram::Histogram;
 use panel::Panel;
+pub use quantity::Quantity;
 use style::Pen;
+pub use style::register_letters;
 
 /// What is drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// A line above all.
     pub title: String,
-    /// The names of the states.
-    pub states: Vec<String>,
-    /// The names of the inputs.
-    pub inputs: Vec<String>,
+    /// The states.
+    pub states: Vec<Quantity>,
+    /// The inputs.
+    pub inputs: Vec<Quantity>,
     /// The runs, one a tau.
     pub traces: Vec<Trace>,
     /// Bound of |u| of each input, infinite for none; empty where there are none.
@@ -40,6 +43,8 @@ pub struct Figure {
     pub x_max: Vec<f64>,
     /// What has to hold of the first run.
     pub objectives: Vec<Bounded>,
+    /// Whether the sizes of states and inputs are drawn, on logarithmic axes.
+    pub by_decades: bool,
 }
 
 /// A quantity over the times of a run, with bounds that go with time.
@@ -121,7 +126,9 @@ impl Figure {
         };
         let bounded = self.u_max.iter().any(|bound| bound.is_finite()) || !self.x_max.is_empty();
         let bounds = if bounded { ", dashed ones in red bounds" } else { "" };
-        format!("States and control over time in s{stretched}. Thin lines are deadlines{bounds}.")
+        let shown =
+            if self.by_decades { "Sizes of states and control" } else { "States and control" };
+        format!("{shown} over time in s{stretched}. Thin lines are deadlines{bounds}.")
     }
 
     fn size(&self, pen: Pen) -> Result<(u32, u32), String> {
@@ -167,13 +174,38 @@ mod tests {
         };
         Figure {
             title: "two runs".to_owned(),
-            states: vec!["x1".to_owned(), "x2".to_owned()],
-            inputs: vec!["u".to_owned()],
+            states: ["x1", "x2"].map(Quantity::plain).into(),
+            inputs: vec![Quantity::plain("u")],
             traces: vec![trace("one", false), trace("two", true)],
             u_max: vec![0.6],
             x_max: vec![1.2],
-            objectives: Vec::new(),
+            ..Figure::default()
         }
+    }
+
+    /// The values of a run fall from 1 to 0 and u passes 0: sizes are drawn, and a 0 is left out.
+    #[test]
+    fn sizes_are_drawn_by_decades() {
+        let plain = figure().svg().expect("a drawing");
+        let svg = Figure { by_decades: true, ..figure() }.svg().expect("a drawing");
+        for label in ["|x1|", "|x2|", "|u|", "bound 0.6"] {
+            assert!(svg.contains(&format!(">\n{label}\n<")), "{label}");
+            assert_eq!(
+                plain.contains(&format!(">\n{label}\n<")),
+                label.starts_with('b'),
+                "{label}"
+            );
+        }
+        // The decades of |x1| and |u|; there is no bound below 0.
+        assert!(svg.contains(">\n0.01\n<") && !svg.contains("bound -0.6"));
+        assert!(plain.contains("bound -0.6"));
+        let zero = Trace {
+            x: vec![vec![0.0; 51]; 2],
+            u: vec![vec![0.0; 51]],
+            ..figure().traces[0].clone()
+        };
+        let still = Figure { traces: vec![zero], by_decades: true, ..figure() };
+        assert!(still.svg().expect("a drawing").contains("|x1|"));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::chart::dashed;
 use super::style::{Pen, SMALL};
-use super::{Figure, Trace, chart, range};
+use super::{Figure, Quantity, Trace, chart, range};
 
 /// What a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,13 +67,17 @@ impl Panel {
             .draw()
             .map_err(|e| told(&e))?;
         if let Some(bound) = self.bound(figure) {
-            for level in [bound, -bound].into_iter().filter(|y| (up.0..=up.1).contains(y)) {
-                let points = vec![(across.0, level), (across.1, level)];
+            let drawn = |level: &f64| (*level, self.drawn(figure, *level));
+            let of_size = self.by_decades(figure);
+            let both = [bound, -bound];
+            let levels = both.iter().take(if of_size { 1 } else { 2 }).map(drawn);
+            for (level, at) in levels.filter(|(_, at)| (up.0..=up.1).contains(at)) {
+                let points = vec![(across.0, at), (across.1, at)];
                 dashed(&mut chart, points, pen.dash_of_bound(), pen.bound())?;
                 let below = if level > 0.0 { VPos::Top } else { VPos::Bottom };
                 let text = pen.bound_text().pos(Pos::new(HPos::Left, below));
                 let label =
-                    Text::new(format!("bound {}", range::label(level)), (across.0, level), text);
+                    Text::new(format!("bound {}", range::label(level)), (across.0, at), text);
                 chart.draw_series([label]).map_err(|e| told(&e))?;
             }
         }
@@ -116,14 +120,21 @@ impl Panel {
     }
 
     fn title(self, figure: &Figure, cut: bool) -> String {
+        let sized =
+            |name: &str| if figure.by_decades { format!("|{name}|") } else { name.to_owned() };
+        let of = |name: Option<&Quantity>| {
+            let Some(Quantity { name, unit }) = name else { return String::new() };
+            let unit = unit.as_ref().map_or(String::new(), |unit| format!(" in {unit}"));
+            format!("{}{unit}", sized(name))
+        };
         match self {
             Self::Objective(index) => figure.objectives[index].title.clone(),
-            Self::State(index) => figure.states.get(index).cloned().unwrap_or_default(),
+            Self::State(index) => of(figure.states.get(index)),
             Self::Control(index) => {
-                let name = figure.inputs.get(index).cloned().unwrap_or_default();
+                let name = of(figure.inputs.get(index));
                 if cut { format!("{name}, to scale from t0 + {OUTSET} tau on") } else { name }
             }
-            Self::Stretched => "x1 = xi1 in stretched time".to_owned(),
+            Self::Stretched => format!("{} = {} in stretched time", sized("x1"), sized("xi1")),
         }
     }
 
@@ -139,7 +150,15 @@ impl Panel {
 
     /// Whether the vertical axis is logarithmic.
     fn by_decades(self, figure: &Figure) -> bool {
-        matches!(self, Self::Objective(index) if figure.objectives[index].by_decades)
+        match self {
+            Self::Objective(index) => figure.objectives[index].by_decades,
+            Self::State(_) | Self::Control(_) | Self::Stretched => figure.by_decades,
+        }
+    }
+
+    /// A value as it is drawn: on a logarithmic axis the power of ten of its size.
+    fn drawn(self, figure: &Figure, y: f64) -> f64 {
+        if self.by_decades(figure) { y.abs().log10() } else { y }
     }
 
     fn label(self, figure: &Figure, y: f64) -> String {
@@ -171,10 +190,9 @@ impl Panel {
         pieces
     }
 
-    /// Points as they are drawn: on a logarithmic axis by the powers of ten.
+    /// Points as they are drawn.
     fn along(self, figure: &Figure, x: &[f64], y: &[f64]) -> Vec<(f64, f64)> {
-        let drawn = |y: &f64| if self.by_decades(figure) { y.log10() } else { *y };
-        x.iter().copied().zip(y.iter().map(drawn)).collect()
+        x.iter().copied().zip(y.iter().map(|y| self.drawn(figure, *y))).collect()
     }
 
     fn points(self, figure: &Figure, trace: &Trace) -> Vec<(f64, f64)> {
@@ -182,7 +200,8 @@ impl Panel {
             Self::State(index) => self.along(figure, &trace.t, &trace.x[index]),
             Self::Control(index) if trace.held => {
                 let steps = trace.t.windows(2).zip(&trace.u[index]);
-                steps.flat_map(|(t, u)| [(t[0], *u), (t[1], *u)]).collect()
+                let drawn = |u: &f64| self.drawn(figure, *u);
+                steps.flat_map(|(t, u)| [(t[0], drawn(u)), (t[1], drawn(u))]).collect()
             }
             Self::Control(index) => self.along(figure, &trace.t, &trace.u[index]),
             Self::Stretched => self.along(figure, &trace.stretched, &trace.x[0]),
@@ -213,7 +232,8 @@ impl Panel {
         };
         let bounds = self.bounds(figure, (0.0, 1.0)).into_iter().flatten().map(|(_, y)| y);
         if self.by_decades(figure) {
-            return (range::decades(all().chain(bounds)), false);
+            let bound = self.bound(figure).map(|bound| self.drawn(figure, bound));
+            return (range::decades(all().chain(bounds).chain(bound)), false);
         }
         let peak = all().filter(|y| y.is_finite()).fold(0.0_f64, |peak, y| peak.max(y.abs()));
         // A bound that is far away would make a flat line of the run.

@@ -44,7 +44,11 @@ pub(super) const LETTERS: &[u8] = include_bytes!("font/ptc_sans.ttf");
 /// The font family of the figures, which every reader of SVG has in some shape.
 pub(super) const FAMILY: &str = "sans-serif";
 
-pub(super) fn register_letters() -> Result<(), String> {
+/// Gives plotters the letters of the family `sans-serif`, without which it draws no text.
+///
+/// # Errors
+/// The letters cannot be read.
+pub fn register_letters() -> Result<(), String> {
     register_font(FAMILY, FontStyle::Normal, LETTERS)
         .map_err(|_| "the letters cannot be read".to_owned())
 }

@@ -17,12 +17,16 @@ impl Spec {
 
     /// Unit of a parameter.
     pub fn unit(&self, parameter: Parameter) -> String {
+        match (parameter, self.input_unit()) {
+            (Parameter::UMax, Some(unit)) => unit,
+            (parameter, _) => parameter.unit_for(self.loop_order()),
+        }
+    }
+
+    /// Unit of u, where that of x1 is given and no gain is between them.
+    pub fn input_unit(&self) -> Option<String> {
         let one = self.input_gain.is_none()
             && self.sampled().is_none_or(|sampled| sampled.gain == integer(1));
-        let known = self.units.is_some() && one;
-        match parameter {
-            Parameter::UMax if known => self.chain_unit(self.n + 1),
-            parameter => parameter.unit_for(self.loop_order()),
-        }
+        (self.units.is_some() && one).then(|| self.chain_unit(self.n + 1))
     }
 }

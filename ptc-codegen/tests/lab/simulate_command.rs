@@ -109,6 +109,35 @@ fn the_csv_holds_what_was_asked_for() {
     assert!(fs::read(folder.join("out/run.PNG")).expect("a file").starts_with(b"\x89PNG"));
 }
 
+/// u has a unit of its own unless a gain is between it and the chain.
+#[test]
+fn axes_have_units_and_may_be_logarithmic() {
+    let folder = folder("axes");
+    let drawn = |more: &[&str]| {
+        let own = ["--n=2", "--mu=exp(a=1)", "--gains=6,5", "--tau=1", "--x0=1,0"];
+        let told =
+            stdout(&folder, &[&own[..], more, &["-o", "run.csv", "--plot=run.svg"]].concat());
+        assert!(told.ends_with("wrote run.svg\n"), "{told}");
+        fs::read_to_string(folder.join("run.svg")).expect("a file")
+    };
+    let holds = |svg: &str, labels: &[&str]| {
+        labels.iter().for_each(|label| assert!(svg.contains(&format!(">\n{label}\n<")), "{label}"));
+    };
+    holds(&drawn(&[]), &["x1", "x2", "u", "x1 = xi1 in stretched time"]);
+    holds(&drawn(&["--units=rad"]), &["x1 in rad", "x2 in rad/s", "u in rad/s^2"]);
+    holds(&drawn(&["--units=rad", "--g=2"]), &["x1 in rad", "x2 in rad/s", "u"]);
+    let log = drawn(&["--units=m", "--log"]);
+    holds(&log, &["|x1| in m", "|u| in m/s^2", "|x1| = |xi1| in stretched time", "1e-5"]);
+    let alone = ["stage.toml", "--x0=1,0", "--log", "-o", "run.csv"];
+    let (code, _, told) = run(&folder, &alone);
+    assert_eq!(code, Some(2));
+    assert!(told.contains("--plot <FILE>|--report <FILE>"), "{told}");
+    let report = stdout(&folder, &[&alone[..], &["--report=run.html"]].concat());
+    assert_eq!(report, "wrote run.csv\nwrote run.html\n");
+    let page = fs::read_to_string(folder.join("run.html")).expect("a file");
+    assert!(page.contains("|x1|") && page.contains("Sizes of states and control"));
+}
+
 #[test]
 fn a_plant_and_its_symbols_may_be_flags() {
     let folder = folder("flags");

@@ -9,6 +9,7 @@ mod expanded;
 mod heads;
 #[cfg(feature = "cli")]
 mod models;
+mod plcopen;
 #[cfg(feature = "cli")]
 mod references;
 mod samples;

@@ -311,7 +311,9 @@ fn pages_show_what_is_printed() {
         }
     }
     // What the guide shows is what its commands draw.
-    for picture in ["choose.svg", "noise.svg", "torque.svg"] {
+    for picture in
+        ["axes.svg", "choose.svg", "noise.svg", "period.svg", "sensors.svg", "torque.svg"]
+    {
         let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide").join(picture);
         let [kept, drawn] =
             [kept, folder.join(picture)].map(|path| fs::read_to_string(path).expect("a picture"));

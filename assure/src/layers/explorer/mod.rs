@@ -44,7 +44,7 @@ const SCRIPT: &str = include_str!("look.py");
 const PLAYWRIGHT: &str = "playwright==1.65.2";
 
 /// Languages with a tab.
-const LANGUAGES: [&str; 6] = ["c", "rust", "cpp", "matlab", "python", "st"];
+const LANGUAGES: [&str; 7] = ["c", "rust", "cpp", "matlab", "python", "st", "plcopen"];
 
 /// Most bytes of the page when it is compressed by gzip, and milliseconds to its first answer.
 const BYTES: usize = 1_000_000;

@@ -57,8 +57,8 @@ pub(crate) struct Emit {
     /// for a project, which takes a new or an empty one, the controller's name]
     #[arg(short, long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// With --lang c: put ACSL contracts into the header, and write NAME_eva.c, which proves with
-    /// Frama-C that the code has no error at run time
+    /// With --lang c: add ACSL contracts to the header, and write NAME_eva.c, with which Frama-C
+    /// proves that the code has no run-time error
     #[arg(long)]
     pub(crate) acsl: bool,
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
@@ -67,7 +67,7 @@ pub(crate) struct Emit {
     /// Also write NAME_selftest.c and .h, which test the controller on its target (C only)
     #[arg(long, conflicts_with = "dump")]
     pub(crate) selftest: bool,
-    /// Tell in the head of the files what one step costs, from a table of `cargo assure cost`
+    /// State the cost of one step in the head of the files, from a table of `cargo assure cost`
     #[arg(long, value_name = "FILE", conflicts_with_all = ["dump", "acsl"])]
     pub(crate) cost: Option<PathBuf>,
     /// Print the program after PASS instead of any source (lower: before the first)
@@ -99,5 +99,5 @@ fn projects() -> impl TypedValueParser<Value = Project> {
 
 fn projects_told() -> String {
     let told = Project::ALL.map(|project| format!("{} is {}", project.name(), project.about()));
-    format!("A project that builds as it is, in place of a language: {}", told.join("; "))
+    format!("A ready-to-build project, in place of a language: {}", told.join("; "))
 }

@@ -3,7 +3,7 @@
 use ptc_codegen::check::examine::Report;
 use ptc_codegen::check::sampled::trajectory;
 use ptc_codegen::diagnostic::digits;
-use ptc_codegen::plot::{Figure, Trace};
+use ptc_codegen::plot::{Figure, Quantity, Trace};
 
 use super::svg::Svg;
 use crate::cli::report::Failure;
@@ -28,8 +28,8 @@ pub(super) fn drawn(report: &Report) -> Result<Option<Drawn>, Failure> {
     );
     let figure = Figure {
         title: format!("{}: worst run of the loop for {state}", spec.name()),
-        states: (1..=run.x.len()).map(|j| format!("x{j}")).collect(),
-        inputs: vec!["u".to_owned()],
+        states: (1..=run.x.len()).map(|j| Quantity::plain(format!("x{j}"))).collect(),
+        inputs: vec![Quantity::plain("u")],
         traces: vec![Trace {
             label: format!("worst {state}"),
             start: 0.0,

@@ -6,8 +6,8 @@ use crate::cli::flags::{Design, EngineFlag, help};
 
 pub(crate) const EXAMPLES: &str = "\
 Without --mu the mapping s = kappa is abstract and its derivatives s', s'', s^(3), ... stay symbols
-(n up to 30; law up to 16). With --mu the forms are those of a family (n up to 16), or, for a mapping
-that is an expression, in r_1, r_2, ..., which follow as expressions.
+(n up to 30; law up to 16). With --mu the forms are those of a family (n up to 16) or, for a mapping
+given as an expression, in r_1, r_2, ..., which follow as expressions.
 
 JSON: each form is a list of terms, {\"coefficient\":\"-3/2\",\"exponents\":{\"T\":2}}, its coefficient
 exact. Exponents are keyed by the order of the derivative of s, by k for r_k in the abstract
@@ -18,7 +18,7 @@ B_{i,j}, and by the symbol's text for all others. The subjects give
   matrix  {\"BB\":[{\"i\":1,\"j\":1,\"terms\":[...]},...],\"b\":[{\"j\":1,\"terms\":[...]},...]}
   law     {\"law\":\"...\",\"K\":[{\"i\":1,\"terms\":[...]},...],\"row\":[{\"j\":1,\"terms\":[...]},...]};
           for exp_sum {\"law\":\"...\",\"r\":[{\"k\":1,\"terms\":[...]},...]}
-          of a mapping that is an expression with \"r\":[{\"k\":1,\"expression\":\"...\"},...] besides
+          for a mapping given as an expression with \"r\":[{\"k\":1,\"expression\":\"...\"},...] besides
   tables  {\"A1\":[{\"k\":0,\"m\":0,\"terms\":[...]},...],\"A2\":[{\"k\":1,\"terms\":[...]},...]}
 
 LaTeX is a fragment for a document that uses the package amsmath.

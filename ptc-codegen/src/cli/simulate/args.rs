@@ -2,24 +2,23 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::{ArgAction, ArgGroup, Args};
 
 use crate::cli::flags::{Design, SpecFlags};
 
 pub(crate) const EXAMPLES: &str = "\
 The plant xn' = f + g*u is in the design, under [plant]: f and g are expressions in x1..xn, t
-and, f alone, u. Every other name in them is a symbol of the plant, which has its value there too.
+and, f only, u. Every other name in them is a symbol of the plant, with its value there too.
 Without [plant], f is 0. With a [model] the plant is the model; [plant] may give other values of its
-parameters, and other rates under `dynamics`, of a mechanical one another `inertia` and `bias`.
+parameters, and other rates under `dynamics`, for a mechanical one another `inertia` and `bias`.
 
-What the design leaves to run time needs a value: --tau, --eps, --t0 (0 unless it is given),
---u-max (inf unless it is given), --gains, and --param NAME=VALUE for all others, such as a.
+Run-time parameters need values: --tau, --eps, --t0 (default 0), --u-max (default inf), --gains,
+and --param NAME=VALUE for all others, such as a.
 
 Without a sample period the law acts at every instant, with a model the emitted controller, and
-time-to-go falls to 1e-9 tau. With
---sample-time, --noise, --sensor-step, --u-step or --delay (the last four also as keys of the
-design) the emitted controller itself is in the loop, bit for bit, and u is held in between; every
-sample is reported. Noise is uniform within its bounds.
+time-to-go falls to 1e-9 tau. With --sample-time, --noise, --sensor-step, --u-step or --delay (the
+last four also as keys of the design) the emitted controller itself is in the loop, bit for bit, and
+u is held in between; every sample is reported. Noise is uniform within its bounds.
 
 --tau may list several values, --x0 and --mu may be given several times: a run for each combination,
 all in one picture.
@@ -33,6 +32,7 @@ Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
   ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at 0.1,0.5,0.9
   ptc-codegen simulate stage.toml --x0 0.1,0 --mu 'exp(a=1)' --mu 'tan(a=2)' --plot run.pdf
+  ptc-codegen simulate stage.toml --x0 0.1,0 --plot run.svg --log
   ptc-codegen simulate stage.toml --x0 0.1,0 --at 0,0.5,0.9,0.999999 --report run.html
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --noise 1e-4,1e-3 --seed 7
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --until 3 --arm-at 2
@@ -41,6 +41,7 @@ Examples:
 /// The flags of `simulate`.
 #[derive(Debug, Args)]
 #[command(mut_arg("mu", |mu| mu.action(ArgAction::Append)))]
+#[command(group(ArgGroup::new("drawn").args(["plot", "report"]).multiple(true)))]
 pub(crate) struct Simulate {
     #[command(flatten)]
     pub(crate) design: Design,
@@ -52,7 +53,7 @@ pub(crate) struct Simulate {
     /// A key of [plant]: f, g, dynamics, inertia, bias, or a symbol that they use; repeatable
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
-    /// Report exactly at these fractions of tau, each from 0 to below 1, and nowhere else
+    /// Report only at these fractions of tau, each from 0 to below 1
     #[arg(long, value_name = "FRACTIONS", allow_hyphen_values = true)]
     pub(crate) at: Option<String>,
     /// File for the CSV, its folder made if it is missing; `-` is the standard output
@@ -65,10 +66,13 @@ pub(crate) struct Simulate {
     /// Report of design, formulas, checks, runs and code, as one self-contained page of HTML
     #[arg(long, value_name = "FILE")]
     pub(crate) report: Option<PathBuf>,
+    /// Draw |x_i| and |u| on logarithmic axes in the picture and the report
+    #[arg(long, requires = "drawn")]
+    pub(crate) log: bool,
     /// Sampled loop: seed of the noise
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     pub(crate) seed: u64,
-    /// Sampled loop: time after t0 at which the run ends, in s; tau unless it is given
+    /// Sampled loop: time after t0 at which the run ends, in s [default: tau]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) until: Option<String>,
     /// Sampled loop: times after t0, in s, at whose next sample the controller is armed again

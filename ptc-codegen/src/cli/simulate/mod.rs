@@ -99,7 +99,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     let csv = csv(&runs, numbered(request, &mappings));
     let mut files = Vec::new();
     let picture = match (kind, &drawn) {
-        (Some(kind), Some((spec, _))) => kind.file(spec, &runs)?,
+        (Some(kind), Some((spec, _))) => kind.file(&picture::figure(spec, &runs, request.log))?,
         _ => Vec::new(),
     };
     let told = match (&report, &drawn) {

@@ -72,7 +72,7 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
     if request.at.is_none() {
         told.push(format!("The table has {SHOWN} instants of a run at most; `-o` writes all."));
     }
-    let drawn = figure(spec, runs);
+    let drawn = figure(spec, runs, request.log);
     Ok(Section {
         title: "Simulation",
         told,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use num_traits::ToPrimitive;
-use ptc_codegen::plot::{Figure, Trace};
+use ptc_codegen::plot::{Figure, Quantity, Trace};
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::record::Row;
 
@@ -34,9 +34,8 @@ impl Kind {
         }
     }
 
-    /// The file of the runs of a design.
-    pub(super) fn file(self, spec: &Spec, runs: &[Run]) -> Result<Vec<u8>, Failure> {
-        let figure = figure(spec, runs);
+    /// The file of a picture.
+    pub(super) fn file(self, figure: &Figure) -> Result<Vec<u8>, Failure> {
         let drawn = match self {
             Self::Svg => figure.svg().map(String::into_bytes),
             Self::Png => figure.png(),
@@ -46,19 +45,21 @@ impl Kind {
     }
 }
 
-pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
+/// The picture of the runs of a design, with logarithmic axes where `by_decades`.
+pub(super) fn figure(spec: &Spec, runs: &[Run], by_decades: bool) -> Figure {
     let loops = if runs.iter().any(|run| run.held) { "sampled" } else { "continuous" };
     let bounds = spec.promises.x_max.iter().filter_map(|bound| bound.number()?.to_f64());
     let several = runs.windows(2).any(|pair| pair[0].mapping != pair[1].mapping);
     let mapping = if several { String::new() } else { format!("{}, ", spec.mapping_name()) };
     Figure {
         title: format!("{}: {}, {mapping}{loops}", spec.name(), spec.order_text()),
-        states: spec.state_names(),
-        inputs: spec.input_names(),
+        states: Quantity::states(spec),
+        inputs: Quantity::inputs(spec),
         traces: runs.iter().map(trace).collect(),
         u_max: runs.first().map(|run| run.limits.clone()).unwrap_or_default(),
         x_max: bounds.collect(),
         objectives: Vec::new(),
+        by_decades,
     }
 }
 

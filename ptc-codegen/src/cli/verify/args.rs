@@ -7,15 +7,15 @@ use clap::Args;
 use crate::cli::flags::{Design, SpecFlags};
 
 pub(crate) const EXAMPLES: &str = "\
-What is verified is in the design: under [plant] the plant, with [least, greatest] for each symbol
-that is uncertain; under [disturbance] how those that vary do; under [verify] the boxes of x1..xn, or
-of the states of the model, and tau; and in each [[objective]] what has to hold. Scenarios are drawn from all of it independently, each
-of them a function of the seed and its index alone, and run on both sides of Theorem 1, which must
-agree, or, with a sample period, in the loop that runs, or, with a model, with the emitted controller; so are the joint corners of all that is
-uncertain, and what a search finds from the worst ones.
+The design holds what is verified: under [plant] the plant, with bounds [lower, upper] of each
+uncertain symbol; under [disturbance] how symbols vary; under [verify] the boxes of x1..xn, or of
+the states of the model, and tau; in each [[objective]] what has to hold. Scenarios are independent
+draws, each a function of the seed and its index, and run on both sides of Theorem 1, which must
+agree; with a sample period in the loop that runs; with a model with the emitted controller. The
+joint corners of all uncertainties are run too, and a search starts from the worst scenarios.
 
-With --out one row per draw is kept as Parquet, and a run that was interrupted goes on where it was
-when it is started again. Shards are parts of the same run: merged they are its bytes.
+With --out one row per draw is written as Parquet, and the same command resumes an interrupted run.
+Shards are parts of one run: merged, they have its bytes.
 
 Exit codes: 0 every objective holds, or the shard is done; 1 an objective fails; 2 bad input; 3 none
 fails and one is undecided: a run could not be finished, or the two sides differ.
@@ -39,26 +39,26 @@ pub(crate) struct Verify {
     /// A key of [plant]: f, g, dynamics, inertia, bias, or a symbol that they use; repeatable
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
-    /// Number of scenarios, in place of the design's
+    /// Number of scenarios; overrides the design
     #[arg(long, value_name = "COUNT", allow_hyphen_values = true)]
     pub(crate) scenarios: Option<String>,
-    /// Seed of all scenarios, in place of the design's
+    /// Seed of all scenarios; overrides the design
     #[arg(long, value_name = "SEED", allow_hyphen_values = true)]
     pub(crate) seed: Option<String>,
-    /// Run the I-th of N parts only, I from 1; the verdict is that of --merge
+    /// Run only part I of N, I from 1; --merge gives the verdict
     #[arg(long, value_name = "I/N", requires = "out", conflicts_with_all = ["merge", "scenario", "worst"])]
     pub(crate) shard: Option<String>,
-    /// Put the parts of a run together and give the verdict, without running their scenarios
+    /// Merge the parts of a run and give the verdict, without running their scenarios
     #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with = "scenario")]
     pub(crate) merge: Vec<PathBuf>,
     /// File for the rows, as Parquet; its folder is made if it is missing
     #[arg(short, long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// File for the worst trajectory of the objective that comes off worst, as CSV
+    /// File for the worst trajectory of the worst objective, as CSV
     #[arg(long, value_name = "FILE", conflicts_with = "scenario")]
     pub(crate) worst: Option<PathBuf>,
-    /// Report of design, formulas, checks, verdict, worst trajectory and code, as one page of HTML
-    /// that needs nothing else
+    /// Report of design, formulas, checks, verdict, worst trajectory and code, as one self-contained
+    /// page of HTML
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scenario", "shard"])]
     pub(crate) report: Option<PathBuf>,
     /// Run one scenario and print its trajectory as CSV: a draw by its index, or one that is written

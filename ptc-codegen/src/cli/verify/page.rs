@@ -2,7 +2,7 @@
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::parameter::Parameter;
-use ptc_codegen::plot::{Bounded, Figure, Trace};
+use ptc_codegen::plot::{Bounded, Figure, Quantity, Trace};
 use ptc_codegen::request::Spec;
 use ptc_codegen::verify::{
     APART, Campaign, Drawn, End, Judged, Kind, Level, Objective, Sides, Summary, Trajectory, Trial,
@@ -203,14 +203,15 @@ fn figure(
     let bounded = campaign.objectives.iter().zip(&levels).enumerate();
     Ok(Figure {
         title: format!("{}: {}, {}", spec.name(), spec.order_text(), spec.mapping_name()),
-        states: spec.state_names(),
-        inputs: spec.input_names(),
+        states: Quantity::states(spec),
+        inputs: Quantity::inputs(spec),
         traces: vec![trace],
         u_max: setting.values.limits(spec),
         x_max: Vec::new(),
         objectives: bounded
             .map(|(i, (objective, levels))| of_levels(i, objective, levels))
             .collect(),
+        by_decades: false,
     })
 }
 

@@ -28,31 +28,31 @@ const CHECK: &str = "ptc-codegen check design.toml";
 pub(super) static ERRORS: [Explanation; 30] = [
     flags(
         "axes",
-        "The command knows one chain of integrators, not several axes.",
+        "The command handles one chain of integrators, not several axes.",
         "ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --poles=-4,-5 --axes 2 --tau 1 --x0 1,0",
-        "leave `axes` out: each axis is a chain by itself, with the gains, the limit and the g of that axis",
+        "leave `axes` out and run each axis as a chain, with its own gains, limit and g",
     ),
     flags(
         "bad-expression",
-        "An expression has a name or a function that is not known there, or cannot be what it is given for.",
+        "An expression uses a name or a function that is unknown there, or is not valid for its key.",
         "ptc-codegen check --n 1 --mu exp --pi0=\"-2*x1\"",
-        "the message lists the names that are known in this place: pi0 has xi1..xin, g and f have x1..xn; docs/expressions.md has the table",
+        "the message lists the names known there: pi0 has xi1..xin, g and f have x1..xn; docs/expressions.md has the table",
     ),
     flags(
         "bad-model",
-        "No law follows from the model: a rate is not affine in the input, the input does not reach the output, or what would be differentiated is not smooth.",
+        "No law follows from the model: a rate is not affine in the input, the input does not reach the output, or a function to be differentiated is not smooth.",
         "ptc-codegen check --mu exp --states \"q, w\" --input M --output q --dynamics \"w, M^2\"",
         "write the rate as f + g u, choose an output that the input moves, and replace abs, sign, min and max by smooth functions",
     ),
     flags(
         "bad-value",
-        "A value is of the wrong kind or outside what is legal for its key.",
+        "A value is of the wrong type or outside the domain of its key.",
         "ptc-codegen check --n 0 --mu exp",
         "the help below the message says what is legal; `ptc-codegen new -` explains every key",
     ),
     file(
         "clock",
-        "The command knows a clock in time alone.",
+        "The command supports only a clock in time.",
         (
             "n = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.1\npoles = [-3]\n",
             "ptc-codegen show law design.toml",
@@ -63,13 +63,13 @@ pub(super) static ERRORS: [Explanation; 30] = [
         "conflict",
         "Two keys exclude each other.",
         "ptc-codegen check --n 2 --mu exp --gains 6,5 --poles=-2,-3",
-        "give one of them; a flag in place of the file's key is no conflict",
+        "give one of them; a flag that overrides a key of the file is not a conflict",
     ),
     flags(
         "drift",
-        "A file is not what would be written. `--check` compares and writes nothing.",
+        "A file differs from what would be written. `--check` compares and writes nothing.",
         "ptc-codegen emit --lang c --n 1 --mu exp --check -o out",
-        "run the same command without `--check`; a test that fails so says that emitted code was edited, or that design or generator have changed",
+        "run the same command without `--check`; in a test this error means that emitted code was edited, or that design or generator changed",
     ),
     flags(
         "internal",
@@ -79,7 +79,7 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     file(
         "missing-key",
-        "A key is not given without which there is no controller, or no run.",
+        "A required key is missing.",
         ("n = 2\n", CHECK),
         "the message says which, and gives an example",
     ),
@@ -90,11 +90,11 @@ pub(super) static ERRORS: [Explanation; 30] = [
             "n = 1\nmu = \"exp(a=1)\"\npoles = [-3]\n\n[plant]\nf = \"d\"\ng = \"b\"\nd = [0, 1]\n\n[verify]\nx1 = 1\ntau = 1\n\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n",
             "ptc-codegen verify design.toml",
         ),
-        "give it under [params] or [plant]: a number, or [least, greatest] where it is not known",
+        "give it under [params] or [plant]: a number, or [lower, upper] if it is uncertain",
     ),
     file(
         "model",
-        "The command knows a chain of integrators alone, not the model of a plant.",
+        "The command handles a chain of integrators, not a model of the plant.",
         (
             "mu = \"exp(a=1)\"\npoles = [-2, -3]\n\n[params]\ntau = 1\n\n[model]\nstates = [\"q\", \"w\"]\ninput = \"M\"\noutput = \"q\"\ndynamics = { q = \"w\", w = \"M\" }\n\n[verify]\nq = 1\nw = 0\n\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n",
             "ptc-codegen design design.toml",
@@ -103,19 +103,19 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     flags(
         "more",
-        "There are more mistakes than are shown.",
+        "There are more errors than are shown.",
         "a file of another kind, given as a design",
-        "mend the first ones, and run the command again",
+        "fix the first ones, and run the command again",
     ),
     flags(
         "no-digits",
-        "The fixed parameters and gains are too far from 1 together for the precision.",
+        "The fixed parameters and gains together are too far from 1 for the precision.",
         "gains whose product with a power of the rate leaves no digit of u in f32",
         "take other units, of time for example, or leave some of them to run time",
     ),
     flags(
         "not-alone",
-        "What is emitted or run needs a whole controller, or one without parts that your program supplies.",
+        "The output needs a complete controller, without parts that your program supplies.",
         "ptc-codegen emit --lang fmu3 --n 1 --mu exp --what associated",
         "leave `what` out, or emit it in a language and call it from your own program",
     ),
@@ -127,7 +127,7 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     file(
         "reference",
-        "The command does not know a reference, or has none to give to each call.",
+        "The command does not support a reference, or has no values to pass to each call.",
         (
             "n = 1\nmu = \"exp(a=1)\"\npoles = [-3]\nreference = \"sin(t)\"\n\n[verify]\nx1 = 1\ntau = 1\n\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n",
             "ptc-codegen verify design.toml",
@@ -142,7 +142,7 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     flags(
         "reserved-name",
-        "A name has a meaning of its own in the language that is emitted.",
+        "A name is reserved in the emitted language.",
         "ptc-codegen emit --lang matlab --n 1 --mu exp --name end",
         "choose another name for the controller or the parameter",
     ),
@@ -178,7 +178,7 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     file(
         "unknown-key",
-        "Nothing is called like this key.",
+        "There is no key of this name.",
         ("n = 2\nmu = \"exp\"\ngain = [6, 5]\n", CHECK),
         "correct its spelling; `ptc-codegen new -` lists every key, and `ptc-codegen schema` lets an editor complete them",
     ),
@@ -190,12 +190,12 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     file(
         "unknown-symbol",
-        "f or g of the plant uses a name that has no value, and a name that is nearly the same is not used.",
+        "f or g of the plant uses a name without a value, while a similar name is defined but unused.",
         (
             "n = 1\nmu = \"exp\"\ngains = [2]\n\n[plant]\nf = \"-dampng*x1\"\ndamping = 1\n",
             "ptc-codegen simulate design.toml --x0 1 --tau 1",
         ),
-        "write one name in both places",
+        "use the same name in both places",
     ),
     file(
         "unknown-table",
@@ -205,7 +205,7 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     file(
         "unreadable-design",
-        "The design file holds more than a design may, or cannot be read.",
+        "The design file is too large, or cannot be read.",
         (
             "",
             "a file with more than 2000 keys and tables, or a folder where the macro looks for its file",
@@ -214,13 +214,13 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     flags(
         "unsupported",
-        "The language lacks what the controller needs.",
+        "The language lacks a feature that the controller needs.",
         "ptc-codegen emit --lang st --n 1 --mu exp --what associated",
         "emit it in another language, or write the mapping or the law with functions that the language has",
     ),
     flags(
         "unused-parameter",
-        "Nothing uses a parameter that is given.",
+        "A given parameter is not used.",
         "ptc-codegen check --n 1 --mu exp --pi0=\"-2*xi1\" --param k=2",
         "correct its spelling, use it in an expression, or leave it out",
     ),

@@ -46,7 +46,7 @@ pub static KINDS: [Kind; 3] = [
     },
     Kind {
         title: "Errors",
-        about: "Mistakes in flags, design files and the macro's input, in brackets behind `error`.",
+        about: "Errors in flags, design files and the macro's input, in brackets after `error`.",
         all: &errors::ERRORS,
     },
 ];

@@ -5,7 +5,7 @@ use super::Explanation;
 pub(super) static STATUSES: [Explanation; 7] = [
     Explanation {
         code: "PTC_OK",
-        means: "The law is tracking. u is that of the law, within u_max.",
+        means: "The law is active. u is that of the law, within u_max.",
         design: "",
         example: "a step between t0 and t0 + tau - eps",
         fix: "nothing is wrong",
@@ -19,7 +19,7 @@ pub(super) static STATUSES: [Explanation; 7] = [
     },
     Explanation {
         code: "PTC_SATURATED",
-        means: "The law wanted more than u_max. u is clipped to it; this wins over PTC_HOLD and PTC_AFTER.",
+        means: "The law requires more than u_max. u is clipped to it; this wins over PTC_HOLD and PTC_AFTER.",
         design: "",
         example: "a large initial state, or one that a disturbance moved away shortly before the deadline",
         fix: "prolonged saturation voids the deadline: take a longer tau, slower poles, a larger eps or a stronger actuator; `simulate` shows how long it lasts",
@@ -35,8 +35,8 @@ pub(super) static STATUSES: [Explanation; 7] = [
         code: "PTC_E_PARAM",
         means: "A parameter is outside its domain. Or a coefficient that follows from the parameters overflows. `init` or `arm` changed nothing.",
         design: "",
-        example: "eps >= tau, a tau that is not > 0, or params in C with a field that was forgotten and is 0",
-        fix: "the comment of the params in the header gives each domain; set every field",
+        example: "eps >= tau, a tau that is not > 0, or a field of the C params that was not set and is 0",
+        fix: "the comments of the params in the header give the domains; set every field",
     },
     Explanation {
         code: "PTC_E_INPUT",

@@ -22,7 +22,7 @@ pub(super) use matlab::files as matlab;
 pub(super) use python::file as python;
 pub(super) use rust::{file as rust, items as rust_items};
 pub(super) use short::short;
-pub(super) use st::file as st;
+pub(super) use st::{Kind, Library, Scope, Unit, file as st, library as st_library};
 
 /// Every language by name, and how it writes expressions.
 #[cfg(test)]

@@ -55,7 +55,7 @@ pub(super) const TARGET_2: Target = Target {
     language: Language::Fmu2,
     name: "fmu2",
     about: "an FMU for co-simulation after FMI 2.0",
-    print: Print::Around(|report, code| files(report, code, Version::Two)),
+    print: Print::Around(Language::C, |report, code| files(report, code, Version::Two)),
     ..TARGET_3
 };
 
@@ -67,7 +67,7 @@ pub(super) const TARGET_3: Target = Target {
     comment: ("/* ", " */"),
     is_word,
     refuse,
-    print: Print::Around(|report, code| files(report, code, Version::Three)),
+    print: Print::Around(Language::C, |report, code| files(report, code, Version::Three)),
 };
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {

@@ -4,16 +4,18 @@ use std::collections::BTreeMap;
 
 use super::super::block::{Block, declared};
 use super::super::text::Text;
+use super::library::{Kind, Library, Member, Scope, Section, Structure, Unit};
 use super::{Gives, StructuredText, helpers};
 use crate::code::{Expr, Finish, Function, Owner, Shape, Statement, Variable};
 use crate::internal::fault;
+use crate::parameter::Precision;
 
 impl StructuredText<'_> {
-    pub(super) fn type_of(&self, shape: Shape) -> String {
+    fn kind(&self, shape: Shape) -> Kind {
         match shape {
-            Shape::Count => "UDINT".to_owned(),
-            Shape::Real => self.real.to_owned(),
-            Shape::Reals(length) => format!("ARRAY[1..{length}] OF {}", self.real),
+            Shape::Count => Kind::Elementary("UDINT"),
+            Shape::Real => Kind::Elementary(self.real),
+            Shape::Reals(length) => Kind::Array(length, self.real),
             Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => {
                 fault("a function block gives no gains")
             }
@@ -46,26 +48,33 @@ impl StructuredText<'_> {
         })
     }
 
-    pub(super) fn text(mut self) -> String {
+    /// The block, and what goes with it.
+    pub(super) fn library(mut self) -> Library {
         let code = self.code;
         let name = &code.name;
-        self.out.line("(*");
-        let about = helpers::about(code, self.real);
-        for line in code.head.iter().map(String::as_str).chain(["", about.trim_end()]) {
-            let line = line.replace("(*", "( *").replace("*)", "* )");
-            self.out
-                .line(line.split('\n').map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n"));
-        }
-        self.out.line("*)\n");
+        let mut structures = Vec::new();
         if !code.parameters.is_empty() {
-            self.structure("params", code.parameters.iter().map(|p| (p.name.clone(), p)));
+            let parameters = code.parameters.iter().map(|p| (p.name.clone(), p));
+            structures.push(self.structure("params", parameters));
         }
         let fields = code.fields.iter().map(|field| (self.local(&field.name), field));
-        let fields: Vec<_> = fields.collect();
-        self.structure("fields", fields.into_iter());
-        self.helpers();
-        self.out.line(format!("FUNCTION_BLOCK {name}"));
-        self.variables();
+        structures.push(self.structure("fields", fields));
+        let about = helpers::about(code, self.real);
+        let lines = code.head.iter().map(String::as_str).chain(["", about.trim_end()]);
+        // A comment does not end in the middle.
+        let about = lines.collect::<Vec<_>>().join("\n").replace("(*", "( *").replace("*)", "* )");
+        let block = Unit {
+            name: name.clone(),
+            about,
+            returns: None,
+            sections: self.sections(),
+            body: self.body(),
+        };
+        Library { structures, functions: self.helpers(), block }
+    }
+
+    /// The statements of the block.
+    fn body(&mut self) -> String {
         if !self.observes() {
             self.out.line(format!("u := {};", self.literal("0.0")));
         }
@@ -79,8 +88,7 @@ impl StructuredText<'_> {
         self.give_outputs();
         self.finish(&step.finish);
         self.out.close("END_IF;");
-        self.out.line("END_FUNCTION_BLOCK");
-        self.out.text()
+        self.out.text().trim_end().to_owned()
     }
 
     /// What `init` and `arm` do: the fields are built apart, so that a call that fails changes
@@ -116,93 +124,98 @@ impl StructuredText<'_> {
         self.out.line("ready := TRUE;\nstatus := 0;");
     }
 
-    fn structure<'v>(&mut self, kind: &str, members: impl Iterator<Item = (String, &'v Variable)>) {
-        self.out.line(format!("TYPE {}_{kind} :", self.code.name));
-        self.out.open("STRUCT");
-        for (name, member) in members {
-            let (kind, about) = (self.type_of(member.shape), &member.about);
-            self.out.line(format!("{name} : {kind}; (* {about} *)"));
-        }
-        self.out.close("END_STRUCT\nEND_TYPE\n");
+    fn structure<'v>(
+        &self,
+        kind: &str,
+        members: impl Iterator<Item = (String, &'v Variable)>,
+    ) -> Structure {
+        let member =
+            |(name, v): (String, &Variable)| Member::new(name, self.kind(v.shape), &v.about);
+        let name = format!("{}_{kind}", self.code.name);
+        Structure { name, members: members.map(member).collect() }
     }
 
-    fn variables(&mut self) {
-        let (code, name) = (self.code, &self.code.name);
-        let (arm, step) = (self.function("arm").clone(), self.call().clone());
-        let real = self.real;
-        self.out.open("VAR_INPUT");
-        self.out.line("init : BOOL; (* take the parameters and start *)");
+    /// The variables of the block.
+    fn sections(&self) -> Vec<Section> {
+        let section = |scope, members| Section { scope, members };
+        let fields = || Kind::Derived(format!("{}_fields", self.code.name));
+        let kept = vec![Member::plain("ready", "BOOL"), Member::new("self", fields(), "")];
+        let mut temporary = vec![Member::new("built", fields(), "")];
+        temporary.extend(self.temporary());
+        vec![
+            section(Scope::Input, self.inputs()),
+            section(Scope::Output, self.given()),
+            section(Scope::Local, kept),
+            section(Scope::Temporary, temporary),
+        ]
+    }
+
+    fn inputs(&self) -> Vec<Member> {
+        let code = self.code;
+        let flag = |name, about| Member::new(name, Kind::Elementary("BOOL"), about);
+        let mut inputs = vec![flag("init", "take the parameters and start")];
         if !code.parameters.is_empty() {
-            self.out.line(format!("params : {name}_params;"));
+            inputs.push(Member::new("params", Kind::Derived(format!("{}_params", code.name)), ""));
         }
         match &code.start {
-            None => self.out.line("arm : BOOL; (* start again at tick k *)"),
+            None => inputs.push(flag("arm", "start again at tick k")),
             Some(start) => {
-                self.out.line("arm : BOOL; (* start again at start_time *)");
-                self.out.line(format!("start_time : {real}; (* s *)"));
-                if let Some(state) = &start.state {
-                    let kind = self.type_of(state.shape);
-                    self.out.line(format!(
-                        "{} : {kind}; (* {}, latched by init and arm *)",
-                        state.name, state.about
-                    ));
-                }
+                inputs.push(flag("arm", "start again at start_time"));
+                inputs.push(Member::new("start_time", Kind::Elementary(self.real), "s"));
+                inputs.extend(start.state.as_ref().map(|state| {
+                    let about = format!("{}, latched by init and arm", state.about);
+                    Member::new(state.name.clone(), self.kind(state.shape), about)
+                }));
             }
         }
-        for argument in &step.arguments {
-            let (name, about) = (self.local(&argument.name), &argument.about);
-            self.out.line(format!("{name} : {}; (* {about} *)", self.type_of(argument.shape)));
-        }
-        self.out.close("END_VAR");
-        self.out.open("VAR_OUTPUT");
+        inputs.extend(self.call().arguments.iter().map(|argument| {
+            Member::new(self.local(&argument.name), self.kind(argument.shape), &argument.about)
+        }));
+        inputs
+    }
+
+    /// The outputs.
+    fn given(&self) -> Vec<Member> {
+        let mut given = Vec::new();
         if !self.observes() {
-            self.out.line(format!("u : {real}; (* input of the plant *)"));
+            given.push(Member::new("u", Kind::Elementary(self.real), "input of the plant"));
         }
-        self.out.line("status : INT; (* see the head *)");
-        let outputs: Vec<_> = self.outputs().cloned().collect();
-        for function in &outputs {
-            if let Some(given) = function.results.first() {
-                let (kind, about) = (self.type_of(given.shape), &function.about);
-                self.out.line(format!("{} : {kind}; (* {about} *)", function.name));
-            }
-        }
-        self.out.close("END_VAR");
-        self.out.open("VAR");
-        self.out.line(format!("ready : BOOL;\nself : {name}_fields;"));
-        self.out.close("END_VAR");
-        self.out.open("VAR_TEMP");
-        self.out.line(format!("built : {name}_fields;"));
+        given.push(Member::new("status", Kind::Elementary("INT"), "see the head"));
+        given.extend(self.outputs().filter_map(|function| {
+            let first = function.results.first()?;
+            Some(Member::new(function.name, self.kind(first.shape), &function.about))
+        }));
+        given
+    }
+
+    /// The local values, and the variables of the loops.
+    fn temporary(&self) -> Vec<Member> {
+        let (code, step) = (self.code, self.call());
         let mut locals = BTreeMap::new();
-        for body in [&code.init, &arm.body, &step.body] {
+        for body in [&code.init, &self.function("arm").body, &step.body] {
             declared(body, &mut locals);
         }
         if code.start.is_some() {
             locals.insert("t0".to_owned(), Shape::Real);
         }
-        for (name, shape) in locals {
-            self.out.line(format!("{} : {};", self.local(&name), self.type_of(shape)));
-        }
-        self.counters(&step);
-        self.out.close("END_VAR\n");
-    }
-
-    /// The variables of the loops.
-    fn counters(&mut self, step: &Function) {
+        let local =
+            |(name, shape): (String, _)| Member::new(self.local(&name), self.kind(shape), "");
+        let mut members: Vec<_> = locals.into_iter().map(local).collect();
         if step.has(|statement| matches!(statement, Statement::Solve(_))) {
-            self.out.line("attempt : DINT;");
+            members.push(Member::plain("attempt", "DINT"));
         }
         let weights = step.body.iter().find_map(|statement| match statement {
             Statement::Rows { weights, .. } => Some(weights.len()),
             _ => None,
         });
         if let Some(weights) = weights {
-            let real = self.real;
-            self.out.line("row_k : DINT;\nrow_m : DINT;\nrow_first : DINT;");
-            self.out.line(format!("row_v : {real};"));
-            for (array, length) in [("p", weights - 1), ("q", weights - 2)] {
-                self.out.line(format!("{array} : ARRAY[1..{length}] OF {real};"));
-            }
+            let counters = ["row_k", "row_m", "row_first"];
+            members.extend(counters.map(|name| Member::plain(name, "DINT")));
+            members.push(Member::plain("row_v", self.real));
+            members.push(Member::new("p", Kind::Array(weights - 1, self.real), ""));
+            members.push(Member::new("q", Kind::Array(weights - 2, self.real), ""));
         }
+        members
     }
 
     /// Sets the outputs that show what is kept.
@@ -226,25 +239,25 @@ impl StructuredText<'_> {
     }
 
     /// Functions of numbers that the block calls.
-    fn helpers(&mut self) {
-        let (code, name) = (self.code, &self.code.name);
+    fn helpers(&self) -> Vec<Unit> {
+        let name = &self.code.name;
         let (mut counts, mut divides) = (false, false);
-        code.visit(&mut |value| match value {
+        self.code.visit(&mut |value| match value {
             Expr::CountSub(..) | Expr::CountLeft(..) => counts = true,
             Expr::Quotient(..) => divides = true,
             _ => {}
         });
+        let mut functions = Vec::new();
         if counts {
-            self.out.line(helpers::COUNTS.replace("NAME", name));
+            functions.extend([helpers::ticks(name), helpers::left(name)]);
         }
         if divides {
-            let (real, zero) = (self.real, self.literal("0.0"));
-            let huge = match code.precision {
-                crate::parameter::Precision::F32 => self.literal("1e38"),
-                crate::parameter::Precision::F64 => self.literal("1e308"),
+            let huge = match self.code.precision {
+                Precision::F32 => self.literal("1e38"),
+                Precision::F64 => self.literal("1e308"),
             };
-            let text = helpers::QUOTIENT.replace("NAME", name).replace("REAL", real);
-            self.out.line(text.replace("ZERO", &zero).replace("HUGE", &huge));
+            functions.push(helpers::quotient(name, self.real, &self.literal("0.0"), &huge));
         }
+        functions
     }
 }

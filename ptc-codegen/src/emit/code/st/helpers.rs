@@ -1,56 +1,58 @@
 //! Functions beside the block, and what its head says of its use.
 
+use super::library::{Member, Scope, Section, Unit};
 use crate::code::Code;
 
-/// Differences of counts.
-pub(super) const COUNTS: &str = "\
-(* a - b, modulo 2^32. *)
-FUNCTION NAME_ticks : UDINT
-VAR_INPUT
-    a : UDINT;
-    b : UDINT;
-END_VAR
-IF b <= a THEN
-    NAME_ticks := a - b;
-ELSE
-    NAME_ticks := (UDINT#4294967295 - b) + a + UDINT#1;
-END_IF;
-END_FUNCTION
+/// A function of two values of type `kind`.
+fn of_two(name: String, kind: &'static str, about: &str, body: String) -> Unit {
+    let members = ["a", "b"].map(|name| Member::plain(name, kind)).into();
+    let sections = vec![Section { scope: Scope::Input, members }];
+    Unit { name, about: about.to_owned(), returns: Some(kind), sections, body }
+}
 
-(* a - b, 0 where b is greater. *)
-FUNCTION NAME_left : UDINT
-VAR_INPUT
-    a : UDINT;
-    b : UDINT;
-END_VAR
-IF b < a THEN
-    NAME_left := a - b;
+/// The difference of two counts.
+pub(super) fn ticks(name: &str) -> Unit {
+    let body = format!(
+        "\
+IF b <= a THEN
+    {name}_ticks := a - b;
 ELSE
-    NAME_left := UDINT#0;
-END_IF;
-END_FUNCTION
-";
+    {name}_ticks := (UDINT#4294967295 - b) + a + UDINT#1;
+END_IF;"
+    );
+    of_two(format!("{name}_ticks"), "UDINT", "a - b, modulo 2^32.", body)
+}
+
+/// How much of a count is left.
+pub(super) fn left(name: &str) -> Unit {
+    let body = format!(
+        "\
+IF b < a THEN
+    {name}_left := a - b;
+ELSE
+    {name}_left := UDINT#0;
+END_IF;"
+    );
+    of_two(format!("{name}_left"), "UDINT", "a - b, 0 where b is greater.", body)
+}
 
 /// A quotient.
-pub(super) const QUOTIENT: &str = "\
-(* a / b, and not a number where b is 0: some controllers stop at a division by 0. *)
-FUNCTION NAME_quotient : REAL
-VAR_INPUT
-    a : REAL;
-    b : REAL;
-END_VAR
-VAR
-    huge : REAL;
-END_VAR
-IF (b < ZERO) OR (b > ZERO) THEN
-    NAME_quotient := a / b;
+pub(super) fn quotient(name: &str, real: &'static str, zero: &str, huge: &str) -> Unit {
+    let body = format!(
+        "\
+IF (b < {zero}) OR (b > {zero}) THEN
+    {name}_quotient := a / b;
 ELSE
-    huge := HUGE;
+    huge := {huge};
     huge := huge * huge;
-    NAME_quotient := huge - huge;
-END_IF;
-END_FUNCTION
-";
+    {name}_quotient := huge - huge;
+END_IF;"
+    );
+    let about = "a / b, and not a number where b is 0: some controllers stop at a division by 0.";
+    let mut unit = of_two(format!("{name}_quotient"), real, about, body);
+    unit.sections.push(Section { scope: Scope::Local, members: vec![Member::plain("huge", real)] });
+    unit
+}
 
 /// The loops that form rows in the array `name`.
 pub(super) fn rows(name: &str, weights: usize) -> String {

@@ -3,6 +3,7 @@
 
 mod block;
 mod helpers;
+mod library;
 
 use super::block::{Block, Branch};
 use super::gives::Gives;
@@ -10,6 +11,7 @@ use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, st};
 use crate::parameter::Precision;
+pub(in crate::emit) use library::{Kind, Library, Scope, Unit};
 
 pub(super) struct StructuredText<'a> {
     code: &'a Code,
@@ -21,7 +23,12 @@ pub(super) struct StructuredText<'a> {
 
 /// The file of a controller.
 pub(in crate::emit) fn file(code: &Code) -> File {
-    File { name: format!("{}.st", code.name), text: StructuredText::new(code).text() }
+    File { name: format!("{}.st", code.name), text: library(code).text() }
+}
+
+/// What that file holds.
+pub(in crate::emit) fn library(code: &Code) -> Library {
+    StructuredText::new(code).library()
 }
 
 impl Text for StructuredText<'_> {

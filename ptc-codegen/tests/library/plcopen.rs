@@ -1,0 +1,171 @@
+//! The PLCopen XML of a function block holds its Structured Text, byte for byte.
+
+use crate::support;
+
+use ptc_codegen::emit::Language;
+use ptc_codegen::generate;
+use roxmltree::{Document, Node};
+use support::design;
+
+/// Designs with all that a function block may have: functions beside it, user-defined laws, loops,
+/// arrays, latched states, estimates, and names and expressions that XML escapes.
+const DESIGNS: [&str; 8] = [
+    "n = 3\nmu = \"exp(a=1)\"\n",
+    "n = 2\nmu = \"exp_sum(2)\"\nprecision = \"f32\"\n",
+    "n = 3\nmu = \"tanh\"\npi0 = \"extern\"\nafter = \"extern\"\n",
+    "n = 9\nkappa = \"tau*dt/(tau - dt) + dt\"\n",
+    "n = 1\nmu = \"exp\"\npi0 = \"-min(xi1, 2)/(abs(xi1) - phi*abs(xi1_0))\"\ng = \"2 + x1\"\n",
+    "n = 2\nmu = \"exp(a=1)\"\nreference = \"input\"\nguard = \"result\"\nname = \"axis_Z\"\n",
+    "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nmeasured = \"x1\"\npoles = [-4, -5]\n\
+     observer_poles = [-4, -5]\nobserver_samples = 9\n",
+    "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nwhat = \"observer\"\ndisturbance = \"constant\"\n\
+     observer_poles = [-4, -5]\nobserver_samples = 9\n",
+];
+
+fn emitted(text: &str, language: Language) -> String {
+    let mut files = generate(&design(text).0, language).expect("a controller");
+    assert_eq!(files.len(), 1, "{files:?}");
+    files.remove(0).text
+}
+
+/// The children of `node` that are elements.
+fn elements<'a>(node: Node<'a, 'a>) -> impl Iterator<Item = Node<'a, 'a>> {
+    node.children().filter(Node::is_element)
+}
+
+fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
+    elements(node).find(|one| one.tag_name().name() == name)
+}
+
+fn the<'a>(node: Node<'a, 'a>, path: &[&str]) -> Node<'a, 'a> {
+    path.iter().fold(node, |node, name| child(node, name).unwrap_or_else(|| panic!("no {name}")))
+}
+
+fn name<'a>(node: Node<'a, 'a>) -> &'a str {
+    node.attribute("name").expect("a name")
+}
+
+/// The text of the one paragraph of XHTML in `node`.
+fn paragraph<'a>(node: Node<'a, 'a>) -> &'a str {
+    let all: Vec<_> = elements(node).collect();
+    assert_eq!(all.len(), 1, "{node:?}");
+    assert_eq!(all[0].tag_name().namespace(), Some("http://www.w3.org/1999/xhtml"));
+    all[0].text().expect("a text")
+}
+
+/// A type as Structured Text writes it.
+fn kind(node: Node<'_, '_>) -> String {
+    let one = elements(node).next().expect("a type");
+    match one.tag_name().name() {
+        "derived" => name(one).to_owned(),
+        "array" => {
+            let range = the(one, &["dimension"]);
+            let [lower, upper] =
+                ["lower", "upper"].map(|end| range.attribute(end).expect("an end"));
+            format!("ARRAY[{lower}..{upper}] OF {}", kind(the(one, &["baseType"])))
+        }
+        elementary => elementary.to_owned(),
+    }
+}
+
+fn variables(list: Node<'_, '_>) -> String {
+    let line = |variable| {
+        let about = child(variable, "documentation").map(paragraph);
+        let about = about.map_or(String::new(), |about| format!(" (* {about} *)"));
+        format!("    {} : {};{about}\n", name(variable), kind(the(variable, &["type"])))
+    };
+    elements(list).map(line).collect()
+}
+
+/// A function or a function block as Structured Text writes it.
+fn unit(pou: Node<'_, '_>) -> String {
+    let interface = the(pou, &["interface"]);
+    let (word, returns, gap) = match pou.attribute("pouType") {
+        Some("function") => {
+            ("FUNCTION", format!(" : {}", kind(the(interface, &["returnType"]))), "")
+        }
+        Some("functionBlock") => ("FUNCTION_BLOCK", String::new(), "\n"),
+        other => panic!("{other:?}"),
+    };
+    let mut text = format!("{word} {}{returns}\n", name(pou));
+    for list in elements(interface).filter(|one| one.tag_name().name() != "returnType") {
+        let var = match list.tag_name().name() {
+            "inputVars" => "VAR_INPUT",
+            "outputVars" => "VAR_OUTPUT",
+            "localVars" => "VAR",
+            "tempVars" => "VAR_TEMP",
+            other => panic!("{other}"),
+        };
+        text.push_str(&format!("{var}\n{}END_VAR\n", variables(list)));
+    }
+    let body = paragraph(the(pou, &["body", "ST"]));
+    format!("{text}{gap}{body}\nEND_{word}\n")
+}
+
+/// The Structured Text of a project.
+fn extracted(xml: &str) -> String {
+    let document = Document::parse(xml).expect("well-formed XML");
+    let types = the(document.root_element(), &["types"]);
+    let about = |pou| paragraph(the(pou, &["documentation"]));
+    let (mut rest, mut head) = (String::new(), String::new());
+    for one in elements(the(types, &["dataTypes"])) {
+        let members = variables(the(one, &["baseType", "struct"]));
+        rest += &format!("TYPE {} :\nSTRUCT\n{members}END_STRUCT\nEND_TYPE\n\n", name(one));
+    }
+    for pou in elements(the(types, &["pous"])) {
+        if pou.attribute("pouType") == Some("function") {
+            rest += &format!("(* {} *)\n{}\n", about(pou), unit(pou));
+        } else {
+            assert_eq!(head, "", "a second function block");
+            let lines =
+                about(pou).split('\n').map(|line| format!("  {line}").trim_end().to_owned());
+            head = lines.collect::<Vec<_>>().join("\n");
+            rest += &unit(pou);
+        }
+    }
+    format!("(*\n{head}\n*)\n\n{rest}")
+}
+
+#[test]
+fn the_project_holds_the_structured_text() {
+    let (mut functions, mut arrays, mut escaped) = (0, 0, 0);
+    for text in DESIGNS {
+        let (xml, st) = (emitted(text, Language::PlcOpen), emitted(text, Language::StructuredText));
+        assert_eq!(extracted(&xml), st, "{text}");
+        functions += xml.matches("pouType=\"function\"").count();
+        arrays += xml.matches("<array>").count();
+        escaped += xml.matches("&#60;").count();
+    }
+    assert!(functions >= 3 && arrays > 8 && escaped > 8, "{functions} {arrays} {escaped}");
+}
+
+/// What imports it looks for the namespace of the schema and for a date, which is always the same.
+#[test]
+fn the_project_says_how_it_is_made_again() {
+    let xml = emitted("n = 1\nmu = \"exp\"\ngains = [2]\n", Language::PlcOpen);
+    let document = Document::parse(&xml).expect("well-formed XML");
+    let root = document.root_element();
+    assert_eq!(root.tag_name().namespace(), Some("http://www.plcopen.org/xml/tc6_0201"));
+    let header = the(root, &["fileHeader"]);
+    assert_eq!(header.attribute("creationDateTime"), Some("1970-01-01T00:00:00"));
+    let made = "Made by: ptc-codegen emit --lang plcopen --n 1 --mu exp --gains=2";
+    assert_eq!(header.attribute("contentDescription"), Some(made));
+    assert_eq!(header.attribute("productVersion"), Some(env!("CARGO_PKG_VERSION")));
+}
+
+/// It refuses what Structured Text refuses.
+#[test]
+fn the_project_refuses_what_structured_text_refuses() {
+    for (text, key, message) in [
+        ("n = 1\nmu = \"exp\"\npi0 = \"-sinh(xi1)\"\n", "pi0", "calls sinh"),
+        ("n = 2\nmu = \"exp\"\nfma = true\n", "fma", "Structured Text has no fused multiply-add"),
+        ("n = 2\nmu = \"exp\"\nname = \"deadline\"\n", "name", "has a variable deadline"),
+        ("n = 2\nmu = \"exp\"\nname = \"limit\"\n", "name", "meaning of its own in plcopen"),
+        ("n = 2\nmu = \"exp\"\naxes = 3\n", "axes", "several axes are not emitted"),
+    ] {
+        let spec = design(text).0;
+        let found = generate(&spec, Language::PlcOpen).expect_err(message);
+        assert!(found.len() == 1 && found[0].key == key, "{found:?}");
+        assert!(found[0].message.contains(message), "{found:?}");
+    }
+}
