@@ -67,10 +67,9 @@ impl Tangent {
     ) -> Self {
         let last = system.order() - 1;
         let (mut rates, mut beyond) = (State::zeros(), State::zeros());
-        system.choose(&slide.beyond);
-        system.rates(s, state, &mut beyond);
+        of_side(system, &slide.beyond, (s, state), &mut beyond);
+        of_side(system, &mode.above, (s, state), &mut rates);
         system.choose(&mode.above);
-        system.rates(s, state, &mut rates);
         let (along, across, distance) = tangent(system, slide.kink, (s, state), (&rates, &beyond));
         // What is left of the distance decays.
         let kept = -(along + distance) / across;
@@ -81,6 +80,35 @@ impl Tangent {
         }
         Self { rates, part }
     }
+}
+
+/// The rates on one side of a jump. u is another on the other side, so the integrals have their kinks where
+/// they are on this one.
+fn of_side(
+    system: &mut dyn Piecewise,
+    above: &[bool],
+    (s, state): (f64, &State),
+    rates: &mut State,
+) {
+    system.choose(above);
+    let own = system.kinks() - system.kinks_of_integrals();
+    if own < system.kinks() {
+        let mut distances = Vec::with_capacity(system.kinks());
+        let mut there = above.to_vec();
+        // A kink within another one is found after that one.
+        for _ in own..above.len() {
+            distances.clear();
+            system.distances(s, state, &mut distances);
+            let found = distances[own..].iter().map(|distance| *distance > 0.0);
+            let found = [&there[..own], &found.collect::<Vec<_>>()].concat();
+            if found == there {
+                break;
+            }
+            there = found;
+            system.choose(&there);
+        }
+    }
+    system.rates(s, state, rates);
 }
 
 /// What is positive as long as a mode lasts: the distances from the kinks, and of a slide, whose kinks

@@ -403,7 +403,11 @@ impl Piecewise for Between<'_> {
     }
 
     fn kinks(&self) -> usize {
-        self.of_plant() + self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
+        self.of_plant() + self.kinks_of_integrals()
+    }
+
+    fn kinks_of_integrals(&self) -> usize {
+        self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
     }
 
     fn distances(&mut self, s: f64, x: &State, into: &mut Vec<f64>) {

@@ -238,7 +238,11 @@ impl<S: Side> Piecewise for OnSigma<'_, S> {
     }
 
     fn kinks(&self) -> usize {
-        self.side.kinks() + self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
+        self.side.kinks() + self.kinks_of_integrals()
+    }
+
+    fn kinks_of_integrals(&self) -> usize {
+        self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
     }
 
     fn distances(&mut self, sigma: f64, state: &State, into: &mut Vec<f64>) {

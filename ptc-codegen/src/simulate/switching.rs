@@ -24,6 +24,11 @@ pub(super) trait Piecewise {
         0
     }
 
+    /// Number of kinks of the integrals, the last ones.
+    fn kinks_of_integrals(&self) -> usize {
+        0
+    }
+
     /// The rates, with the kinks held as chosen.
     fn rates(&mut self, s: f64, state: &State, rates: &mut State);
 

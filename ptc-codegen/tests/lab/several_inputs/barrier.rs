@@ -73,7 +73,7 @@ fn the_arm_moves_as_by_hand() {
 #[test]
 fn the_barrier_holds() {
     let open = example("barrier_arm.toml").replace("limits = [120, 60]", "u_max = inf #");
-    let x0 = "1.15,-0.75,0.3,-0.3";
+    let x0 = "1.1,-0.7,5,-5";
     let (_, rows, _) = run("barrier_holds", &open, &["--x0", x0, "--at", AT]);
     let mut last = f64::INFINITY;
     for (row, part) in rows.iter().zip(SHARES) {
