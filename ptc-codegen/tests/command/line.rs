@@ -184,7 +184,7 @@ fn list_tells_every_family_with_its_parameters() {
 #[test]
 fn help_has_examples_and_the_legal_values() {
     let told = stdout(&["emit", "--help"]);
-    for part in ["Examples:", "--u-max", "inf leaves the clipping out", "1..=16", "exp_sum"] {
+    for part in ["Examples:", "--u-max", "inf omits the clipping", "1..=16", "exp_sum"] {
         assert!(told.contains(part), "{part}: {told}");
     }
     assert!(stdout(&["show", "--help"]).contains("\"coefficient\""));

@@ -6,8 +6,8 @@ use clap::Args;
 
 pub(crate) const EXAMPLES: &str = "\
 The objectives are in a design file as for `verify`, in which the mapping (mu or kappa) and the law
-(poles, gains or pi0) may be missing: these are chosen, and given values are kept. With sample_time or
-error, eps is set too. The result is a design that `verify` confirms, and that emit, check and
+(poles, gains or pi0) may be missing: these are chosen, and given values are kept. With sample_time
+or error, eps is set too. The result is a design that `verify` confirms, and that emit, check and
 simulate accept.
 
 Exit codes: 0 the chosen design meets every objective; 1 no choice was found, and nothing is
