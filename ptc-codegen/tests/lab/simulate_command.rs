@@ -114,7 +114,7 @@ fn the_csv_holds_what_was_asked_for() {
 fn axes_have_units_and_may_be_logarithmic() {
     let folder = folder("axes");
     let drawn = |more: &[&str]| {
-        let own = ["--n=2", "--mu=exp(a=1)", "--gains=6,5", "--tau=1", "--x0=1,0", "--plant=f=0"];
+        let own = ["--n=2", "--mu=exp(a=1)", "--gains=6,5", "--tau=1", "--plant=f=0", "--x0=1,0"];
         let told =
             stdout(&folder, &[&own[..], more, &["-o", "run.csv", "--plot=run.svg"]].concat());
         assert!(told.ends_with("wrote run.svg\n"), "{told}");
