@@ -14,7 +14,7 @@ pub static DISTURBANCE: KeyInfo = KeyInfo {
 pub static INITIAL_STATE: KeyInfo = KeyInfo {
     key: "x1",
     meaning: "interval of the initial state, one for each of x1..xn, or of the states of a model",
-    legal: "[least, greatest] in the unit of x1, or a number",
+    legal: "[lower, upper] in the unit of x1, or a number",
     example: "-1,1",
 };
 
@@ -22,7 +22,7 @@ pub static INITIAL_STATE: KeyInfo = KeyInfo {
 pub static PARAMETER: KeyInfo = KeyInfo {
     key: "k1",
     meaning: "interval of a parameter of mapping or law, by its name: a, m, start, a1.., k1..kn or one of your own; its value in the design, or its bounds under [params], where it is not given",
-    legal: "[least, greatest] within its domain, or a number",
+    legal: "[lower, upper] within its domain, or a number",
     example: "18,22",
 };
 
@@ -31,13 +31,13 @@ pub static KEYS: [KeyInfo; 7] = [
     KeyInfo {
         key: "tau",
         meaning: "interval of the prescribed settling time; default: the tau of the design",
-        legal: "[least, greatest] in s, both > 0, or a number",
+        legal: "[lower, upper] in s, both > 0, or a number",
         example: "0.5,2",
     },
     KeyInfo {
         key: "t0",
         meaning: "interval of the start time; the t0 of the design, or 0, where it is not given",
-        legal: "[least, greatest] in s, or a number",
+        legal: "[lower, upper] in s, or a number",
         example: "0,5",
     },
     KeyInfo {

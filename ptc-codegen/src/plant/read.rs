@@ -107,7 +107,7 @@ fn chain(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
     plant
 }
 
-/// A number, or `[least, greatest]`, for a symbol.
+/// A number, or `[lower, upper]`, for a symbol.
 pub(super) fn value(
     plant: &mut Plant,
     name: &str,
@@ -117,7 +117,7 @@ pub(super) fn value(
 ) {
     let finite = |node: &Node| real(node).filter(|value| value.number().is_some());
     if let Value::List(items) = &node.value
-        && let [least, greatest] = items.as_slice()
+        && let [lower, upper] = items.as_slice()
         && let (Some(least), Some(greatest)) = (finite(least), finite(greatest))
         && least.number() < greatest.number()
     {
@@ -130,13 +130,12 @@ pub(super) fn value(
         }
         _ => {
             let (message, help) = match &node.value {
-                Value::List(_) => (
-                    "is not a pair of bounds",
-                    "bounds are [least, greatest] with least < greatest",
-                ),
+                Value::List(_) => {
+                    ("is not a pair of bounds", "bounds are [lower, upper] with least < greatest")
+                }
                 _ => (
                     "is not a finite number",
-                    "a symbol of the plant is a finite number, or bounds [least, greatest] where it is uncertain",
+                    "a symbol of the plant is a finite number, or bounds [lower, upper] where it is uncertain",
                 ),
             };
             let key = format!("plant.{name}");

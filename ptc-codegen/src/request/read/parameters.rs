@@ -141,7 +141,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A number, or `[least, greatest]`, for a parameter of the mapping or of an expression.
+    /// A number, or `[lower, upper]`, for a parameter of the mapping or of an expression.
     fn own_value(&mut self, spec: &mut Spec, name: &str, parameter: Parameter, node: &Node) {
         let key = format!("params.{name}");
         if spec.fixed.contains_key(&parameter) {
@@ -153,7 +153,7 @@ impl Reader<'_> {
         let admitted = |node: &Node| real(node).filter(|value| domain.admits(value));
         match &node.value {
             Value::List(items) => {
-                if let [least, greatest] = items.as_slice()
+                if let [lower, upper] = items.as_slice()
                     && let (Some(least), Some(greatest)) = (admitted(least), admitted(greatest))
                     && least.number() < greatest.number()
                 {
@@ -162,7 +162,7 @@ impl Reader<'_> {
                 }
                 let message = format!("{key} is not a pair of bounds");
                 let help = format!(
-                    "bounds are [least, greatest] with least < greatest; {name} is {}",
+                    "bounds are [lower, upper] with least < greatest; {name} is {}",
                     domain.text()
                 );
                 self.wrong(&key, Some(node.place), message, help);

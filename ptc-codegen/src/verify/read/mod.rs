@@ -186,7 +186,7 @@ impl Reader<'_> {
                 false => format!("x1..x{n}"),
             };
             let help =
-                format!("give the box of initial states: one [least, greatest] for each of {all}");
+                format!("give the box of initial states: one [lower, upper] for each of {all}");
             self.found.push("missing-key", "verify", None, message, help);
         }
         let x0: Vec<_> =
@@ -309,7 +309,7 @@ impl Reader<'_> {
         };
         let of_controller = "parameters of the controller have their values under [params], gains at `gains` or `poles`";
         tell("verify", &mut spec.parameters().into_iter(), of_controller);
-        let of_plant = "a symbol of the plant has its value, or [least, greatest], under [plant]";
+        let of_plant = "a symbol of the plant has its value, or [lower, upper], under [plant]";
         for (key, expression) in plant.keyed() {
             tell(key, &mut expression.parameters().into_iter(), of_plant);
         }
@@ -347,7 +347,7 @@ impl Reader<'_> {
         Some(until)
     }
 
-    /// `[least, greatest]`, or one number for both.
+    /// `[lower, upper]`, or one number for both.
     fn interval(&mut self, table: &str, name: &str, given: &Given<'_>) -> Option<Interval> {
         let (_, node) = given.get(name)?;
         let ends = match &node.value {
@@ -363,13 +363,13 @@ impl Reader<'_> {
                 &format!("{table}.{name}"),
                 Some(node.place),
                 format!("the interval of {name} is empty: {low} > {high}"),
-                "an interval is [least, greatest]",
+                "an interval is [lower, upper]",
             ),
             None => self.wrong(
                 &format!("{table}.{name}"),
                 Some(node.place),
                 format!("{table}.{name} is not an interval"),
-                "an interval is [least, greatest] of finite numbers, or one number",
+                "an interval is [lower, upper] of finite numbers, or one number",
             ),
         }
         None

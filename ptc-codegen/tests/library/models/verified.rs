@@ -184,7 +184,7 @@ fn mistakes_of_a_campaign_with_a_model_say_the_way_out() {
     let objective = "bound = \"within\"\nh = \"abs(w)\"\nhigh = 10";
     let whole = swinging("stiffness = [16, 24]", "", objective);
     for (from, to, told) in [
-        ("q = [0.5, 1.5]\n", "", "one [least, greatest] for each of q, w"),
+        ("q = [0.5, 1.5]\n", "", "one [lower, upper] for each of q, w"),
         ("q = [0.5, 1.5]\n", "x1 = [0.5, 1.5]\n", "q"),
         ("high = 10", "high = \"w\"", "w"),
         ("h = \"abs(w)\"", "h = \"abs(v)\"", "v"),
