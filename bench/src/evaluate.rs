@@ -32,7 +32,7 @@ pub(crate) fn cases_for(
             let variant = variant.unwrap_or(VARIANTS[0]);
             let mut case = Case::new(variant, vector.n, precision, Guard::None);
             case.spec.time_mapping = TimeMapping::Family { family, rates };
-            case.spec.name = Some(format!("{}_r{rates}", case.name()));
+            case.spec.name = Some(format!("{}_n{}_r{rates}", family.name(), vector.n));
             cases.push(case);
             cases.len() - 1
         });

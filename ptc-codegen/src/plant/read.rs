@@ -117,7 +117,7 @@ pub(super) fn value(
 ) {
     let finite = |node: &Node| real(node).filter(|value| value.number().is_some());
     if let Value::List(items) = &node.value
-        && let [lower, upper] = items.as_slice()
+        && let [least, greatest] = items.as_slice()
         && let (Some(least), Some(greatest)) = (finite(least), finite(greatest))
         && least.number() < greatest.number()
     {

@@ -153,7 +153,7 @@ impl Reader<'_> {
         let admitted = |node: &Node| real(node).filter(|value| domain.admits(value));
         match &node.value {
             Value::List(items) => {
-                if let [lower, upper] = items.as_slice()
+                if let [least, greatest] = items.as_slice()
                     && let (Some(least), Some(greatest)) = (admitted(least), admitted(greatest))
                     && least.number() < greatest.number()
                 {
