@@ -1,5 +1,5 @@
-//! Points through compiled C: one driver reads `case tau t0 t eps a m rates k x` a line and writes
-//! u a line. An unused parameter is 0.
+//! Points through compiled C: one driver reads `case tau t0 t eps a m rates k x` a line, with start in place
+//! of m where a family has that, and writes u a line. An unused parameter is 0.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -56,7 +56,8 @@ pub(crate) fn driver(cases: &[Case], more: &str) -> String {
         };
         let mut fields = vec![field("tau", 0, 1), field("t0", 1, 1), field("eps", 3, 1)];
         let run_time = case.parameters();
-        for (name, from, length) in [("a", 4, 1), ("m", 5, 1), ("rates", 6, rates)] {
+        for (name, from, length) in [("a", 4, 1), ("m", 5, 1), ("start", 5, 1), ("rates", 6, rates)]
+        {
             if run_time.iter().any(|(f, _)| *f == name) {
                 fields.push(field(name, from, length));
             }
@@ -101,7 +102,8 @@ pub(crate) fn line(which: usize, vector: &Vector) -> String {
     let Vector { params, tau, t0, t, k, x, .. } = vector;
     // Below every time-to-go of the vectors, so that none is held.
     let eps = tau * 1e-14;
-    let mut values = vec![*tau, *t0, *t, eps, params.a, params.m];
+    // No family has both m and start; what a family lacks is 0.
+    let mut values = vec![*tau, *t0, *t, eps, params.a, params.m + params.start];
     values.extend(params.rates.iter().chain(k).chain(x));
     let digits: Vec<_> = values.iter().map(|value| format!("{value:e}")).collect();
     format!("{which} {} {}\n", digits.len(), digits.join(" "))

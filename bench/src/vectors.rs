@@ -29,6 +29,7 @@ pub(crate) struct Vector {
 pub(crate) struct Parameters {
     pub(crate) a: f64,
     pub(crate) m: f64,
+    pub(crate) start: f64,
     pub(crate) rates: Vec<f64>,
 }
 
