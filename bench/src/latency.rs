@@ -56,10 +56,9 @@ pub(crate) struct Step {
     pub(crate) time: f64,
 }
 
-/// A function that is timed: its symbol, its order and how it is called for u.
+/// A function that is timed: its symbol, and how it is called for u.
 struct Contestant {
     symbol: String,
-    n: usize,
     set_up: String,
     call: String,
 }
@@ -116,7 +115,6 @@ fn ours(case: &Case) -> Contestant {
     let parameters = c::parameters(&fields);
     Contestant {
         symbol: format!("{name}_step"),
-        n: case.spec.n,
         set_up: format!(
             "static {name} self; static const {name}_params params = {parameters};\n    if ({name}_init(&self, &params) != PTC_OK) return 1.0;"
         ),
@@ -136,7 +134,7 @@ fn by_hand(kernel: &str, folder: &Path) -> Result<(PathBuf, Contestant)> {
     run(Command::new("gcc").args(c::FLAGS).arg("-c").arg(&source).arg("-o").arg(&object))?;
     let gains = "static const double k[3] = { 2.5, 4.75, 1.25 };".to_owned();
     let call = format!("u = {symbol}(X[i], t, k, 8.0, 0.5, 1.0)");
-    Ok((object, Contestant { symbol, n: BY_HAND, set_up: gains, call }))
+    Ok((object, Contestant { symbol, set_up: gains, call }))
 }
 
 /// The rounds of all contestants in turn; with an argument one round of few calls, for the profiler.
@@ -159,11 +157,11 @@ fn driver(cases: &[Case], contestants: &[Contestant]) -> String {
         rows.join(", "),
         c::list(&times().collect::<Vec<_>>())
     );
-    for (index, Contestant { n, set_up, call, .. }) in contestants.iter().enumerate() {
+    for (index, Contestant { set_up, call, .. }) in contestants.iter().enumerate() {
         // What is added is 0, and the compiler may not know it: u may be infinite.
         let _ = writeln!(
             text,
-            "static double time_{index}(long rounds) /* order {n} */
+            "static double time_{index}(long rounds)
 {{
     double u = 0.0;
     clock_t start;

@@ -49,7 +49,7 @@ pub enum Variable {
     Elapsed,
     /// Time-to-go T = tau - Dt.
     TimeToGo,
-    /// kappa'(Dt), the rate of stretched time: `kappa_rate`.
+    /// kappa'(Dt), the derivative of kappa: `kappa_rate`.
     KappaRate,
     /// Control u.
     Control,

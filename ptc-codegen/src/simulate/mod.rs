@@ -11,6 +11,7 @@
 
 mod along;
 mod around;
+mod between;
 mod choice;
 mod continuous;
 mod controller;

@@ -7,13 +7,14 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::around::SAME;
+use super::between::{BETWEEN, Between, Held, Moved};
 use super::integrals::Integrals;
 use super::linear::Linear;
 use super::mode::Mode;
 use super::plant::Motion;
 use super::solver::{First, State};
-use super::switching::{Piecewise, Walk};
-use super::{Accuracy, Controller, Failure, Loop, Sample, Values};
+use super::switching::Walk;
+use super::{Controller, Failure, Loop, Sample, Values};
 use crate::code::{Code, Instance};
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
@@ -30,14 +31,6 @@ pub struct Sampled {
     controller: Kind,
     moved: Moved,
     integrals: Option<Integrals>,
-}
-
-/// The plant between samples.
-#[derive(Clone, Debug)]
-enum Moved {
-    /// A chain with f and g, or a model.
-    Rates(Box<Motion>),
-    Linear(Linear),
 }
 
 /// What the controller is given beside the measurement.
@@ -80,9 +73,6 @@ impl Running<'_> {
         }
     }
 }
-
-/// Accuracy of the motion between two samples, where u is constant.
-const BETWEEN: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-12, steps: 10_000 };
 
 /// Where all states are below the first, and u below the second, they count as 0.
 const NOTHING: [f64; 2] = [1e-100, 1e-80];
@@ -326,13 +316,6 @@ impl Sampled {
     }
 }
 
-/// The inputs between two samples: as they are given, and as they act on the plant.
-#[derive(Clone, Copy)]
-struct Held<'a> {
-    u: &'a [f64],
-    acts: &'a [f64],
-}
-
 /// The controller in samples with its parameters.
 fn started<'a>(
     code: &'a Code,
@@ -349,106 +332,6 @@ fn started<'a>(
             "give parameters within their domains, and enough samples".to_owned(),
         )
     })
-}
-
-/// The plant between two samples, over the part of the time between them.
-struct Between<'a> {
-    moved: &'a mut Moved,
-    integrals: Option<&'a mut Integrals>,
-    held: Held<'a>,
-    from: f64,
-    length: f64,
-    /// Time-to-go at the beginning.
-    time_to_go: f64,
-}
-
-impl Between<'_> {
-    fn time(&self, s: f64) -> f64 {
-        self.from + self.length * s
-    }
-
-    /// Number of kinks of the plant.
-    fn of_plant(&self) -> usize {
-        match &self.moved {
-            Moved::Rates(motion) => motion.kinks(),
-            Moved::Linear(_) => 0,
-        }
-    }
-}
-
-impl Piecewise for Between<'_> {
-    fn order(&self) -> usize {
-        match &self.moved {
-            Moved::Rates(motion) => motion.order(),
-            Moved::Linear(plant) => plant.order(),
-        }
-    }
-
-    fn integrals(&self) -> usize {
-        self.integrals.as_ref().map_or(0, |integrals| integrals.count())
-    }
-
-    fn rates(&mut self, s: f64, x: &State, rates: &mut State) {
-        let at = (self.time(s), self.length);
-        let (own, so_far) = x.as_slice().split_at(self.order());
-        match &mut self.moved {
-            Moved::Rates(motion) => motion.rates(at, own, self.held.acts, rates),
-            Moved::Linear(plant) => plant.rates(self.length, own, self.held.acts[0], rates),
-        }
-        if let Some(integrals) = &mut self.integrals {
-            let at = (self.time_to_go - self.length * s, self.length);
-            let rates = &mut rates.as_mut_slice()[own.len()..];
-            integrals.rates(at, (own, self.held.u), so_far, rates);
-        }
-    }
-
-    fn kinks(&self) -> usize {
-        self.of_plant() + self.kinks_of_integrals()
-    }
-
-    fn kinks_of_integrals(&self) -> usize {
-        self.integrals.as_ref().map_or(0, |integrals| integrals.kinks())
-    }
-
-    fn distances(&mut self, s: f64, x: &State, into: &mut Vec<f64>) {
-        let t = self.time(s);
-        let (own, so_far) = x.as_slice().split_at(self.order());
-        if let Moved::Rates(motion) = &mut self.moved {
-            motion.at(t, own, self.held.acts);
-            motion.distances(into);
-        }
-        if let Some(integrals) = self.integrals.as_mut().filter(|own| own.kinks() > 0) {
-            let time_to_go = self.time_to_go - self.length * s;
-            integrals.distances(time_to_go, (own, self.held.u), so_far, into);
-        }
-    }
-
-    fn choose(&mut self, above: &[bool]) {
-        let (of_plant, of_integrals) = above.split_at(self.of_plant());
-        if let Moved::Rates(motion) = &mut self.moved {
-            motion.choose(of_plant);
-        }
-        if let Some(integrals) = &mut self.integrals {
-            integrals.choose(of_integrals);
-        }
-    }
-
-    fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
-        match &self.moved {
-            Moved::Rates(motion) if kink.is_none_or(|kink| kink < motion.kinks()) => {
-                motion.barrier(kink)
-            }
-            _ => None,
-        }
-    }
-
-    fn floors(&self) -> bool {
-        false
-    }
-
-    fn nothing(&mut self, _: f64) -> f64 {
-        BETWEEN.absolute
-    }
 }
 
 /// The multiple of `step` that is nearest to a value; the value itself where there is no step.

@@ -149,7 +149,7 @@ static NAMES: [NameInfo; 18] = [
     info("t_kappa", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law, Force, InputGain]),
     info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Reference, Drift, PlantGain, PlantRate, Objective, Bound]),
     info("T", "time-to-go, t0 + tau - t, in `pi0` held at eps", "time-to-go", Sense::Variable(Variable::TimeToGo), &[Family, Law, Objective, Bound]),
-    info("kappa_rate", "rate of stretched time, kappa'(dt), with `T` held at eps", "rate of stretched time", Sense::Variable(Variable::KappaRate), &[Law]),
+    info("kappa_rate", "derivative of kappa, kappa'(dt), with `T` held at eps", "derivative of kappa", Sense::Variable(Variable::KappaRate), &[Law]),
     info("tau", "settling time", "", Sense::Parameter(Parameter::Tau), EVERYWHERE),
     info("t0", "start time", "", Sense::Parameter(Parameter::StartTime), OUTSIDE_MAPPING),
     info("eps", "time-to-go at which the gains are held", "", Sense::Parameter(Parameter::Eps), OUTSIDE_MAPPING),

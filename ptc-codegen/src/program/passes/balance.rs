@@ -27,10 +27,10 @@ const DEGREE: usize = 3;
 /// other, and neither do pairs of these with z^2, and so on. That takes one multiplication more for each
 /// square, and some log2 of the degree in place of the degree operations in a row.
 ///
-/// A power of z may leave the range before the sum does, since a state that decays with T meets powers of
-/// 1/T one by one in Horner's rule. So powers end at z^4 in doubles and at z^2 in floats, which hold for
-/// T > 1e-77 and 1e-19, and Horner's rule goes on in the last. Where every coefficient is a number,
-/// z is the bounded variable of an approximation, and powers go on to the end.
+/// A power of a large z may leave the range before the sum does, where small coefficients meet z one by one
+/// in Horner's rule. So powers end at z^4 in doubles and at z^2 in floats, which hold for z < 1e77 and
+/// z < 1e19, and Horner's rule goes on in the last. Where every coefficient is a number, z is the bounded
+/// variable of an approximation, and powers go on to the end.
 pub(super) fn run(program: Program) -> Program {
     if !program.latency {
         return program;

@@ -87,7 +87,9 @@ impl Reader<'_> {
                 "the objectives have more than {} integrals of a plant with {states} states",
                 self.integrals.len()
             );
-            let help = "states and different integrals together are at most 16: verify some of the objectives in a campaign of their own";
+            let help = format!(
+                "states and different integrals together are at most {MAX_ORDER}: verify some of the objectives in a campaign of their own"
+            );
             self.found.push("bad-expression", key, Some(node.place), message, help);
             return None;
         }

@@ -1,0 +1,294 @@
+//! Many runs by one method: every lane takes the next one as soon as its own is done.
+
+use super::flow::{Flow, Steps, Which};
+use super::{Clock, Instants, Job, LaneSide, See};
+use crate::parameter::Parameter;
+use crate::program::lanes::{LANES, Pack};
+use crate::simulate::Values;
+use crate::simulate::solver::FIRST;
+
+/// Steps of a run above which it counts as stiff, as for one that is run by itself.
+const MOST: usize = 1200;
+
+/// Steps after which a run is left where the rest, at the length of the last step, takes more than that:
+/// by then the first steps, which are short, are done.
+const SETTLED: usize = 40;
+
+/// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
+const REFUSED: usize = 200;
+
+/// Where a run is.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    job: usize,
+    piece: usize,
+    /// The next instant of the piece.
+    next: usize,
+    /// sigma of the end of the job.
+    finish: f64,
+    steps: usize,
+    refused: usize,
+}
+
+impl Place {
+    /// Whether a run goes on that has come to `at` and takes a step of `step` next.
+    fn goes_on(&self, at: f64, step: f64) -> bool {
+        #[allow(clippy::cast_precision_loss)]
+        let left = MOST as f64 - self.steps as f64;
+        let is_stiff = self.steps >= SETTLED && (self.finish - at) / step > left;
+        !is_stiff && self.steps < MOST && self.refused < REFUSED
+    }
+}
+
+/// A run to go on with; without a state it begins at t0.
+#[derive(Clone, Debug)]
+pub(super) struct Due {
+    place: Place,
+    at: f64,
+    step: f64,
+    y: Option<Vec<f64>>,
+}
+
+impl Due {
+    pub(super) fn of(index: usize, job: &Job<'_>) -> Self {
+        let last = job.pieces.iter().filter_map(|(shares, _)| shares.last()).next_back();
+        let finish = -last.copied().unwrap_or(1.0).ln();
+        let place = Place { job: index, piece: 0, next: 0, finish, steps: 0, refused: 0 };
+        Self { place, at: 0.0, step: FIRST, y: None }
+    }
+}
+
+/// The runs under way.
+pub(super) struct Batch<'a, S, M> {
+    side: &'a mut S,
+    jobs: &'a [Job<'a>],
+    due: std::vec::IntoIter<Due>,
+    done: &'a mut [bool],
+    places: [Option<Place>; LANES],
+    clock: Clock,
+    method: M,
+    /// sigma of the end of the piece of each lane.
+    end: Pack,
+    seen: Vec<Pack>,
+    /// Runs for which the method takes too many steps.
+    left: Vec<Due>,
+}
+
+impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
+    pub(super) fn of(
+        side: &'a mut S,
+        jobs: &'a [Job<'a>],
+        due: Vec<Due>,
+        done: &'a mut [bool],
+        method: M,
+    ) -> Self {
+        Self {
+            seen: vec![Pack::all(0.0); side.order()],
+            side,
+            jobs,
+            due: due.into_iter(),
+            done,
+            places: [None; LANES],
+            clock: Clock { tau: Pack::all(1.0), t0: Pack::all(0.0) },
+            method,
+            end: Pack::all(0.0),
+            left: Vec::new(),
+        }
+    }
+
+    /// Those that are left.
+    pub(super) fn run(mut self, see: See<'_>) -> Vec<Due> {
+        while self.load(see) {
+            self.step(see);
+        }
+        self.left
+    }
+
+    fn piece(&self, place: &Place) -> &'a (Vec<f64>, Values) {
+        &self.jobs[place.job].pieces[place.piece]
+    }
+
+    /// Gives lanes that are idle their next job, or their next piece; whether any has one.
+    fn load(&mut self, see: See<'_>) -> bool {
+        loop {
+            let mut fresh = [false; LANES];
+            let mut started: [Option<Option<Vec<f64>>>; LANES] = Default::default();
+            for lane in 0..LANES {
+                match self.places[lane] {
+                    Some(place) if place.next == self.piece(&place).0.len() => {
+                        fresh[lane] = self.turn(lane, place);
+                    }
+                    Some(_) => continue,
+                    None => {}
+                }
+                if self.places[lane].is_none() {
+                    started[lane] = self.start(lane);
+                    fresh[lane] = started[lane].is_some();
+                }
+            }
+            if !fresh.contains(&true) {
+                return self.places.iter().any(Option::is_some);
+            }
+            self.begin(&fresh, &started);
+            // A piece may end where it begins.
+            self.look(&fresh, see);
+        }
+    }
+
+    /// The next piece of the job of a lane; else the job is done.
+    fn turn(&mut self, lane: usize, place: Place) -> bool {
+        let pieces = self.jobs[place.job].pieces;
+        self.places[lane] = None;
+        let Some((_, values)) = pieces.get(place.piece + 1) else {
+            self.done[place.job] = true;
+            return false;
+        };
+        if self.side.give(lane, values).is_err() {
+            return false;
+        }
+        self.places[lane] = Some(Place { piece: place.piece + 1, next: 0, ..place });
+        true
+    }
+
+    /// Begins the next run that can be begun, with the state from which it goes on.
+    fn start(&mut self, lane: usize) -> Option<Option<Vec<f64>>> {
+        for Due { place, at, step, y } in self.due.by_ref() {
+            let job = &self.jobs[place.job];
+            let legal = job.pieces.iter().all(|(shares, _)| !shares.is_empty());
+            let start = |side: &mut S| {
+                side.start(lane, job.values, job.x0)?;
+                match place.piece {
+                    0 => Ok(()),
+                    piece => side.give(lane, &job.pieces[piece].1),
+                }
+            };
+            if legal && start(self.side).is_ok() {
+                self.clock.tau.0[lane] = job.values.get(Parameter::Tau);
+                self.clock.t0.0[lane] = job.values.get(Parameter::StartTime);
+                let flow = self.method.flow();
+                flow.at.0[lane] = at;
+                flow.step.0[lane] = step;
+                self.places[lane] = Some(place);
+                return Some(y);
+            }
+        }
+        None
+    }
+
+    /// Begins in lanes with new values, some of which are at a start; those with a kink on their way are
+    /// left.
+    fn begin(&mut self, fresh: &Which, started: &[Option<Option<Vec<f64>>>; LANES]) {
+        self.side.settle();
+        let mut x0 = self.method.flow().y.clone();
+        let mut last = Pack::all(1.0);
+        for lane in (0..LANES).filter(|lane| fresh[*lane]) {
+            let Some(place) = self.places[lane] else { continue };
+            let job = &self.jobs[place.job];
+            for (x0, x) in x0.iter_mut().zip(job.x0) {
+                x0.0[lane] = *x;
+            }
+            last.0[lane] = self.piece(&place).0.last().copied().unwrap_or(1.0);
+            self.end.0[lane] = -last.0[lane].ln();
+        }
+        let Self { side, clock, method, .. } = self;
+        let flow = method.flow();
+        let from = clock.at(&flow.at.map(|at| (-at).exp()));
+        let at_start: Which = std::array::from_fn(|lane| matches!(started[lane], Some(None)));
+        if at_start.contains(&true) {
+            for (y, begun) in flow.y.iter_mut().zip(&side.begin(&from, &x0)) {
+                y.take(begun, &at_start);
+            }
+        }
+        for (lane, started) in started.iter().enumerate() {
+            if let Some(Some(state)) = started {
+                flow.y.iter_mut().zip(state).for_each(|(y, own)| y.0[lane] = *own);
+            }
+        }
+        let kinks = side.kinks_between(&from, &clock.at(&last));
+        for lane in 0..LANES {
+            if fresh[lane] && kinks[lane] {
+                self.places[lane] = None;
+            }
+        }
+        method.begin(fresh, &mut |share, y, again| side.last(&clock.at(share), y, again));
+    }
+
+    fn step(&mut self, see: See<'_>) {
+        let active: Which = self.places.map(|place| place.is_some());
+        let Self { side, clock, method, end, .. } = self;
+        let moved =
+            method.step(&active, end, &mut |share, y, again| side.last(&clock.at(share), y, again));
+        if moved.contains(&true) {
+            method.accept(&moved, &mut |share, y, again| side.last(&clock.at(share), y, again));
+        }
+        let mut stays = [true; LANES];
+        for lane in (0..LANES).filter(|lane| active[*lane]) {
+            let Flow { at, step, y } = self.method.flow();
+            let finite = y.iter().all(|y| y.0[lane].is_finite());
+            if let Some(place) = self.places[lane].as_mut().filter(|_| finite) {
+                place.steps += 1;
+                place.refused += usize::from(!moved[lane]);
+                stays[lane] = place.goes_on(at.0[lane], step.0[lane]);
+            } else {
+                self.places[lane] = None;
+            }
+        }
+        self.look(&moved, see);
+        for lane in (0..LANES).filter(|lane| !stays[*lane]) {
+            self.leave(lane);
+        }
+    }
+
+    /// Leaves a run where it is, if it has not come to the end of its piece.
+    fn leave(&mut self, lane: usize) {
+        let Some(place) = self.places[lane] else { return };
+        if place.next < self.piece(&place).0.len() {
+            let Flow { at, step, y } = self.method.flow();
+            let y = Some(y.iter().map(|y| y.0[lane]).collect());
+            let place = Place { steps: 0, refused: 0, ..place };
+            self.left.push(Due { place, at: at.0[lane], step: step.0[lane], y });
+            self.places[lane] = None;
+        }
+    }
+
+    /// Hands over the instants that some lanes have come to.
+    fn look(&mut self, lanes: &Which, see: See<'_>) {
+        loop {
+            let mut jobs = [None; LANES];
+            let mut last = [false; LANES];
+            let mut ends = [false; LANES];
+            let mut share = Pack::all(1.0);
+            let here = self.method.flow().at;
+            let mut at = here;
+            for lane in (0..LANES).filter(|lane| lanes[*lane]) {
+                let Some(place) = self.places[lane] else { continue };
+                let shares = &self.piece(&place).0;
+                let Some(next) = shares.get(place.next) else { continue };
+                let (own, here) = (-next.ln(), here.0[lane]);
+                if own - here > SAME * here.max(1.0) {
+                    continue;
+                }
+                jobs[lane] = Some(place.job);
+                share.0[lane] = *next;
+                ends[lane] = here - own <= SAME * here.max(1.0);
+                at.0[lane] = own.min(here);
+                let is_end = place.next + 1 == shares.len();
+                last[lane] = is_end && place.piece + 1 == self.jobs[place.job].pieces.len();
+                self.places[lane] = Some(Place { next: place.next + 1, ..place });
+            }
+            if jobs.iter().all(Option::is_none) {
+                return;
+            }
+            self.method.within(&at, &mut self.seen);
+            for (seen, y) in self.seen.iter_mut().zip(&self.method.flow().y) {
+                seen.take(y, &ends);
+            }
+            let at = self.clock.at(&share);
+            let (x, u) = self.side.tell(&at, &self.seen);
+            see(&Instants { jobs, last, time_to_go: &at.time_to_go, x, u });
+        }
+    }
+}
+
+/// Within this, as a part of them, two places are the same.
+const SAME: f64 = 1e-13;

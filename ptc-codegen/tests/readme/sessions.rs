@@ -1,0 +1,106 @@
+//! What the pages print is what their commands print.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use super::{
+    AXES, BARRIER, CART, DESIGN, DRIVE, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, PAGES, PENDULUM,
+    REFERENCES, ROBOT, SAMPLES, SIMULATE, TABLE, TANK, TRACK, VERIFY, blocks_of, folder, shell,
+};
+
+/// What `line` prints in `folder`; a refused design is no failure.
+pub(super) fn printed(line: &str, folder: &Path) -> String {
+    let binary = format!("'{}'", env!("CARGO_BIN_EXE_ptc-codegen"));
+    let command = line.replacen("ptc-codegen", &binary, 1);
+    let output = Command::new("sh").args(["-c", &command]).current_dir(folder).output();
+    let output = output.expect("a shell");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{line}\n{told}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+/// Puts what `line` prints now into its page, in place of what is shown there.
+fn write(name: &str, line: &str, shown: &str, told: &str) {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs").join(name);
+    let text = fs::read_to_string(&page).expect("a page");
+    let session = |output: &str| format!("$ {line}\n{output}");
+    fs::write(&page, text.replace(&session(shown), &session(told))).expect("writable");
+    println!("docs/{name}: {line}");
+}
+
+#[test]
+fn pages_show_what_is_printed() {
+    let folder = folder("pages");
+    let [stage] = &blocks_of(SIMULATE, "toml")[..] else { panic!("one design") };
+    fs::write(folder.join("stage.toml"), stage).expect("writable");
+    let [uncertain, energy, axis] = &blocks_of(VERIFY, "toml")[..] else { panic!("designs") };
+    fs::write(folder.join("uncertain.toml"), uncertain).expect("writable");
+    fs::write(folder.join("energy.toml"), energy).expect("writable");
+    fs::write(folder.join("axis.toml"), axis).expect("writable");
+    let [wish] = &blocks_of(DESIGN, "toml")[..] else { panic!("one wish") };
+    fs::write(folder.join("wish.toml"), wish).expect("writable");
+    fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
+    assert_eq!(blocks_of(SAMPLES, "toml"), [MOTOR]);
+    fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
+    let [shown @ .., uncertain] = &blocks_of(MODELS, "toml")[..] else { panic!("designs") };
+    let [drive, tank, robot, barrier, pendulum] = shown else { panic!("designs") };
+    assert_eq!([drive, tank, robot, pendulum], [DRIVE, TANK, ROBOT, PENDULUM]);
+    let (_, law) = barrier.split_once('\n').expect("a comment and a law");
+    assert!(BARRIER.contains(law), "{law}");
+    fs::write(folder.join("barrier_arm.toml"), BARRIER).expect("writable");
+    fs::write(folder.join("arm.toml"), format!("{ROBOT}\n{uncertain}")).expect("writable");
+    fs::write(folder.join("drive.toml"), DRIVE).expect("writable");
+    fs::write(folder.join("pendulum.toml"), PENDULUM).expect("writable");
+    fs::write(folder.join("tank.toml"), TANK).expect("writable");
+    fs::write(folder.join("two_link.toml"), ROBOT).expect("writable");
+    fs::write(folder.join("cart.toml"), CART).expect("writable");
+    assert_eq!(blocks_of(REFERENCES, "toml"), [TRACK]);
+    fs::write(folder.join("track.toml"), TRACK).expect("writable");
+    assert_eq!(blocks_of(AXES, "toml"), [GANTRY]);
+    fs::write(folder.join("gantry.toml"), GANTRY).expect("writable");
+    assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
+    fs::write(folder.join("table.toml"), TABLE).expect("writable");
+    for line in blocks_of(VERIFY, "sh").concat().lines() {
+        assert!(!printed(line, &folder).is_empty(), "{line}");
+    }
+    for (name, page) in PAGES {
+        for block in blocks_of(page, "console") {
+            let session = block.strip_prefix("$ ").expect("a command").replace("\n$ ", "\n\0");
+            for part in session.split('\0') {
+                let (line, shown) = part.split_once('\n').expect("a command and its output");
+                if line.contains("--engine symbolica")
+                    && std::env::var_os("PTC_ENGINE_PROGRAM").is_none()
+                {
+                    continue;
+                }
+                let told = printed(line, &folder);
+                if told != shown && std::env::var_os("UPDATE_GOLDEN").is_some() {
+                    write(name, line, shown, &told);
+                    continue;
+                }
+                assert_eq!(told, shown, "docs/{name}: {line}");
+            }
+        }
+    }
+    // What the guide shows is what its commands draw.
+    for picture in
+        ["axes.svg", "choose.svg", "noise.svg", "period.svg", "sensors.svg", "torque.svg"]
+    {
+        let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide").join(picture);
+        let [kept, drawn] =
+            [kept, folder.join(picture)].map(|path| fs::read_to_string(path).expect("a picture"));
+        assert!(kept == drawn, "docs/guide/{picture} is another picture");
+    }
+    let [program] = &blocks_of(AXES, "c")[..] else { panic!("one program") };
+    fs::write(folder.join("axes.c"), program).expect("writable");
+    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iaxes axes.c axes/gantry.c -lm -o gantry && ./gantry";
+    let [shown] = &blocks_of(AXES, "text")[..] else { panic!("one output") };
+    assert_eq!(&shell(strict, &folder), shown);
+    for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
+        let page = PAGES.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
+        let shown = blocks_of(page.expect("a page").1, "console").concat();
+        assert!(shown.contains(&format!("refused: {check}")), "{check} shows no refusal");
+    }
+    assert!(blocks_of(MODELS, "console").concat().contains("refused: zeros"), "models.md");
+}
