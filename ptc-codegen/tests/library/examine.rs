@@ -66,6 +66,31 @@ fn an_envelope_needs_no_gains() {
     assert_eq!(verdict(law, "envelope"), Verdict::Refuted);
 }
 
+/// Far from 0 the numbers of t are further apart than samples are, and than eps is.
+#[test]
+fn time_that_cannot_be_told_apart_is_not_taken_as_exact() {
+    let line = "--n 2 --mu \"exp(a=1)\" --poles=-4,-5 --tau=0.5 --eps=1e-2 --sample-time=1e-3 \
+                --error=1e-3 --x0-max=1,1";
+    for (far, sampling, deadline) in [
+        ("--t0=1e12", Verdict::Sound, Verdict::Sound),
+        ("--t0=1e14", Verdict::Undecided, Verdict::Undecided),
+        ("--t0=-1e17", Verdict::Unsound, Verdict::Unsound),
+        ("--t0=1000 --precision=f32", Verdict::Sound, Verdict::Sound),
+        ("--t0=16384 --precision=f32", Verdict::Undecided, Verdict::Sound),
+        ("--t0=1e6 --precision=f32", Verdict::Undecided, Verdict::Undecided),
+        ("--t0=2e7 --precision=f32", Verdict::Unsound, Verdict::Unsound),
+    ] {
+        let line = format!("{line} {far}");
+        assert_eq!(verdict(&line, "sampling"), sampling, "{far}");
+        // Where the loop is decided, that is what counts.
+        let looped = verdict(&line, "loop");
+        assert_ne!(looped, Verdict::Unsound, "{far}");
+        if looped != Verdict::Sound {
+            assert_eq!(verdict(&line, "deadline"), deadline, "{far}");
+        }
+    }
+}
+
 /// The eps that `error` allows for short periods is 0.036 s, at which the loop is not stable.
 #[test]
 fn an_eps_that_fails_in_the_loop_gives_way() {

@@ -5,6 +5,7 @@ use std::collections::btree_map::Entry;
 
 use super::Numbers;
 use super::known::{self, lacking};
+use super::resolution::Resolution;
 use crate::check::deadline::{ClosedLoop, deadline};
 use crate::check::sampled::Loop;
 use crate::check::sampling::sampling;
@@ -110,11 +111,17 @@ pub(super) fn guard(spec: &mut Spec, expanded: Option<&Expanded>) -> (Outcome, O
         }
     }
     let eps = spec.fixed.get(&Parameter::Eps).and_then(known::to_f64);
+    // Two samples see two times, and the time at which the gains are held is one of them.
+    let resolution = Resolution::new(spec);
+    let judged = |outcome, needed| match &resolution {
+        Some(resolution) => resolution.judge(outcome, needed),
+        None => outcome,
+    };
     (
         sampled.map_or_else(
             || unasked("sampling", "sample_time"),
-            |s| of_chain_alone(spec, s.outcome(eps)),
+            |s| judged(of_chain_alone(spec, s.outcome(eps)), period),
         ),
-        ended.map_or_else(|| unasked("deadline", "error"), |d| d.outcome(eps)),
+        ended.map_or_else(|| unasked("deadline", "error"), |d| judged(d.outcome(eps), eps)),
     )
 }

@@ -11,6 +11,7 @@ mod numbers;
 mod period;
 mod plane;
 mod report;
+mod resolution;
 
 use guard::{choose_eps, guard, superseded};
 pub(crate) use known::{decay, rounded_down};

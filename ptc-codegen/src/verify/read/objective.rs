@@ -24,7 +24,11 @@ impl Reader<'_> {
                 let any = given.values().next().map(|(place, _)| *place);
                 let place = given.get("bound").map(|(_, node)| node.place).or(any);
                 let message = format!("objective {index} does not say what it bounds");
-                let help = "write `bound = \"state\"`, \"input\", \"attractive\" or \"within\"";
+                // The keys of one kind tell which it is meant to be.
+                let help = match given.keys().next().copied() {
+                    Some("h" | "low" | "high") => "write `bound = \"within\"`, which bounds h",
+                    _ => "write `bound = \"state\"`, \"input\", \"attractive\" or \"within\"",
+                };
                 self.wrong(&table, place, message, help);
                 return None;
             }
