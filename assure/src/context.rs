@@ -1,7 +1,7 @@
 //! What a layer works on: the controllers of the goldens, those of every family, and random ones.
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use ptc_codegen::family::Family;
 use ptc_codegen::parameter::Precision;
@@ -21,10 +21,15 @@ pub struct Context {
     pub time: Duration,
     /// Whether fewer controllers are examined.
     pub brief: bool,
+    /// Which of the parts of what is costly a brief run examines: the number of the day.
+    pub day: u64,
 }
 
 /// For which the fuzzer draws controllers by default.
 pub const TIME: Duration = Duration::from_secs(20);
+
+/// In how many parts a brief run divides what is costly, and so in how many days all of it is examined.
+const PARTS: u64 = 3;
 
 /// The root of the workspace.
 pub fn workspace() -> &'static Path {
@@ -35,12 +40,30 @@ pub fn workspace() -> &'static Path {
 impl Context {
     /// The context that works in the folder `assure` of cargo's `target`.
     pub fn new(target: &Path, seed: u64) -> Self {
-        Self { target: target.to_owned(), seed, time: TIME, brief: false }
+        let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+        let day = since.map_or(0, |since| since.as_secs() / (24 * 60 * 60));
+        Self { target: target.to_owned(), seed, time: TIME, brief: false, day }
     }
 
     /// The greatest order of the families that a layer examines, `full` where the run is not brief.
     pub fn order(&self, full: usize) -> usize {
         if self.brief { full.min(2) } else { full }
+    }
+
+    /// The part of `all` whose turn it is in a brief run, the next one a day later; else all.
+    pub fn in_turn<T>(&self, all: Vec<T>) -> Vec<T> {
+        let parts = if self.brief { PARTS } else { 1 };
+        let mut index = self.day;
+        let mut is_due = |_: &T| {
+            index += 1;
+            index % parts == 0
+        };
+        all.into_iter().filter(|one| is_due(one)).collect()
+    }
+
+    /// `full` records of each controller, a quarter of them in a brief run.
+    pub fn records(&self, full: usize) -> usize {
+        if self.brief { full / 4 } else { full }
     }
 
     /// An empty folder of a layer's own.

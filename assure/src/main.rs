@@ -40,7 +40,8 @@ struct CommandLine {
     /// layer; `ptc-codegen emit --cost` takes the table
     #[arg(long, value_name = "FILE", conflicts_with = "layers")]
     design: Option<PathBuf>,
-    /// Examine fewer controllers: of the families orders up to 2, and a quarter of the random ones
+    /// Examine less: of the families orders up to 2, a quarter of the random controllers and of the
+    /// records, and for proofs and rules another third of all each day
     #[arg(long)]
     brief: bool,
     /// Install nothing: a layer that lacks a tool is not run

@@ -23,7 +23,7 @@ use crate::harness::specs::{calls_a_library, spec};
 use crate::harness::{empty, in_pairs, tolerance};
 use crate::layer::{Finding, Table};
 
-/// Records for each controller.
+/// Records for each controller, where the run is not brief.
 const RECORDS: usize = 1000;
 
 /// What runs the files of controllers on their records, from a folder of its own.
@@ -102,8 +102,9 @@ pub(super) fn compare(context: &Context, side: &Side<'_>) -> Result<Finding> {
         }
     }
     finding.summary = format!(
-        "{} controllers, {RECORDS} records each: {} of {} records differ where no library is called",
+        "{} controllers, {} records each: {} of {} records differ where no library is called",
         emitted.len(),
+        context.records(RECORDS),
         exact.differing,
         exact.records
     );
@@ -147,7 +148,9 @@ fn in_c_on_records(
     let records: Vec<_> = specs
         .iter()
         .enumerate()
-        .map(|(index, spec)| records(spec, &mut Random(context.seed ^ index as u64), RECORDS))
+        .map(|(index, spec)| {
+            records(spec, &mut Random(context.seed ^ index as u64), context.records(RECORDS))
+        })
         .collect();
     let programs = in_c(&empty(&folder.join("c")), specs);
     let calls: Vec<_> = programs.iter().zip(&records).collect();
@@ -262,7 +265,8 @@ fn seeded(context: &Context, side: &Side<'_>, finding: &mut Finding) -> Result<(
     let bits = |outcome: &Outcome| (outcome.init, outcome.bits().1);
     let differing = wanted[0].iter().zip(&found[0]).filter(|(c, other)| bits(c) != bits(other));
     let differing = differing.count();
-    let caught = (differing > 0).then(|| format!("{differing} of {RECORDS} records differ"));
+    let all = records[0].len();
+    let caught = (differing > 0).then(|| format!("{differing} of {all} records differ"));
     finding.seed(side.defect.2, caught);
     Ok(())
 }

@@ -48,6 +48,7 @@ fn run(context: &Context) -> Result<Finding> {
     let random = context.random(RANDOM).into_iter().map(within_range).collect();
     let mut specs =
         [context.goldens(), context.families(context.order(6)), context.in_samples(), random]
+            .map(|specs| context.in_turn(specs))
             .concat();
     // The goldens hold families of the orders 1 to 5.
     specs.retain(|spec| names.insert(spec.name()));

@@ -38,12 +38,9 @@ fn run(context: &Context) -> Result<Finding> {
             "built by cargo from what is in it".to_owned(),
         ]);
     }
-    let generator = crates
-        .iter()
-        .find(|path| path.to_string_lossy().contains("ptc-codegen-"))
-        .context("the crate of the command")?;
-    let source = unpack(generator, &folder)?;
+    let source = unpacked(target)?;
     let installed = empty(&folder.join("installed"));
+    // Debug, as cargo has built it by now.
     succeed(
         cargo(target)
             .args(["install", "--quiet", "--debug", "--path"])
@@ -138,16 +135,14 @@ fn forget_unpacked() -> Result<()> {
     Ok(())
 }
 
-/// The folder of an unpacked crate.
-fn unpack(package: &Path, folder: &Path) -> Result<PathBuf> {
-    let home = empty(&folder.join("unpacked"));
-    succeed(Command::new("tar").arg("-xzf").arg(package).arg("-C").arg(&home))?;
-    let inner = fs::read_dir(&home)?.next().context("a folder in the crate")??;
+/// The folder in which cargo unpacked and built the crate of the command.
+fn unpacked(target: &Path) -> Result<PathBuf> {
+    let folder = target.join(format!("package/ptc-codegen-{}", env!("CARGO_PKG_VERSION")));
     // A separate workspace, though its folder is below another one.
-    let manifest = inner.path().join("Cargo.toml");
-    let text = fs::read_to_string(&manifest)?;
+    let manifest = folder.join("Cargo.toml");
+    let text = fs::read_to_string(&manifest).context("the unpacked crate of the command")?;
     fs::write(&manifest, format!("{text}\n[workspace]\n"))?;
-    Ok(inner.path())
+    Ok(folder)
 }
 
 /// Installs the wheel alone in a fresh environment: its command, which needs nothing else.

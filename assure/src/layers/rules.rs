@@ -49,7 +49,8 @@ fn run(context: &Context) -> Result<Finding> {
     // The goldens are of the orders 1 to 5 in double precision.
     let mut single = context.families(context.order(3));
     single.retain(|spec| spec.precision == Precision::F32);
-    let specs = [shapes().to_vec(), context.goldens(), single, context.random(15)].concat();
+    let specs = [context.goldens(), single, context.random(15)].map(|specs| context.in_turn(specs));
+    let specs = [shapes().to_vec(), specs.concat()].concat();
     let has_selftest = |index: usize| index < shapes().len() || index.is_multiple_of(SELFTESTED);
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| {
