@@ -9,7 +9,7 @@ const KNOBS = [
   { key: "sample_time", name: "Sample time", unit: "s", from: -5, to: 0, start: 1e-3 },
   { key: "eps", name: "eps", unit: "s", from: -5, to: 0, start: 0.05, timeOnly: true },
   { key: "noise", name: "Noise", unit: "", from: -8, to: 0, start: 1e-4 },
-  { key: "delay", name: "Delay", unit: "sample(s)", from: 0, to: 5, start: 1, whole: true },
+  { key: "delay", name: "Delay", unit: "samples", from: 0, to: 5, start: 1, whole: true },
 ];
 
 /** Steps of a slider for a power of ten. */

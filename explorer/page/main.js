@@ -56,6 +56,7 @@ function shown(answer, asked) {
   plane.show(answer);
   if (asked.language === output.language()) output.show(answer);
   runs.show(answer);
+  document.body.classList.toggle("stale", !answer.runs);
   if (answer.runs) $("x0").placeholder = (answer.runs.x0 ?? []).join(", ");
 }
 

@@ -8,15 +8,16 @@ use std::process::Command;
 use anyhow::{Context as _, Result};
 
 use crate::context::{Context, workspace};
-use crate::harness::command::succeed;
+use crate::harness::command::{succeed, text};
+use crate::harness::runtime;
 use crate::layer::{Finding, Layer};
-use crate::tool::{PYTHON, ShownBy, Source, Tool};
+use crate::tool::{CHROMIUM, PYTHON, ShownBy, Source, Tool};
 
 pub(super) const LAYER: Layer = Layer {
     name: "book",
     claim: "mdBook makes one book of docs/: it has every page, and each link of it leads to a page, a \
-            heading, or a file of the repository.",
-    tools: &[MDBOOK, PYTHON],
+            heading, or a file of the repository, each picture is shown, and no page is wider than a phone.",
+    tools: &[CHROMIUM, MDBOOK, PYTHON],
     run,
 };
 
@@ -26,6 +27,11 @@ const MDBOOK: Tool = Tool {
     source: Source::Cargo(&["mdbook", "--no-default-features", "--features", "search"]),
 };
 
+const SCRIPT: &str = include_str!("book.py");
+
+/// What drives the browser.
+const PLAYWRIGHT: &str = "playwright==1.65.2";
+
 /// Where a link to a file that is no page leads.
 const REPOSITORY: &str = "https://github.com/ptc-codegen/ptc/blob/main/";
 
@@ -33,10 +39,15 @@ const REPOSITORY: &str = "https://github.com/ptc-codegen/ptc/blob/main/";
 const OWN: [&str; 3] = ["print.html", "toc.html", "404.html"];
 
 /// Added to a page, each is a fault.
-const DEFECTS: [(&str, &str); 3] = [
+const DEFECTS: [(&str, &str); 5] = [
     ("a link to a page that is not there", "[a](no_such.md)"),
     ("a link to a heading that is not there", "[a](verify.md#no-such-heading)"),
     ("a link to a file that is not in the repository", "[a](../examples/no_such.toml)"),
+    ("a line that is wider than a phone", "<p style=\"width: 600px\">wide</p>"),
+    (
+        "a picture that a browser cannot show",
+        "![a](https://github.com/ptc-codegen/ptc/blob/main/docs/picture.svg)",
+    ),
 ];
 
 fn run(context: &Context) -> Result<Finding> {
@@ -53,7 +64,7 @@ fn run(context: &Context) -> Result<Finding> {
 /// The number of pages and links, and what is wrong with them, of a book whose first page has an addition.
 fn examine(context: &Context, added: &str) -> Result<(usize, usize, Vec<String>)> {
     let folder = context.scratch("book");
-    for part in ["docs", "tools"] {
+    for part in ["docs", "tools", "ptc-codegen/catalogue"] {
         copy(&workspace().join(part), &folder.join(part))?;
     }
     let first = folder.join("docs/start.md");
@@ -93,9 +104,25 @@ fn examine(context: &Context, added: &str) -> Result<(usize, usize, Vec<String>)
             }
         }
     }
+    let pictures = added.is_empty().then(|| context.scratch("book-pictures"));
+    faults.extend(seen(context, &book, pictures.as_deref())?);
     faults.sort();
     faults.dedup();
     Ok((count, links, faults))
+}
+
+/// What is wrong with the pages in a browser, which leaves pictures of some in a folder.
+fn seen(context: &Context, book: &Path, pictures: Option<&Path>) -> Result<Vec<String>> {
+    let python = runtime::python(&context.shared("playwright"), &[PLAYWRIGHT])?;
+    let script = book.join("book.py");
+    fs::write(&script, SCRIPT)?;
+    let mut look = Command::new(&python);
+    let told = text(look.arg(&script).arg("chromium").arg(book).args(pictures))?;
+    let told: BTreeMap<String, Vec<String>> = serde_json::from_str(&told)?;
+    let faults = |(page, faults): (String, Vec<String>)| {
+        faults.into_iter().map(move |fault| format!("{page}: {fault}"))
+    };
+    Ok(told.into_iter().flat_map(faults).collect())
 }
 
 /// What is wrong with a link of a page.
@@ -104,7 +131,7 @@ fn broken(texts: &BTreeMap<PathBuf, String>, page: &Path, link: &str) -> Option<
         let path = path.split('#').next().unwrap_or_default();
         return (!workspace().join(path).exists()).then_some("not in the repository");
     }
-    if link.contains("://") || link.starts_with("mailto:") {
+    if link.contains("://") || link.starts_with("data:") || link.starts_with("mailto:") {
         return None;
     }
     let (path, heading) = link.split_once('#').unwrap_or((link, ""));

@@ -18,7 +18,7 @@ use crate::tool::{CHROMIUM, PYTHON};
 pub(super) const LAYER: Layer = Layer {
     name: "report",
     claim: "A report of `simulate` or `verify` opens in Chromium and requests nothing but itself; \
-            its formulas and figures are laid out, light, dark and on a narrow page.",
+            its formulas and figures are laid out, light and dark, down to a width of 360 px.",
     tools: &[CHROMIUM, PYTHON],
     run,
 };
@@ -45,6 +45,9 @@ const VERIFIED: &str = "[verify]\nx1 = [0.5, 1]\nx2 = 0\nx3 = 0\nscenarios = 8\n
                         [[objective]]\nbound = \"state\"\nsigma = 200\n[[objective]]\n\
                         bound = \"input\"\nupsilon = \"400*exp(-dt/tau)\"\n[[objective]]\n\
                         bound = \"within\"\nh = \"x1\"\nlow = -2\nhigh = 2\n";
+
+/// Least size of letters in a figure, in px.
+const LETTERS: f64 = 9.0;
 
 /// A picture that a page would ask the network for.
 const PICTURE: &str = "<img src=\"http://example.com/x.png\" alt=\"\"/></body>";
@@ -83,7 +86,7 @@ fn run(context: &Context) -> Result<Finding> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         finding.failures.extend(faults(seen).into_iter().map(|fault| format!("{name}: {fault}")));
         let size = fs::metadata(path)?.len();
-        let light = &seen["views"]["light"];
+        let light = &seen["views"]["light.1400"];
         rows.push(vec![name.into_owned(), size.to_string(), light["formulas_seen"].to_string()]);
     }
     for ((defect, _), seen) in seeds.iter().zip(&seen[pages.len()..]) {
@@ -91,7 +94,7 @@ fn run(context: &Context) -> Result<Finding> {
     }
     let formulas: u64 = seen[..pages.len()]
         .iter()
-        .filter_map(|seen| seen["views"]["light"]["formulas_seen"].as_u64())
+        .filter_map(|seen| seen["views"]["light.1400"]["formulas_seen"].as_u64())
         .sum();
     finding.summary = format!("{} reports, {formulas} formulas, no request", pages.len());
     finding.tables.push(Table {
@@ -130,6 +133,7 @@ fn seeds(page: &Path, folder: &Path) -> Result<Vec<(&'static str, PathBuf)>> {
         ("a picture from the network, which the policy refuses", with_picture),
         ("formulas that are not shown", good.replace("math { ", "math { display: none; ")),
         ("a figure that stays white on a dark page", good.replace("fill:#161b22", "")),
+        ("a figure that shrinks with the page", good.replace("figure svg {", ".none {")),
         ("a line that is wider than the page", good.replace("overflow-x: auto", "")),
     ];
     let written = defects.into_iter().enumerate().map(|(index, (defect, bad))| {
@@ -157,6 +161,10 @@ fn faults(seen: &Value) -> Vec<String> {
         }
         if count("figures_seen") == 0 || count("text") < 1000 {
             faults.push(format!("{view}: no figure, or next to no text"));
+        }
+        let letters = looked["letters"].as_f64().unwrap_or(0.0);
+        if letters < LETTERS {
+            faults.push(format!("{view}: letters of {letters:.1} px in a figure"));
         }
         if looked["too_wide"] != Value::Bool(false) {
             faults.push(format!("{view}: wider than the page"));

@@ -89,6 +89,9 @@ pub(crate) fn write() -> Result<()> {
     if let Some(cost) = kept::<Builds>("builds")? {
         tables::builds(&mut text, cost);
     }
+    if let Ok(table) = std::fs::read_to_string(results()?.join("new-user.md")) {
+        tables::new_user(&mut text, &table);
+    }
     std::fs::write(docs.join("BENCHMARKS.md"), text)?;
     println!("wrote docs/BENCHMARKS.md and docs/benchmarks.svg");
     Ok(())

@@ -247,3 +247,13 @@ pub(super) fn builds(text: &mut String, builds: Builds) {
         let _ = writeln!(text, "| {what} | {seconds:.1} |");
     }
 }
+
+/// What `bench/new-user.sh` printed.
+pub(super) fn new_user(text: &mut String, table: &str) {
+    let _ = write!(text, "\n## A new user\n\n    bench/new-user.sh\n\n{NEW_USER}\n\n{table}");
+}
+
+const NEW_USER: &str = "\
+A fresh Debian 12 with what the README says one needs, a clone, then the first `emit`, `simulate` and `verify` of the
+README. Crates are downloaded; Debian's packages and the Rust toolchain are there at the start and not counted.
+Minutes are wall time, here beside other builds on the same two cores: processor seconds are what to compare.";

@@ -25,7 +25,11 @@ pub fn load(path: &Path) -> Result<String, Diagnostic> {
     let shown = path.display();
     match read {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            let help = "`ptc-codegen new` writes a design file to begin with";
+            let near = path.with_extension("toml");
+            let help = match path.extension().is_none() && near.is_file() {
+                true => &format!("did you mean `{}`?", near.display()),
+                false => "`ptc-codegen new` writes a design file to begin with",
+            };
             Err(wrong(format!("there is no design file {shown}"), help))
         }
         Err(error) => {

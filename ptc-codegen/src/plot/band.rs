@@ -45,8 +45,8 @@ impl Band {
             .build_cartesian_2d(0.0..end, up.0..up.1)
             .map_err(|e| told(&e))?;
         chart::mesh(&mut chart, pen)
-            .x_label_formatter(&|x| range::label(*x))
-            .y_label_formatter(&|y| range::label(*y))
+            .x_label_formatter(&|x| range::mark(*x, (0.0, end)))
+            .y_label_formatter(&|y| range::mark(*y, up))
             .x_desc(&self.across)
             .draw()
             .map_err(|e| told(&e))?;

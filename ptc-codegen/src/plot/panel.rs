@@ -29,8 +29,8 @@ const TICK: f64 = 0.04;
 /// Part of the horizontal axis between a deadline and its name.
 const GAP: f64 = 0.015;
 
-/// Part of the horizontal axis that the name of a deadline takes.
-const NAME: f64 = 0.2;
+/// Parts of both axes that the name of a deadline takes.
+const NAME: (f64, f64) = (0.2, 0.12);
 
 /// Part of tau at the start in which u may be so large that the rest would be a flat line.
 const OUTSET: f64 = 0.02;
@@ -61,8 +61,8 @@ impl Panel {
             .build_cartesian_2d(across.0..across.1, up.0..up.1)
             .map_err(|e| told(&e))?;
         chart::mesh(&mut chart, pen)
-            .x_label_formatter(&|x| range::label(*x))
-            .y_label_formatter(&|y| self.label(figure, *y))
+            .x_label_formatter(&|x| range::mark(*x, across))
+            .y_label_formatter(&|y| self.label(figure, *y, up))
             .x_desc(if self == Self::Stretched { "stretched time since t0 in s" } else { "t in s" })
             .draw()
             .map_err(|e| told(&e))?;
@@ -98,7 +98,8 @@ impl Panel {
         }
         for at in self.named_deadlines(figure, across) {
             let text = pen.text(SMALL).pos(Pos::new(HPos::Right, VPos::Top));
-            let label = Text::new("deadline", (at - GAP * (across.1 - across.0), up.1), text);
+            let place = (at - GAP * (across.1 - across.0), self.free(figure, at, across, up));
+            let label = Text::new("deadline", place, text);
             chart.draw_series([label]).map_err(|e| told(&e))?;
         }
         Ok(())
@@ -108,7 +109,7 @@ impl Panel {
     fn named_deadlines(self, figure: &Figure, across: (f64, f64)) -> Vec<f64> {
         let mut all: Vec<_> = figure.traces.iter().map(|trace| trace.deadline).collect();
         all.sort_by(f64::total_cmp);
-        let room = NAME * (across.1 - across.0);
+        let room = NAME.0 * (across.1 - across.0);
         let mut last = across.0;
         all.retain(|at| {
             self != Self::Stretched && *at - last >= room && {
@@ -117,6 +118,25 @@ impl Panel {
             }
         });
         all
+    }
+
+    /// The top of the highest place for a name left of `at` that no run and no bound crosses, else that of the panel.
+    fn free(self, figure: &Figure, at: f64, across: (f64, f64), up: (f64, f64)) -> f64 {
+        let room = NAME.1 * (up.1 - up.0);
+        let from = at - NAME.0 * (across.1 - across.0);
+        let bound = self.bound(figure).into_iter().flat_map(|bound| [bound, -bound]);
+        let mut lines: Vec<_> = bound.map(|bound| [self.drawn(figure, bound); 2]).collect();
+        for trace in &figure.traces {
+            let points = self.points(figure, trace);
+            let beside = points.windows(2).filter(|ends| ends[1].0 >= from && ends[0].0 <= at);
+            lines.extend(beside.map(|ends| [ends[0].1, ends[1].1]));
+        }
+        let crosses = |top: f64, [one, other]: [f64; 2]| {
+            one.min(other) <= top && one.max(other) >= top - room
+        };
+        let tops = (0..8).map(|place| up.1 - f64::from(place) * room);
+        let mut free = tops.filter(|top| !lines.iter().any(|line| crosses(*top, *line)));
+        free.next().unwrap_or(up.1)
     }
 
     fn title(self, figure: &Figure, cut: bool) -> String {
@@ -161,9 +181,9 @@ impl Panel {
         if self.by_decades(figure) { y.abs().log10() } else { y }
     }
 
-    fn label(self, figure: &Figure, y: f64) -> String {
+    fn label(self, figure: &Figure, y: f64, up: (f64, f64)) -> String {
         match self.by_decades(figure) {
-            false => range::label(y),
+            false => range::mark(y, up),
             true if (y - y.round()).abs() < 1e-6 => range::power_of_ten(y),
             true => String::new(),
         }

@@ -36,9 +36,14 @@ pub(super) fn power_of_ten(power: f64) -> String {
     }
 }
 
-/// A number on an axis, without what rounding adds.
+/// A mark of an axis that shows `from` to `to`, whose 0 may be off by what rounding adds.
+pub(super) fn mark(value: f64, (from, to): (f64, f64)) -> String {
+    label(if value.abs() < 1e-9 * (to - from) { 0.0 } else { value })
+}
+
+/// A number in short.
 pub(super) fn label(value: f64) -> String {
-    if value == 0.0 || value.abs() < 1e-12 {
+    if value == 0.0 {
         return "0".to_owned();
     }
     let text = match value.abs() {
@@ -65,13 +70,16 @@ mod tests {
         for (value, shown) in [
             (0.1 + 0.2, "0.3"),
             (-2000.0, "-2000"),
-            (1e-17, "0"),
+            (0.0, "0"),
+            (2e-15, "2e-15"),
             (2.5e-7, "2.5e-7"),
             (1e6, "1e6"),
             (5.0, "5"),
         ] {
             assert_eq!(label(value), shown);
         }
+        assert_eq!(mark(1e-17, (0.0, 1.0)), "0");
+        assert_eq!(mark(1e-17, (0.0, 5e-17)), "1e-17");
         assert_eq!(of([f64::NAN, 1.0, -1.0].into_iter()), (-1.12, 1.12));
         assert_eq!(of(std::iter::empty()), (-1.0, 1.0));
     }

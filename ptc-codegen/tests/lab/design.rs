@@ -333,6 +333,9 @@ fn bad_input_gets_one_clear_message_and_no_file() {
     let (code, _, wrong) = run(&empty, &["design", "none.toml"]);
     assert_eq!(code, Some(2));
     assert!(wrong.contains("there is no design file none.toml"), "{wrong}");
+    fs::write(empty.join("near.toml"), "").expect("writable");
+    let (_, _, wrong) = run(&empty, &["design", "near"]);
+    assert!(wrong.contains("did you mean `near.toml`?"), "{wrong}");
 }
 
 /// x1 = T^k x1(t0) with tau = 1, so that the square of u over the run is k^2/(2k - 1): least at k = 1, where x is

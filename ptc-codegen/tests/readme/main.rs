@@ -146,6 +146,7 @@ fn blocks_of(page: &str, language: &str) -> Vec<String> {
 /// Runs a command of a page in `folder`, with the binary in place of `cargo run`.
 fn shell(command: &str, folder: &Path) -> String {
     let binary = format!("'{}'", env!("CARGO_BIN_EXE_ptc-codegen"));
+    let command = command.replace("cargo run --release -p ptc-codegen --features lab --", &binary);
     let command = command.replace("cargo run --release -p ptc-codegen --", &binary);
     let output = Command::new("sh").args(["-c", &command]).current_dir(folder).output();
     let output = output.expect("a shell");
@@ -191,10 +192,11 @@ fn from_plant_to_firmware() {
     assert_eq!(blocks_of(README, "toml"), [ENCODER]);
     fs::create_dir(folder.join("examples")).expect("writable");
     fs::write(folder.join("examples/encoder.toml"), ENCODER).expect("writable");
+    fs::write(folder.join("examples/pendulum.toml"), PENDULUM).expect("writable");
     for command in commands(README, "cargo run --release -p ptc-codegen") {
         shell(&command, &folder);
     }
-    for file in ["out/ptc_exp3.h", "out/ptc_exp3.c", "out/stage.h", "out/stage.c"] {
+    for file in ["out/ptc_exp3.h", "out/ptc_exp3.c", "out/stage.h", "out/stage.c", "out/x.svg"] {
         assert!(folder.join(file).is_file(), "{file}");
     }
     walk(START, &folder);

@@ -109,7 +109,7 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
     });
     let symbols = plant.symbols(spec).into_iter().map(|symbol| (symbol, "symbol of the plant"));
     let others = spec.parameters().into_iter().filter(|parameter| plant.gives(*parameter));
-    let others = others.map(|parameter| (parameter, "what it is of the plant"));
+    let others = others.map(|parameter| (parameter, "its value in the plant"));
     let symbols = symbols.chain(others).map(|(symbol, meaning)| Known {
         name: symbol.spelling(),
         meaning,

@@ -34,6 +34,15 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<String>>,
 }
 
+impl Table {
+    /// Whether all cells of a column begin with a letter; the others are numbers, which are aligned right.
+    fn of_words(&self, column: usize) -> bool {
+        self.rows
+            .iter()
+            .all(|row| row.get(column).is_some_and(|cell| cell.starts_with(char::is_alphabetic)))
+    }
+}
+
 /// What the page shows of a run of the closed loop.
 pub(crate) struct Section {
     pub(crate) title: &'static str,

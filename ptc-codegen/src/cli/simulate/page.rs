@@ -114,7 +114,7 @@ fn around(request: &Simulate, spec: &Spec) -> Option<String> {
     );
     parts.extend(request.until.as_ref().map(|until| format!("until {until} s after t0")));
     parts.extend(request.arm_at.as_ref().map(|at| format!("armed again at {at} s after t0")));
-    parts.extend(promises.delay.as_ref().map(|delay| format!("delay: {delay} samples")));
+    parts.extend(promises.delay.as_ref().map(|delay| format!("delay in samples: {delay}")));
     Some(format!("{}.", parts.join(", ")))
 }
 

@@ -81,7 +81,7 @@ impl<'a> Reader<'a> {
             axes.gains.extend(first);
             axes.poles.push(spec.poles.clone());
             for (row, n) in rest.iter().zip(&orders[1..]) {
-                let (poles, gains) = self.pole_gains("poles", *n, row);
+                let (poles, gains) = self.pole_gains("poles", *n, 0, row);
                 axes.gains.push(super::law::fixed(gains).into_values().collect());
                 axes.poles.push(poles);
             }

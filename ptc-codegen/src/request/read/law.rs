@@ -71,10 +71,12 @@ pub(super) fn fixed(gains: Vec<BigRational>) -> FixedValues {
 }
 
 impl<'a> Reader<'a> {
-    /// The law; `n` is the order if it could be read, and `order` is used in its place.
+    /// The law; `n` is the order if it could be read, and `order` is used in its place. Both count `late` states
+    /// of a delay.
     pub(super) fn law(
         &mut self,
         (n, order): (Option<usize>, usize),
+        late: usize,
         known: &[Parameter],
         coupled: Option<&Coupled>,
     ) -> Law {
@@ -86,7 +88,7 @@ impl<'a> Reader<'a> {
             }
             Some(("poles", node)) => {
                 let node = self.first("poles", node);
-                let (poles, gains) = self.pole_gains("poles", n, node);
+                let (poles, gains) = self.pole_gains("poles", n, late, node);
                 (law.poles, law.gains) = (poles, fixed(gains));
             }
             Some((_, node)) if matches!(&node.value, Value::Word(word) if word == "extern") => {
@@ -148,6 +150,7 @@ impl<'a> Reader<'a> {
         &mut self,
         key: &'static str,
         n: Option<usize>,
+        late: usize,
         node: &Node,
     ) -> (Vec<(BigRational, BigRational)>, Vec<BigRational>) {
         let nothing = (Vec::new(), Vec::new());
@@ -157,6 +160,7 @@ impl<'a> Reader<'a> {
         {
             let wanted = match key {
                 "observer_poles" | "after_observer" => format!("{n} values that are estimated"),
+                _ if late > 0 => format!("n + delay = {n}"),
                 _ => format!("order n = {n}"),
             };
             let message = format!("{} poles for {wanted}", items.len());

@@ -42,7 +42,7 @@ impl Reader<'_> {
             self.found.push("missing-key", "observer_poles", None, message, help);
             return None;
         };
-        let (poles, mut gains) = self.pole_gains("observer_poles", Some(estimates), node);
+        let (poles, mut gains) = self.pole_gains("observer_poles", Some(estimates), 0, node);
         if blocks.len() > 1 && poles.len() == estimates {
             gains = self.gains_of_blocks("observer_poles", &poles, blocks, node);
         }
@@ -61,7 +61,7 @@ impl Reader<'_> {
     fn after_observer(&mut self, spec: &Spec, blocks: &[usize]) -> Vec<(BigRational, BigRational)> {
         let key = "after_observer";
         let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
-        let (poles, _) = self.pole_gains(key, Some(blocks.iter().sum()), node);
+        let (poles, _) = self.pole_gains(key, Some(blocks.iter().sum()), 0, node);
         if poles.is_empty() {
             return poles;
         }
