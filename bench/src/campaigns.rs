@@ -9,8 +9,11 @@ use crate::callgrind;
 use crate::failure::{Failure, Result, While};
 use crate::tools::{binaries, run, scratch, workspace};
 
-/// Scenarios of a run, beside which what else it does is small; that is taken off all the same.
+/// Scenarios of a run at most, beside which what else it does is small; that is taken off all the same.
 const SCENARIOS: u32 = 8192;
+
+/// Processor seconds that a run may take: where a scenario takes milliseconds, fewer will do.
+const LONG: f64 = 4.0;
 
 /// Scenarios of the run whose cost is taken off.
 const FEW: u32 = 64;
@@ -83,9 +86,11 @@ pub(crate) fn measure() -> Result<Vec<Campaign>> {
 }
 
 fn of_design(command: &Path, design: &Path, what: String) -> Result<Campaign> {
-    let [few, many] = [few_and(1, command, design, FEW)?, few_and(1, command, design, SCENARIOS)?];
-    let two = [few_and(2, command, design, FEW)?, few_and(2, command, design, SCENARIOS)?];
-    let count = f64::from(SCENARIOS - FEW);
+    let few = few_and(1, command, design, FEW)?;
+    let all = scenarios(few.processor);
+    let many = few_and(1, command, design, all)?;
+    let two = [few_and(2, command, design, FEW)?, few_and(2, command, design, all)?];
+    let count = f64::from(all - FEW);
     let pace = |few: &Usage, many: &Usage| count / (many.elapsed - few.elapsed);
     let [less, more] = COUNTED.map(|scenarios| instructions(command, design, scenarios));
     Ok(Campaign {
@@ -95,6 +100,15 @@ fn of_design(command: &Path, design: &Path, what: String) -> Result<Campaign> {
         pace: [pace(&few, &many), pace(&two[0], &two[1])],
         memory: many.memory.max(two[1].memory),
     })
+}
+
+/// How many scenarios a run has, where the run of a few takes so many seconds.
+fn scenarios(seconds: f64) -> u32 {
+    let mut count = SCENARIOS;
+    while count > 8 * FEW && seconds * f64::from(count / FEW) > LONG {
+        count /= 2;
+    }
+    count
 }
 
 /// The command with the laboratory, built as a release is.

@@ -7,6 +7,7 @@ use super::{
     Campaign, Corners, Doubt, Evidence, Kind, Scenario, Signal, Tally, Trial, Verdict, Worst,
     confidence,
 };
+use crate::parameter::Precision;
 use crate::simulate;
 
 /// All that is known in the end.
@@ -173,7 +174,11 @@ pub fn summary(campaign: &Campaign, trial: &mut Trial, known: &Known<'_>) -> Sum
 fn extent(campaign: &Campaign) -> String {
     let Some(around) = &campaign.around else {
         let emitted = if campaign.has_sides() { "" } else { "with the emitted controller, " };
-        return format!("{emitted}T/tau from 1 to {:?}", campaign.until);
+        let precision = match campaign.spec.precision {
+            Precision::F32 => ", in f64, not in f32",
+            Precision::F64 => "",
+        };
+        return format!("{emitted}T/tau from 1 to {:?}{precision}", campaign.until);
     };
     let to = match campaign.until {
         0.0 => "the deadline".to_owned(),

@@ -330,6 +330,11 @@ fn without_a_plant_it_is_the_chain_of_integrators() {
         "note: the design has no [plant]: the plant is the chain of integrators, f = 0\n"
     );
     assert_eq!(out, stdout(&folder, &[&["stage.toml"], &asked[..]].concat()));
+    let single = [&["stage.toml", "--precision=f32"], &asked[..]].concat();
+    let (_, same, told) = run(&folder, &single);
+    assert!(told.contains("is computed in f64") && same == out, "{told}");
+    let (_, _, told) = run(&folder, &[&single[..], &["--sample-time=0.01"]].concat());
+    assert!(!told.contains("f64"), "{told}");
 }
 
 /// A law without gains, for which eps does not follow from the sample period that is given.

@@ -9,6 +9,7 @@ mod run;
 
 pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;
+use ptc_codegen::parameter::Precision;
 use ptc_codegen::plant::Plant;
 use run::{Run, continuous, sampled};
 
@@ -69,6 +70,11 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
         let (asked, around) = input::read(request, x0, &spec)?;
+        if around.is_none() && spec.precision == Precision::F32 && runs.is_empty() {
+            note(
+                "the law at every instant is computed in f64; --sample-time runs the emitted program, in f32",
+            );
+        }
         let mut run = match &around {
             None => continuous(&spec, &plant, &asked)?,
             Some(around) => sampled(&spec, &plant, &asked, around)?,

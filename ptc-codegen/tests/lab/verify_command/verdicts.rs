@@ -164,3 +164,21 @@ fn a_run_that_cannot_be_finished_is_undecided() {
     assert_eq!(code, Some(1), "{told}");
     assert!(told.contains("<= 100: undecided") && told.contains("<= x2: fails"), "{told}");
 }
+
+/// Without a sample period nothing runs in f32, and with one everything does.
+#[test]
+fn runs_say_that_they_are_not_in_single_precision() {
+    let single = format!("{STAGE}{}", objective("bound = \"attractive\"\nerror = 6.1e-3"))
+        .replace("n = 2", "n = 2\nprecision = \"f32\"");
+    let sampled = single.replace("n = 2", "n = 2\nsample_time = 1e-3\nu_step = 0");
+    for (text, precision, says) in [
+        (&single, "f32", true),
+        (&single.replace("f32", "f64"), "f64", false),
+        (&sampled.replace("scenarios", "until = -0.1\nscenarios"), "f32", false),
+    ] {
+        let folder = folder("precision", text);
+        let (_, told, wrong) = run(&folder, &["stage.toml"]);
+        assert!(told.contains("draws of seed"), "{precision}: {wrong}");
+        assert_eq!(told.contains(", in f64, not in f32\n"), says, "{precision}: {told}");
+    }
+}
