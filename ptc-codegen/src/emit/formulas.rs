@@ -111,7 +111,7 @@ fn closed_forms(controller: &Controller<'_>, info: &FamilyInfo, ring: &Mapping) 
 pub(super) fn pi0(spec: &Spec) -> String {
     match &spec.feedback {
         Feedback::Linear => linear(spec.n),
-        Feedback::Expression(law) => law.to_string(),
+        Feedback::Expression(law) => spec.law_named(law).to_string(),
         Feedback::Extern => "a user-defined function of xi and t_kappa".to_owned(),
     }
 }
@@ -196,7 +196,7 @@ fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
         if linear_law { format!("{v} = sum_j gain_j x_j") } else { v.to_owned() },
     ];
     let laws = (1..).zip(spec.laws());
-    lines.extend(laws.map(|(i, law)| format!("  pi0 of v_{i} = {}", coupled.law_text(law))));
+    lines.extend(laws.map(|(i, law)| format!("  pi0 of v_{i} = {}", spec.law_named(law))));
     let mut orders = coupled.orders();
     orders.sort_unstable();
     orders.dedup();

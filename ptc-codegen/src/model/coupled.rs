@@ -177,12 +177,7 @@ impl Coupled {
         all
     }
 
-    /// A law in these names, as it is written.
-    pub fn law_text(&self, law: &Expression) -> String {
-        self.law_named(law).to_string()
-    }
-
-    /// The same as an expression.
+    /// A law in these names.
     pub fn law_named(&self, law: &Expression) -> Expression {
         let names = self.names_of_law();
         law.substitute(&|e| {

@@ -83,13 +83,10 @@ impl Spec {
         let mut words = Vec::new();
         match &self.feedback {
             Feedback::Linear => words.extend(self.gain_words()),
-            Feedback::Expression(law) => words.push(match &self.coupled {
-                Some(coupled) => {
-                    let laws: Vec<_> = self.laws().map(|law| coupled.law_text(law)).collect();
-                    format!("--pi0=\"{}\"", laws.join(", "))
-                }
-                None => format!("--pi0=\"{law}\""),
-            }),
+            Feedback::Expression(_) => {
+                let laws = self.laws().map(|law| self.law_named(law).to_string());
+                words.push(format!("--pi0=\"{}\"", laws.collect::<Vec<_>>().join(", ")));
+            }
             Feedback::Extern => words.push("--pi0 extern".to_owned()),
         }
         let list = |items: Vec<String>| items.join(", ");

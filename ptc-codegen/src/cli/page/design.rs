@@ -25,13 +25,10 @@ pub(super) struct Known {
 pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
     let law = match &spec.feedback {
         Feedback::Linear => "pi0 = -(k1*xi1 + ... + kn*xin)".to_owned(),
-        Feedback::Expression(law) => match &spec.coupled {
-            Some(coupled) => {
-                let laws: Vec<_> = spec.laws().map(|law| coupled.law_text(law)).collect();
-                format!("pi0 = {}", laws.join(", "))
-            }
-            None => format!("pi0 = {law}"),
-        },
+        Feedback::Expression(_) => {
+            let laws: Vec<_> = spec.laws().map(|law| spec.law_named(law).to_string()).collect();
+            format!("pi0 = {}", laws.join(", "))
+        }
         Feedback::Extern => "pi0 of the program".to_owned(),
     };
     let mapping = match (spec.family(), spec.custom()) {

@@ -180,7 +180,9 @@ impl<'a> Reader<'a> {
         let promises = self.promises(n, states);
         // A sample of delay is a state more.
         let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
-        let law = self.law((n.map(|n| n + late), order + late), &known, coupled.as_ref());
+        let orders = (n.map(|n| n + late), order + late);
+        let of_model = model.as_ref().map(|read| &read.model);
+        let law = self.law(orders, &known, (of_model, coupled.as_ref()));
         let (drift, input_gain) = match &model {
             Some(read) => {
                 let unless =

@@ -4,7 +4,7 @@ use super::super::{Reader, items};
 use crate::expression::{Expression, Variable};
 use crate::keys::KeyInfo;
 use crate::limits::OUTPUTS;
-use crate::model::Coupled;
+use crate::model::{Coupled, own_names};
 use crate::parameter::Name;
 use crate::request::{After, Feedback, Spec, What};
 use crate::syntax::{Node, Value};
@@ -51,7 +51,7 @@ impl Reader<'_> {
         }
         let [states, inputs, third, fourth] = wanted.map(|key| self.keys.get(key).copied());
         let (states, inputs) = self.names(states?, ("inputs", items(inputs?)))?;
-        let own: Vec<_> = (1..).zip(&states).map(|(j, name)| (*name, Variable::State(j))).collect();
+        let own = own_names(&states);
         match lagrangian {
             true => self.lagrangian((states, inputs), &own, (third?, fourth?)),
             false => self.decoupled((states, inputs), &own, (third?, fourth?)),
