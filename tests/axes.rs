@@ -104,6 +104,32 @@ fn coupled() -> Vec<Spec> {
                 ),
             ],
         ),
+        // Outputs that follow: what each call is given, with rows of different lengths, and expressions.
+        with(&mixed, &[("name", "mixed_follows"), ("reference", "input")]),
+        with(
+            &mixed,
+            &[("name", "mixed_follows_half"), ("reference", "input"), ("guard", "result")],
+        ),
+        with(&mixed, &[("name", "mixed_targets"), ("reference", "amp*sin(2*t), exp(-dt)")]),
+        with(
+            &unruled,
+            &[
+                ("name", "mixed_follows_laws"),
+                ("reference", "input"),
+                ("pi0", "-12*xi1_1 - 7*xi2_1 + sin(xi1_2), -5*xi1_2*(1 + x1_1^2)"),
+            ],
+        ),
+        spec(&[
+            ("mu", "tanh(a=0.5)"),
+            ("name", "arm_follows"),
+            ("poles", "[[-3,-4],[-5,-6]]"),
+            ("reference", "input"),
+            ("precision", "f32"),
+            ("states", "p, q, v, w"),
+            ("inputs", "a, b"),
+            ("inertia", "[[2 + q^2, q], [q, m]]"),
+            ("bias", "v*w*q, -v^2 + 9.81*p"),
+        ]),
         spec(&[
             ("mu", "rational(a=2)"),
             ("name", "guarded"),
@@ -139,9 +165,14 @@ fn calls(spec: &Spec, count: usize) -> Vec<Call> {
             (0..length).map(|_| settled(random.between(-2.0, 2.0))).collect()
         };
         let states = if spec.coupled.is_some() { spec.states() } else { count * spec.n };
-        let (mut x, r) = (numbers(states), numbers(count * spec.references()));
+        let (mut x, mut r) = (numbers(states), numbers(count * spec.references()));
         if checked && index % 11 == 3 {
             x[(index / 11) % states] = f64::NAN;
+        }
+        if checked && index % 19 == 8 && !r.is_empty() {
+            // Of outputs of different orders some are not read.
+            let length = r.len();
+            r[(index / 19) % length] = f64::NAN;
         }
         if index % 13 == 6 {
             x.fill(0.0);

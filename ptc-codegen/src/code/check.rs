@@ -263,7 +263,9 @@ impl Seen<'_> {
 
     fn known(&self, value: &Expr) -> Result<(), String> {
         let (known, name) = match value {
-            Expr::Local(name) | Expr::Element(name, _) => (self.locals.contains(name), name),
+            Expr::Local(name) | Expr::Element(name, _) | Expr::Entry(name, _) => {
+                (self.locals.contains(name), name)
+            }
             Expr::Field(name) | Expr::FieldElement(name, _) => {
                 (self.fields.contains(name.as_str()), name)
             }

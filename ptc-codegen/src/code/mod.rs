@@ -13,7 +13,7 @@ mod interpret;
 mod visit;
 
 pub use branch::{Branch, Taken};
-pub use expression::{AXIS, Expr, Operator, Test};
+pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Inputs, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};
 

@@ -189,12 +189,14 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
 fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
     let spec = controller.spec();
     let linear_law = spec.feedback == Feedback::Linear;
-    let v = "  v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x)";
+    let (x, rate) = if spec.reference.is_some() { ("e", " + r^(n)") } else { ("x", "") };
+    let v = format!("  v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T {x}){rate}");
     let mut lines = vec![
         String::new(),
-        "Law of each output, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:".to_owned(),
-        if linear_law { format!("{v} = sum_j gain_j x_j") } else { v.to_owned() },
+        format!("Law of each output, Theorem 1, with xi = BB_n {x} and t_kappa = kappa(Dt) + t0:"),
+        if linear_law { format!("{v} = sum_j gain_j {x}_j{rate}") } else { v },
     ];
+    lines.extend(super::coupled::references(spec));
     let laws = (1..).zip(spec.laws());
     lines.extend(laws.map(|(i, law)| format!("  pi0 of v_{i} = {}", spec.law_named(law))));
     let mut orders = coupled.orders();
@@ -211,7 +213,7 @@ fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
         if linear_law {
             lines.push(format!("  pi0 = {}", linear(order)));
         }
-        lines.extend(forms(spec, &law, "x"));
+        lines.extend(forms(spec, &law, x));
     }
     lines.extend(super::coupled::law(coupled));
     lines

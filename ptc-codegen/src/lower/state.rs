@@ -87,7 +87,11 @@ impl Builder<'_> {
     /// Derivative of this order, from 0, of the reference; none where it is 0.
     pub(super) fn reference(&mut self, order: usize) -> Option<Value> {
         if self.spec.references() > 0 {
-            return Some(self.push(Op::Input(Input::Reference(order))));
+            let given = match self.axis {
+                Some(output) => Input::ReferenceOf(output, order),
+                None => Input::Reference(order),
+            };
+            return Some(self.push(Op::Input(given)));
         }
         let wanted = self.spec.derivative(order)?;
         let value = self.scalar(wanted);

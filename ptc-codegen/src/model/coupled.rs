@@ -177,6 +177,12 @@ impl Coupled {
         all
     }
 
+    /// `{i}_{j}` for coordinate i of output j, one output after the other.
+    pub fn names_of_chains(&self) -> impl Iterator<Item = String> {
+        let orders = (1..).zip(self.orders());
+        orders.flat_map(|(j, order)| (1..=order).map(move |i| format!("{i}_{j}")))
+    }
+
     /// A law in these names.
     pub fn law_named(&self, law: &Expression) -> Expression {
         let names = self.names_of_law();

@@ -106,8 +106,9 @@ impl Spec {
             words.extend(self.input_gain_words());
         }
         words.extend(match &self.reference {
-            Some(Reference::Known(derivatives)) => {
-                Some(format!("--reference=\"{}\"", derivatives[0]))
+            Some(Reference::Known(_)) => {
+                let each: Vec<_> = self.known_references().map(|r| r[0].to_string()).collect();
+                Some(format!("--reference=\"{}\"", each.join(", ")))
             }
             Some(Reference::Input) => Some("--reference input".to_owned()),
             None => None,

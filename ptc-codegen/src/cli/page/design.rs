@@ -67,8 +67,9 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
     }
     facts.extend(spec.drift.as_ref().map(|f| fact("known f, cancelled", of_plant(f))));
     facts.extend(match &spec.reference {
-        Some(Reference::Known(derivatives)) => {
-            Some(fact("reference", format!("r = {}", derivatives[0])))
+        Some(Reference::Known(_)) => {
+            let each: Vec<_> = spec.known_references().map(|r| r[0].to_string()).collect();
+            Some(fact("reference", format!("r = {}", each.join(", "))))
         }
         Some(Reference::Input) => Some(fact("reference", "given with each call".to_owned())),
         None => None,

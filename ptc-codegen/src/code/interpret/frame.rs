@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use super::{Called, Held, Outcome};
 use crate::code::branch::Taken;
 use crate::code::{
-    AXIS, Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test,
-    Variable,
+    AXIS, Cell, Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status,
+    Test, Variable,
 };
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -237,6 +237,9 @@ impl<'b> Frame<'_, 'b> {
         let (found, index) = match name {
             Expr::Local(name) => (self.locals.get(name.as_str()), 0),
             Expr::Element(name, index) => (self.locals.get(name.as_str()), *index),
+            Expr::Entry(name, Cell { row, column, columns }) => {
+                (self.locals.get(name.as_str()), row * columns + column)
+            }
             Expr::Field(name) => (self.fields.get(name.as_str()), 0),
             Expr::FieldElement(name, index) => (self.fields.get(name.as_str()), *index),
             Expr::Parameter(name) => (self.parameters.get(name.as_str()), 0),

@@ -167,6 +167,7 @@ impl Writer<'_> {
                 Expr::local(format!("r{order}"))
             }
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
+            Input::ReferenceOf(output, order) => Expr::local(format!("r{order}_{output}")),
             Input::StateAtStart(j) if self.local.contains(&input) => Expr::local(format!("x{j}_0")),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Gain(j) => match self.plan.program.gains_of_axis() {

@@ -177,7 +177,7 @@ impl Short {
             Expr::Count(_) => 5,
             Expr::Local(name) => name.len(),
             Expr::Element(name, _) => name.len() + 3,
-            Expr::Field(name) => name.len() + 6,
+            Expr::Field(name) | Expr::Entry(name, _) => name.len() + 6,
             Expr::FieldElement(name, _) => name.len() + 9,
             Expr::OfAxis(name, ..) => name.len() + 20,
             Expr::Call(function, a) => function.name().len() + self.width(a) + 2,

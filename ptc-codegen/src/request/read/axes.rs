@@ -69,6 +69,7 @@ impl<'a> Reader<'a> {
             limits: Vec::new(),
             input_gains: Vec::new(),
             laws,
+            references: Vec::new(),
         };
         let first = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i)).cloned());
         let first: Option<Vec<Fixed>> = first.collect();

@@ -50,6 +50,13 @@ fn plants() -> BTreeMap<&'static str, Spec> {
     ["mix", "unicycle", "three", "two_link"].into_iter().zip(all.map(|text| spec(&text))).collect()
 }
 
+/// The same with references: one output follows and one does not, and what each call is given.
+fn following() -> BTreeMap<&'static str, Spec> {
+    let own =
+        |reference: &str| spec(&MIX.replace("mu =", &format!("reference = {reference}\nmu =")));
+    [("known", own("[\"amp*sin(t)\", \"0\"]")), ("given", own("\"input\""))].into()
+}
+
 #[test]
 fn u_is_that_of_the_definition() {
     let mut lines: BTreeMap<&str, Vec<Vec<f64>>> = BTreeMap::new();
@@ -205,7 +212,35 @@ fn mistakes_are_shown_at_their_lines() {
         (MIX, "[[-4, -5], [-3]]", "[-4, -5]", 3, "one list of poles", "of 2 and 1 numbers"),
         (MIX, "poles = [[-4, -5], [-3]]\n", "", 0, "`poles` are missing", "a list for each output"),
         (MIX, "mu =", "axes = 2\nmu =", 2, "`axes` beside `inputs`", "leave it out"),
-        (MIX, "mu =", "reference = \"input\"\nmu =", 2, "brought to 0", "set point"),
+        (MIX, "mu =", "reference = \"sin(t)\"\nmu =", 2, "1 references for 2 outputs", "and 0 for"),
+        (MIX, "mu =", "reference = [\"t\", \"abs(t)\"]\nmu =", 2, "abs(t) has a kink", "tanh"),
+        (MIX, "mu =", "reference = [\"t\", \"1/t\"]\nmu =", 2, "not shown to have", "give t0"),
+        (MIX, "mu =", "reference = [\"h\", \"0\"]\nmu =", 2, "`h` is a state or", "in t, dt and"),
+        (MIX, "mu =", "reference = [\"a*t\", \"0\"]\nmu =", 2, "`a` is a state or an input", "dt"),
+        (
+            MIX,
+            "mu =",
+            "reference = [\"input\", \"0\"]\nmu =",
+            2,
+            "`input` is a key of",
+            "parameter",
+        ),
+        (
+            MIX,
+            "mu =",
+            "reference = \"input\"\nclock = \"samples\"\nmu =",
+            3,
+            "needs a clock in time",
+            "leave `clock` out",
+        ),
+        (
+            MIX,
+            "mu =",
+            "reference = \"input\"\nafter = \"zero\"\nmu =",
+            3,
+            "hold their gains",
+            "leave `after` out",
+        ),
         (arm, "\"w\"]\ninputs", "\"q\"]\ninputs", 4, "two names `q`", "a name of its own"),
         (arm, ", \"w\"]\ninputs", "]\ninputs", 4, "3 states for 2 inputs", "the rate of each"),
         (arm, "[\"q\", \"3\"]", "[\"q\", \"v\"]", 6, "depends on the rate `v`", "`bias`"),
@@ -238,9 +273,9 @@ fn mistakes_are_shown_at_their_lines() {
 /// The command in the head gives the design back, and every language has it.
 #[test]
 fn every_language_has_it() {
-    for (name, own) in plants() {
+    for (name, own) in plants().into_iter().chain(following()) {
         let again = crate::command::spec_of(&own.command()).expect("a legal command");
-        assert_eq!(again.command(), own.command());
+        assert_eq!(again, own);
         for language in
             [Language::C, Language::Cpp, Language::Rust, Language::Python, Language::Matlab]
         {

@@ -74,6 +74,10 @@ impl Text for Matlab<'_> {
         format!("{array}({})", index + 1)
     }
 
+    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+        format!("{array}({}, {})", row + 1, column + 1)
+    }
+
     fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
         let place = match stride {
             1 => format!("{AXIS} + 1"),

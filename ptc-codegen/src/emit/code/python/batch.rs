@@ -54,6 +54,10 @@ impl Python<'_> {
                     let read = if name == "r" { "_reference" } else { "_states" };
                     self.out.line(format!("{states}{comma} = {read}({name}, \"{name}\")"));
                 }
+                Shape::Lists(count, length) => {
+                    let given = format!("{name}, {count}, {length}, \"{name}\"");
+                    self.out.line(format!("{name} = _of_axes({given})"));
+                }
                 Shape::Count => self.out.line(format!("{name} = {name}.__index__()")),
                 _ => self.out.line(format!("{name} = np.asarray({name}, dtype=_R)")),
             }

@@ -132,6 +132,10 @@ impl Text for Python<'_> {
         format!("{}[..., {place}]", self.field(name))
     }
 
+    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+        format!("{array}[..., {row}, {column}]")
+    }
+
     fn field_element(&self, name: &str, index: usize) -> String {
         format!("{}[..., {index}]", self.field(name))
     }

@@ -189,12 +189,6 @@ impl Reader<'_> {
                 "the outputs hold their gains after the deadline",
                 "leave `after` out, and set u = 0 outside",
             ),
-            (
-                "reference",
-                true,
-                "the outputs are brought to 0, not to a reference",
-                "subtract a constant set point in `outputs`: q - 0.3",
-            ),
             ("error", differ, "the outputs have different orders", "leave it out, and give eps"),
             ("x0_max", differ, "the outputs have different orders", "leave it out, and give eps"),
             (

@@ -5,6 +5,7 @@ mod ill;
 mod laws;
 mod linear;
 mod names;
+mod references;
 
 use super::Reader;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
