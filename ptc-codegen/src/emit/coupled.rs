@@ -9,7 +9,7 @@ use crate::request::{Reference, Spec};
 pub(super) fn references(spec: &Spec) -> Vec<String> {
     if spec.reference == Some(Reference::Input) {
         return vec![
-            "  e_i = x_i - r^(i-1) of each output, where row j of r, r[j-1], holds r^(0)..r^(n) of output j, n its order".to_owned(),
+            "  e_i = x_i - r^(i-1) of each output, where row j of r holds r^(0)..r^(n) of output j, n its order".to_owned(),
         ];
     }
     let each: Vec<_> = (1..)

@@ -112,7 +112,7 @@ fn an_arm_follows_two_sines() {
     let design = design.replace("[params]", "[params]\nphase = 1");
     let x0 = [1.0, -0.5, 0.2, 0.0];
     let (_, rows, told) = run("follows", &design, &["--x0", "1,-0.5,0.2,0", "--at", AT]);
-    assert!(told.contains("tracking error at t = 18.0 s: e1_1 = "), "{told}");
+    assert!(told.contains("tracking error at t = 18 s: e1_1 = "), "{told}");
     let [[r1, d1, _], [r2, d2, _]] = targets(0.0);
     let grid = SHARES.map(|part| part * TAU);
     let plant = |x: &[f64], u: &[f64]| KNOWN.rates(x, u);

@@ -36,7 +36,11 @@ impl Python<'_> {
         self.out.line("");
         self.out.open(format!("def {}({}) -> {result}:", function.name, list.join(", ")));
         self.out.words("", &format!("\"\"\"{}", function.about));
-        self.out.line("\nEach argument may be a batch; states stand along the last axis.");
+        let lists = function.arguments.iter().any(|a| matches!(a.shape, Shape::Lists(..)));
+        let of_outputs = if lists { ", r along the last two" } else { "" };
+        self.out.line(format!(
+            "\nEach argument may be a batch; states stand along the last axis{of_outputs}."
+        ));
         for callback in &function.callbacks {
             self.out.line("");
             let (name, about) = (callback.name, callback.about);
