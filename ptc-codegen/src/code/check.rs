@@ -185,6 +185,13 @@ impl Seen<'_> {
                 }
                 self.define(name)
             }
+            Statement::Call { name, callback, array, times, .. } => {
+                times.iter().try_for_each(|value| self.expression(value))?;
+                if !self.callbacks.contains(callback) || !self.locals.contains(array) {
+                    return Err(format!("{callback} is called before it is known"));
+                }
+                self.define(name)
+            }
             Statement::Solve(solve) => self.solve(solve),
             Statement::Note(_) => Ok(()),
         }

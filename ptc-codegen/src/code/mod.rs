@@ -129,6 +129,19 @@ pub enum Statement {
         /// Weights of z, z^2, ...
         weights: Vec<Expr>,
     },
+    /// A local array: what a function of the user's gives for an array, a time and kappa'.
+    Call {
+        /// Its name.
+        name: String,
+        /// The function.
+        callback: &'static str,
+        /// What it is given: an array, and two numbers.
+        array: String,
+        /// Time, and kappa'.
+        times: [Expr; 2],
+        /// How many numbers it gives.
+        count: usize,
+    },
     /// Says why the next statements are here.
     Note(String),
 }

@@ -62,7 +62,7 @@ impl Builder<'_> {
             .into_iter()
             .chain(reference)
             .collect(),
-            callbacks: Vec::new(),
+            callbacks: self.callbacks(),
             results: vec![
                 Variable::new("u", Shape::Reals(m), format!("inputs of the plant: {inputs}")),
                 Variable::new("axes", Shape::Statuses(m), "status of each input"),

@@ -174,13 +174,29 @@ impl Builder<'_> {
     }
 
     fn callbacks(&self) -> Vec<Callback> {
-        let law = Callback {
-            name: "pi0",
-            array: "xi",
-            about: "User-defined law pi0(xi, t); t is the stretched time kappa + t0.",
+        let law = match &self.spec.coupled {
+            Some(coupled) if coupled.outputs.len() > 1 => Callback {
+                name: "pi0",
+                array: "xi",
+                length: coupled.orders().iter().sum(),
+                gives: coupled.outputs.len(),
+                about: "User-defined laws pi0(xi, t, rate) of all outputs; xi are the states of their chains in stretched time, one output after the other, t is the stretched time kappa + t0, and rate is kappa'.",
+            },
+            _ => Callback {
+                name: "pi0",
+                array: "xi",
+                length: self.spec.n,
+                gives: 1,
+                about: "User-defined law pi0(xi, t); t is the stretched time kappa + t0.",
+            },
         };
-        let after =
-            Callback { name: "after", array: "x", about: "User-defined law for t >= t0 + tau." };
+        let after = Callback {
+            name: "after",
+            array: "x",
+            length: self.spec.states(),
+            gives: 1,
+            about: "User-defined law for t >= t0 + tau.",
+        };
         let extern_law = self.spec.feedback == Feedback::Extern;
         let extern_end = self.spec.after == After::Extern && self.spec.what == What::Controller;
         extern_law.then_some(law).into_iter().chain(extern_end.then_some(after)).collect()

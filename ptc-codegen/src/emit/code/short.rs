@@ -68,6 +68,10 @@ impl Short {
                     self.each(&mut weights, &mut out);
                     Statement::Rows { name, tail, weights }
                 }
+                Statement::Call { name, callback, array, mut times, count } => {
+                    self.each(&mut times, &mut out);
+                    Statement::Call { name, callback, array, times, count }
+                }
                 Statement::If(test, yes, no) => {
                     let (yes, no) = (self.block(yes), self.block(no));
                     Statement::If(test, yes, no)

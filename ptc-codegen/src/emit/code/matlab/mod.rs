@@ -213,6 +213,11 @@ impl Block for Matlab<'_> {
         self.out.line(format!("{name} = row_sums([{weights}], [{tail}]);"));
     }
 
+    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
+        let real = self.real_type();
+        self.out.line(format!("{name} = {real}({callback}({}));", given.join(", ")));
+    }
+
     fn rounds(&self, rounds: u32) -> [String; 2] {
         [format!("for attempt = 1:{rounds}"), "end".to_owned()]
     }

@@ -32,7 +32,10 @@ impl Python<'_> {
         }
         list.extend((!function.callbacks.is_empty()).then(|| "*".to_owned()));
         let called = function.callbacks.iter();
-        list.extend(called.map(|c| format!("{}: Callable[[Array, Array], ArrayLike]", c.name)));
+        list.extend(called.map(|c| {
+            let given = ["Array"].repeat(if c.gives > 1 { 3 } else { 2 }).join(", ");
+            format!("{}: Callable[[{given}], ArrayLike]", c.name)
+        }));
         self.out.line("");
         self.out.open(format!("def {}({}) -> {result}:", function.name, list.join(", ")));
         self.out.words("", &format!("\"\"\"{}", function.about));

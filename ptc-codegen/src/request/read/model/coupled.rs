@@ -6,7 +6,7 @@ use crate::keys::KeyInfo;
 use crate::limits::OUTPUTS;
 use crate::model::{Coupled, own_names};
 use crate::parameter::Name;
-use crate::request::{After, Feedback, Spec, What};
+use crate::request::{After, Spec, What};
 use crate::syntax::{Node, Value};
 
 /// The keys that only such a plant has.
@@ -176,12 +176,6 @@ impl Reader<'_> {
                 spec.what != What::Controller,
                 "such a plant is of a controller",
                 "leave `what` out: the infinite-time system is that of one output",
-            ),
-            (
-                "pi0",
-                spec.feedback == Feedback::Extern,
-                "the outputs need a law that is known",
-                "give gains, poles or an expression for each output",
             ),
             (
                 "after",
