@@ -113,7 +113,7 @@ pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "pi0",
         meaning: "law of the infinite-time system, in place of gains",
-        legal: "an expression in xi1..xin and t, or extern; with several outputs an expression for each",
+        legal: "an expression in xi1..xin and t, or extern; with several outputs an expression for each, or extern for all",
         example: "-20*xi1 - 9*xi2",
     },
     KeyInfo {

@@ -50,11 +50,13 @@ fn plants() -> BTreeMap<&'static str, Spec> {
     ["mix", "unicycle", "three", "two_link"].into_iter().zip(all.map(|text| spec(&text))).collect()
 }
 
-/// The same with references: one output follows and one does not, and what each call is given.
+/// The same with references, one output follows and one does not, and what each call is given; and with a
+/// law that it is given.
 fn following() -> BTreeMap<&'static str, Spec> {
     let own =
         |reference: &str| spec(&MIX.replace("mu =", &format!("reference = {reference}\nmu =")));
-    [("known", own("[\"amp*sin(t)\", \"0\"]")), ("given", own("\"input\""))].into()
+    let law = spec(&MIX.replace("poles = [[-4, -5], [-3]]", "pi0 = \"extern\""));
+    [("known", own("[\"amp*sin(t)\", \"0\"]")), ("given", own("\"input\"")), ("law", law)].into()
 }
 
 #[test]

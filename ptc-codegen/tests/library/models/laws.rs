@@ -198,7 +198,7 @@ fn mistakes_are_shown_at_their_lines() {
         ("[\"-u\", \"-xi1_2\"]", "`u` is not known where pi0", "parameter"),
         ("[\"-xi1_1 + b\", \"-xi1_2\"]", "`b` is an input of the plant", "needs another name"),
         ("[\"-xi1_1\", \"-xi1_2/0\"]", "division by zero", "divisor"),
-        ("\"extern\"", "the outputs need a law that is known", "an expression for each output"),
+        ("[\"extern\", \"-xi1_2\"]", "extern", "parameter"),
     ] {
         let folder = folder_with("laws_mistakes", "design.toml", with(laws));
         let (status, _, stderr) = run_in(&folder, &["check", "design.toml"]);
