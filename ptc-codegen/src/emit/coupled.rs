@@ -26,7 +26,7 @@ pub(super) fn references(spec: &Spec) -> Vec<String> {
 }
 
 /// How u follows from what is wanted of the outputs.
-pub(super) fn law(coupled: &Coupled) -> Vec<String> {
+pub fn law(coupled: &Coupled) -> Vec<String> {
     let zero = Expression::integer(0);
     let mut lines = Vec::new();
     for (index, output) in (1..).zip(&coupled.outputs) {

@@ -20,9 +20,11 @@ impl Reader<'_> {
             return Some(Reference::Input);
         }
         if matches!(node.value, Value::List(_)) {
-            let message = "a list of references for one output".to_owned();
+            let message = "a list of references, where there is one output".to_owned();
             let help = match self.keys.contains_key("axes") {
-                true => "give `reference` = input: each call is given those of all axes",
+                true => {
+                    "give `reference` = input: each call is given those of all axes; a plant with `inputs` and `outputs` takes an expression for each output"
+                }
                 false => "give one expression in t; several outputs have one for each",
             };
             self.wrong("reference", Some(node.place), message, help.to_owned());

@@ -272,6 +272,42 @@ fn mistakes_are_shown_at_their_lines() {
     assert!(stderr.contains("at most 3 are decoupled"), "{stderr}");
 }
 
+/// `show law` has the plant and, for each output, the law of a chain with its gains.
+#[test]
+fn show_has_the_law_of_each_output() {
+    let folder = folder_with("coupled_show", "mix.toml", MIX);
+    let json = |words: &[&str]| -> serde_json::Value {
+        let (code, text, stderr) = run_in(&folder, &[words, &["--format", "json"]].concat());
+        assert_eq!(code, Some(0), "{stderr}");
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let outputs = json(&["show", "law", "mix.toml"]);
+    for (output, (n, poles)) in [("2", "[-4, -5]"), ("1", "[-3]")].into_iter().enumerate() {
+        let chain = format!("n = {n}\nmu = \"exp(a=1)\"\npoles = {poles}\ntau = 1\neps = 1e-2\n");
+        std::fs::write(folder.join("chain.toml"), chain).expect("a file");
+        assert_eq!(outputs["outputs"][output], json(&["show", "law", "chain.toml"]));
+    }
+    for format in ["text", "latex"] {
+        let words = ["show", "law", "mix.toml", "--format", format];
+        let (_, text, _) = run_in(&folder, &words);
+        for part in ["p' = v", "  f_2 = v*h", "  det(D) = ", "output 2, of order n = 1"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+    let (_, text, _) = run_in(&folder, &["show", "matrix", "mix.toml"]);
+    assert!(text.contains("BB_2 ="), "{text}");
+    // Outputs that share their gains are shown once, and laws that are no gains are not.
+    let folder = folder_with("coupled_show_arm", "arm.toml", example("two_link.toml"));
+    let (_, text, _) = run_in(&folder, &["show", "law", "arm.toml"]);
+    assert!(
+        text.contains("u = M v + bias") && text.matches("of order n = 2").count() == 3,
+        "{text}"
+    );
+    let folder = folder_with("coupled_show_laws", "arm.toml", example("barrier_arm.toml"));
+    let (code, _, stderr) = run_in(&folder, &["show", "law", "arm.toml"]);
+    assert!(code != Some(0) && stderr.contains("are not sums of gains"), "{stderr}");
+}
+
 /// The command in the head gives the design back, and every language has it.
 #[test]
 fn every_language_has_it() {
