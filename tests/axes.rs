@@ -104,6 +104,43 @@ fn coupled() -> Vec<Spec> {
                 ),
             ],
         ),
+        // Outputs that follow: what each call is given, with rows of different lengths, and expressions.
+        with(&mixed, &[("name", "mixed_follows"), ("reference", "input")]),
+        with(
+            &mixed,
+            &[("name", "mixed_follows_half"), ("reference", "input"), ("guard", "result")],
+        ),
+        with(&mixed, &[("name", "mixed_targets"), ("reference", "amp*sin(2*t), exp(-dt)")]),
+        with(
+            &unruled,
+            &[
+                ("name", "mixed_follows_laws"),
+                ("reference", "input"),
+                ("pi0", "-12*xi1_1 - 7*xi2_1 + sin(xi1_2), -5*xi1_2*(1 + x1_1^2)"),
+            ],
+        ),
+        spec(&[
+            ("mu", "tanh(a=0.5)"),
+            ("name", "arm_follows"),
+            ("poles", "[[-3,-4],[-5,-6]]"),
+            ("reference", "input"),
+            ("precision", "f32"),
+            ("states", "p, q, v, w"),
+            ("inputs", "a, b"),
+            ("inertia", "[[2 + q^2, q], [q, m]]"),
+            ("bias", "v*w*q, -v^2 + 9.81*p"),
+        ]),
+        // A law of all outputs that each call is given.
+        with(&unruled, &[("name", "mixed_extern"), ("pi0", "extern"), ("reference", "input")]),
+        with(
+            &unruled,
+            &[
+                ("name", "mixed_extern_small"),
+                ("pi0", "extern"),
+                ("precision", "f32"),
+                ("limits", "20,3"),
+            ],
+        ),
         spec(&[
             ("mu", "rational(a=2)"),
             ("name", "guarded"),
@@ -117,6 +154,29 @@ fn coupled() -> Vec<Spec> {
             ("bias", "v*w*q, -v^2 + 9.81*p"),
         ]),
     ]
+}
+
+/// The law of both outputs that is given to those that have none of their own, as C and Rust write it. It
+/// knows the chain of the other output, time and kappa', and has no sum whose order is not written.
+const LAW: [&str; 2] =
+    ["(xi[2] - (2.0F * xi[0])) - (t * xi[1])", "xi[0] * (rate - (3.0F * xi[2]))"];
+
+fn law(xi: &[f64], t: f64, small: bool) -> f64 {
+    let settled = |value: f64| match small {
+        #[allow(clippy::cast_possible_truncation)]
+        true => f64::from(value as f32),
+        false => value,
+    };
+    let [a, b, c, rate, place] = xi[..] else { panic!("the law is given {xi:?}") };
+    if place == 0.0 {
+        let left = settled(c - settled(2.0 * a));
+        return settled(left - settled(t * b));
+    }
+    settled(a * settled(rate - settled(3.0 * c)))
+}
+
+fn is_extern(spec: &Spec) -> bool {
+    spec.feedback == ptc_codegen::request::Feedback::Extern
 }
 
 /// Times and numbers of a call: the states of all axes, and behind them their references.
@@ -139,9 +199,14 @@ fn calls(spec: &Spec, count: usize) -> Vec<Call> {
             (0..length).map(|_| settled(random.between(-2.0, 2.0))).collect()
         };
         let states = if spec.coupled.is_some() { spec.states() } else { count * spec.n };
-        let (mut x, r) = (numbers(states), numbers(count * spec.references()));
+        let (mut x, mut r) = (numbers(states), numbers(count * spec.references()));
         if checked && index % 11 == 3 {
             x[(index / 11) % states] = f64::NAN;
+        }
+        if checked && index % 19 == 8 && !r.is_empty() {
+            // Of outputs of different orders some are not read.
+            let length = r.len();
+            r[(index / 19) % length] = f64::NAN;
         }
         if index % 13 == 6 {
             x.fill(0.0);
@@ -180,8 +245,10 @@ fn interpreted(spec: &Spec, calls: &[Call]) -> Vec<Given> {
     whole(spec, |code| {
         let mut controller = Instance::with_parameters(code, parameters(spec)).expect("legal");
         for call in calls {
-            let found =
-                controller.call("step", &[("t", &[call.t]), ("x", &call.x), ("r", &call.r)]);
+            let small = spec.precision == Precision::F32;
+            let own = |xi: &[f64], t: f64| law(xi, t, small);
+            let given: [(_, &[f64]); 3] = [("t", &[call.t]), ("x", &call.x), ("r", &call.r)];
+            let found = controller.call_with("step", &given, &[("pi0", &own)]);
             let u = found.results["u"].iter().map(|u| u.to_bits()).collect();
             #[allow(clippy::cast_possible_truncation)]
             let axes = found.results["axes"].iter().map(|status| *status as i64).collect();
@@ -277,6 +344,14 @@ fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Given> 
         "#include \"{name}.h\"\n#include <inttypes.h>\n#include <math.h>\n#include <stdio.h>\n#include <string.h>\n\nint main(void)\n{{\n    static {name} c;\n    const {name}_params p = {{ {} }};\n    ptc_status axes[{count}];\n    {real} u[{count}];\n    if ({name}_init(&c, &p) != PTC_OK) {{ return 1; }}\n",
         fields
     );
+    if is_extern(spec) {
+        let [first, second] = LAW.map(|law| law.replace('F', suffix));
+        let law = format!(
+            "static void law(void *context, const {real} xi[3], {real} t, {real} rate, {real} pi0[2])\n{{\n    (void)context;\n    pi0[0] = {first};\n    pi0[1] = {second};\n}}\n\nint main("
+        );
+        text = text.replacen("int main(", &law, 1);
+    }
+    let called = if is_extern(spec) { "law, NULL, " } else { "" };
     for call in calls {
         let reference = spec.references();
         let x = states(spec, &call.x, "NAN", suffix, ends);
@@ -294,7 +369,7 @@ fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Given> 
         let t = written(call.t, "NAN", suffix);
         let _ = writeln!(
             text,
-            "    {{ const {real} x{shape} = {x}; {declared}\n      printf(\"%d\", (int){name}_step(&c, {t}, x, {given}u, axes)); }}\n    for (int i = 0; i < {count}; i++) {{ {integer} bits; memcpy(&bits, &u[i], sizeof bits); printf(\" %\" PRIu64 \" %d\", (uint64_t)bits, (int)axes[i]); }}\n    printf(\"\\n\");"
+            "    {{ const {real} x{shape} = {x}; {declared}\n      printf(\"%d\", (int){name}_step(&c, {t}, x, {given}{called}u, axes)); }}\n    for (int i = 0; i < {count}; i++) {{ {integer} bits; memcpy(&bits, &u[i], sizeof bits); printf(\" %\" PRIu64 \" %d\", (uint64_t)bits, (int)axes[i]); }}\n    printf(\"\\n\");"
         );
     }
     text.push_str("    return 0;\n}\n");
@@ -324,7 +399,12 @@ fn in_rust(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Give
             length => format!(", &{}", lists(&call.r, length, &nan, "", ends)),
         };
         let t = written(call.t, &nan, "");
-        let _ = writeln!(text, "    show(c.step({t}, &{x}{reference}));");
+        let [first, second] = LAW.map(|law| law.replace('F', ""));
+        let called = match is_extern(spec) {
+            true => format!(", |xi, t, rate| [{first}, {second}]"),
+            false => String::new(),
+        };
+        let _ = writeln!(text, "    show(c.step({t}, &{x}{reference}{called}));");
     }
     text.push_str("}\n");
     let (main, binary) = (folder.join("main.rs"), folder.join("in_rust"));

@@ -144,7 +144,11 @@ fn difference(program: &Program, best: &RecExpr<Node>) -> f64 {
             Input::Parameter(Parameter::Gain(i)) => 1.5 + i as f64,
             Input::Parameter(_) => 1.25,
             Input::StartTime => 1000.1,
-            Input::Reference(_) | Input::Divisor | Input::Drift | Input::Control => 0.0,
+            Input::Reference(_)
+            | Input::ReferenceOf(..)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => 0.0,
             Input::Time => 1000.8 - 0.7 * 10.0_f64.powi(-i32::from(point)),
             Input::State(j) | Input::StateAtStart(j) | Input::Gain(j) => 0.7 + 0.3 * j as f64,
         };

@@ -113,7 +113,7 @@ pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "pi0",
         meaning: "law of the infinite-time system, in place of gains",
-        legal: "an expression in xi1..xin and t, or extern; with several outputs an expression for each",
+        legal: "an expression in xi1..xin and t, or extern; with several outputs an expression for each, or extern for all",
         example: "-20*xi1 - 9*xi2",
     },
     KeyInfo {
@@ -131,7 +131,7 @@ pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "reference",
         meaning: "reference that x1, or the output of a model, follows in place of 0; with clock = time",
-        legal: "an expression in t, or input: each call is given r and its n derivatives",
+        legal: "an expression in t, or input: each call is given r and its n derivatives; with several outputs an expression for each",
         example: "0.1*sin(2*t)",
     },
     KeyInfo {

@@ -76,6 +76,7 @@ fn errors(
             Input::Time => vector.t,
             Input::State(i) | Input::StateAtStart(i) => vector.x[i - 1],
             Input::Reference(_)
+            | Input::ReferenceOf(..)
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift

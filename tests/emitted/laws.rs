@@ -164,9 +164,12 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> Outcome {
         Input::Time => record.t,
         Input::State(j) => record.x[j - 1],
         Input::StateAtStart(j) => record.x0[j - 1],
-        Input::Reference(_) | Input::Gain(_) | Input::Divisor | Input::Drift | Input::Control => {
-            f64::NAN
-        }
+        Input::Reference(_)
+        | Input::ReferenceOf(..)
+        | Input::Gain(_)
+        | Input::Divisor
+        | Input::Drift
+        | Input::Control => f64::NAN,
     };
     if spec.guard == ptc_codegen::request::Guard::Full && record.x.iter().any(|x| x.is_nan()) {
         return (-2, 0);

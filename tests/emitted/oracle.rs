@@ -132,6 +132,7 @@ fn gain(program: &Program, vector: &Vector, j: usize, eps: f64) -> f64 {
         Input::Time => vector.t,
         Input::State(i) => f64::from(u8::from(i == j)),
         Input::Reference(_)
+        | Input::ReferenceOf(..)
         | Input::StateAtStart(_)
         | Input::Gain(_)
         | Input::Divisor

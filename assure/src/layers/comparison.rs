@@ -204,7 +204,8 @@ impl Reference {
             Input::Time => record.t,
             Input::State(j) => record.x[j - 1],
             Input::Reference(order) => record.x[self.spec.states() + order],
-            Input::StateAtStart(_)
+            Input::ReferenceOf(..)
+            | Input::StateAtStart(_)
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift

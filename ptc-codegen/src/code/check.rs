@@ -185,6 +185,13 @@ impl Seen<'_> {
                 }
                 self.define(name)
             }
+            Statement::Call { name, callback, array, times, .. } => {
+                times.iter().try_for_each(|value| self.expression(value))?;
+                if !self.callbacks.contains(callback) || !self.locals.contains(array) {
+                    return Err(format!("{callback} is called before it is known"));
+                }
+                self.define(name)
+            }
             Statement::Solve(solve) => self.solve(solve),
             Statement::Note(_) => Ok(()),
         }
@@ -263,7 +270,9 @@ impl Seen<'_> {
 
     fn known(&self, value: &Expr) -> Result<(), String> {
         let (known, name) = match value {
-            Expr::Local(name) | Expr::Element(name, _) => (self.locals.contains(name), name),
+            Expr::Local(name) | Expr::Element(name, _) | Expr::Entry(name, _) => {
+                (self.locals.contains(name), name)
+            }
             Expr::Field(name) | Expr::FieldElement(name, _) => {
                 (self.fields.contains(name.as_str()), name)
             }

@@ -35,6 +35,8 @@ pub enum Expr {
     Local(String),
     /// An element of an argument, from 0.
     Element(String, usize),
+    /// An element of an argument that is an array of arrays.
+    Entry(String, Cell),
     /// A field of what the function belongs to.
     Field(String),
     /// An element of such a field, from 0.
@@ -70,6 +72,17 @@ pub enum Expr {
     Real(Box<Expr>),
     /// The first where the test holds, else the second.
     Choose(Box<Test>, Box<Expr>, Box<Expr>),
+}
+
+/// A place in an array of arrays, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// Which array.
+    pub row: usize,
+    /// Its element.
+    pub column: usize,
+    /// How many elements each array has.
+    pub columns: usize,
 }
 
 /// What is true or false of values.

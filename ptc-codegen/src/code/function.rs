@@ -28,6 +28,10 @@ pub struct Callback {
     pub name: &'static str,
     /// The array that it is given.
     pub array: &'static str,
+    /// How many numbers that has.
+    pub length: usize,
+    /// How many numbers it gives. One that gives several is also given kappa'.
+    pub gives: usize,
     /// What it gives.
     pub about: &'static str,
 }

@@ -13,7 +13,7 @@ mod interpret;
 mod visit;
 
 pub use branch::{Branch, Taken};
-pub use expression::{AXIS, Expr, Operator, Test};
+pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Inputs, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};
 
@@ -128,6 +128,19 @@ pub enum Statement {
         tail: Vec<Expr>,
         /// Weights of z, z^2, ...
         weights: Vec<Expr>,
+    },
+    /// A local array: what a function of the user's gives for an array, a time and kappa'.
+    Call {
+        /// Its name.
+        name: String,
+        /// The function.
+        callback: &'static str,
+        /// What it is given: an array, and two numbers.
+        array: String,
+        /// Time, and kappa'.
+        times: [Expr; 2],
+        /// How many numbers it gives.
+        count: usize,
     },
     /// Says why the next statements are here.
     Note(String),

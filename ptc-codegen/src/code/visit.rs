@@ -25,6 +25,7 @@ impl Statement {
                 }
                 solve.body.iter().for_each(|statement| statement.visit(look));
             }
+            Self::Call { times, .. } => times.iter().for_each(|value| value.visit(look)),
             Self::Variable(..) | Self::Note(_) => {}
         }
     }

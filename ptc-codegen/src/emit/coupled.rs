@@ -3,9 +3,30 @@
 use crate::expression::Expression;
 use crate::model::Coupled;
 use crate::model::coupled::Inverse;
+use crate::request::{Reference, Spec};
+
+/// What the outputs follow, and what the laws see of it.
+pub(super) fn references(spec: &Spec) -> Vec<String> {
+    if spec.reference == Some(Reference::Input) {
+        return vec![
+            "  e_i = x_i - r^(i-1) of each output, where row j of r holds r^(0)..r^(n) of output j, n its order".to_owned(),
+        ];
+    }
+    let each: Vec<_> = (1..)
+        .zip(spec.known_references())
+        .map(|(output, derivatives)| {
+            let rates = (1..).zip(&derivatives[1..]).map(|(i, r)| format!(", r^({i}) = {r}"));
+            format!("  of output {output}: r = {}{}", derivatives[0], rates.collect::<String>())
+        })
+        .collect();
+    if each.is_empty() {
+        return each;
+    }
+    [vec!["  e_i = x_i - r^(i-1) with the reference r of the output:".to_owned()], each].concat()
+}
 
 /// How u follows from what is wanted of the outputs.
-pub(super) fn law(coupled: &Coupled) -> Vec<String> {
+pub fn law(coupled: &Coupled) -> Vec<String> {
     let zero = Expression::integer(0);
     let mut lines = Vec::new();
     for (index, output) in (1..).zip(&coupled.outputs) {

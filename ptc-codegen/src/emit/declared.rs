@@ -39,7 +39,7 @@ pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
                 ("pi0", spec.laws().find(|law| uses(law))),
                 ("f", spec.drift.as_ref().filter(|_| spec.model.is_none())),
                 ("g", spec.input_gain.as_ref().filter(|_| spec.model.is_none())),
-                ("reference", spec.derivative(0)),
+                ("reference", spec.known_references().flat_map(|all| &all[..1]).find(|r| uses(r))),
             ];
             let keys = of.into_iter().filter(|(_, e)| e.is_some_and(uses)).map(|(key, _)| key);
             let of_axes = spec.axes.iter().flat_map(|axes| &axes.input_gains).any(uses);

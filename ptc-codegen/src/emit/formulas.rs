@@ -111,7 +111,7 @@ fn closed_forms(controller: &Controller<'_>, info: &FamilyInfo, ring: &Mapping) 
 pub(super) fn pi0(spec: &Spec) -> String {
     match &spec.feedback {
         Feedback::Linear => linear(spec.n),
-        Feedback::Expression(law) => law.to_string(),
+        Feedback::Expression(law) => spec.law_named(law).to_string(),
         Feedback::Extern => "a user-defined function of xi and t_kappa".to_owned(),
     }
 }
@@ -189,14 +189,19 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
 fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
     let spec = controller.spec();
     let linear_law = spec.feedback == Feedback::Linear;
-    let v = "  v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x)";
+    let (x, rate) = if spec.reference.is_some() { ("e", " + r^(n)") } else { ("x", "") };
+    let v = format!("  v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T {x}){rate}");
     let mut lines = vec![
         String::new(),
-        "Law of each output, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:".to_owned(),
-        if linear_law { format!("{v} = sum_j gain_j x_j") } else { v.to_owned() },
+        format!("Law of each output, Theorem 1, with xi = BB_n {x} and t_kappa = kappa(Dt) + t0:"),
+        if linear_law { format!("{v} = sum_j gain_j {x}_j{rate}") } else { v },
     ];
+    lines.extend(super::coupled::references(spec));
     let laws = (1..).zip(spec.laws());
-    lines.extend(laws.map(|(i, law)| format!("  pi0 of v_{i} = {}", coupled.law_text(law))));
+    if spec.feedback == Feedback::Extern {
+        lines.push("  pi0 of all v_i: a user-defined function of the xi of all outputs, t_kappa and kappa'".to_owned());
+    }
+    lines.extend(laws.map(|(i, law)| format!("  pi0 of v_{i} = {}", spec.law_named(law))));
     let mut orders = coupled.orders();
     orders.sort_unstable();
     orders.dedup();
@@ -211,7 +216,7 @@ fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
         if linear_law {
             lines.push(format!("  pi0 = {}", linear(order)));
         }
-        lines.extend(forms(spec, &law, "x"));
+        lines.extend(forms(spec, &law, x));
     }
     lines.extend(super::coupled::law(coupled));
     lines

@@ -64,7 +64,11 @@ fn purpose(spec: &Spec) -> Vec<String> {
     if let Some(coupled) = &spec.coupled {
         let inputs = Name::listed(&coupled.inputs);
         let plant = format!("the inputs {inputs}: {}", coupled.lines().join(", "));
-        return of_equations(&plant, "every output with its derivatives is 0");
+        let at = match followed(spec) {
+            "0" => "is 0".to_owned(),
+            others => format!("is at {others}"),
+        };
+        return of_equations(&plant, &format!("every output with its derivatives {at}"));
     }
     if let Some(model) = &spec.model {
         return of_model(spec, model);
@@ -97,6 +101,15 @@ fn goal(spec: &Spec) -> &'static str {
     }
 }
 
+/// Where an output and its derivatives are at the deadline.
+fn followed(spec: &Spec) -> &'static str {
+    match &spec.reference {
+        None => "0",
+        Some(Reference::Known(_)) => "those of the reference r(t)",
+        Some(Reference::Input) => "those of the reference that each call is given",
+    }
+}
+
 /// The plant that is known by a model, and what becomes of it.
 fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
     let chain = match spec.n {
@@ -104,11 +117,7 @@ fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
         2 => "the output and its rate".to_owned(),
         n => format!("the output and its first {} derivatives", n - 1),
     };
-    let at = match &spec.reference {
-        None => "0",
-        Some(Reference::Known(_)) => "those of the reference r(t)",
-        Some(Reference::Input) => "those of the reference that each call is given",
-    };
+    let at = followed(spec);
     let plant = format!("the input {}: {}", model.input, model.lines().join(", "));
     of_equations(&plant, &format!("{chain}, x, are {at}"))
 }

@@ -8,7 +8,7 @@ mod apart;
 mod axes;
 mod c;
 mod code;
-mod coupled;
+pub mod coupled;
 mod cpp;
 mod declared;
 mod eva;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::code;
 use crate::algebra::BigRational;
-use crate::code::{Code, Expr, Operator, Test};
+use crate::code::{Cell, Code, Expr, Operator, Test};
 use crate::expression::Function;
 use crate::parameter::Precision;
 
@@ -40,6 +40,7 @@ fn table() -> String {
         ("Pow", Expr::Pow(Box::new(a()), Box::new(b()))),
         ("Callback", Expr::Callback("pi0", "xi".to_owned(), Box::new(Expr::local("t")))),
         ("Element", Expr::Element("row".to_owned(), 0)),
+        ("Entry", Expr::Entry("r".to_owned(), Cell { row: 0, column: 1, columns: 2 })),
         ("Field", Expr::field("c1")),
         ("FieldElement", Expr::FieldElement("gain".to_owned(), 0)),
         ("CountSub", a().count_sub(b())),

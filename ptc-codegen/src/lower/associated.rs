@@ -112,7 +112,11 @@ mod tests {
             Input::State(j) => xi[j - 1],
             Input::StateAtStart(j) => [1.0, -3.0][j - 1],
             Input::Drift => f,
-            Input::Reference(_) | Input::Gain(_) | Input::Divisor | Input::Control => f64::NAN,
+            Input::Reference(_)
+            | Input::ReferenceOf(..)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Control => f64::NAN,
         };
         Interpreter::new(&program, &input).value(program.step)
     }

@@ -35,6 +35,8 @@ pub(super) struct Builder<'a> {
     pub(super) plant: Option<PlantPoint>,
     /// The axis whose values are being named, from 1, where each has its own.
     pub(super) axis: Option<usize>,
+    /// How many outputs the plant has.
+    pub(super) outputs: usize,
 }
 
 /// Where the plant is.
@@ -86,6 +88,7 @@ impl<'a> Builder<'a> {
             complement: None,
             plant: None,
             axis: None,
+            outputs: spec.coupled.as_ref().map_or(1, |coupled| coupled.outputs.len()),
         }
     }
 

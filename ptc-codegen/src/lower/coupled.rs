@@ -6,7 +6,7 @@ use crate::expression::Expression;
 use crate::law::Law;
 use crate::model::coupled::{Coupled, Inverse};
 use crate::program::{Op, Value};
-use crate::request::Spec;
+use crate::request::{Feedback, Spec};
 
 /// The first input, the others, and the determinant that they are divided by, if there is one. `law` is that of the first output.
 pub(super) fn controls<'a>(
@@ -16,7 +16,7 @@ pub(super) fn controls<'a>(
     designs: &'a [Spec],
 ) -> (Value, Vec<Value>, Option<Value>) {
     let spec = b.spec;
-    if spec.laws().next().is_some() {
+    if spec.laws().next().is_some() || spec.feedback == Feedback::Extern {
         // A law knows the chains of all outputs.
         let mut all = Vec::new();
         for (index, own) in (1..).zip(designs) {

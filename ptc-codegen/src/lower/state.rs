@@ -4,6 +4,7 @@ use super::builder::Builder;
 use super::mapping::{self, Taylor};
 use super::rows::{Factor, Rows};
 use super::series;
+use crate::algebra::BigRational;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
@@ -23,9 +24,17 @@ pub(super) fn law(b: &mut Builder<'_>) -> Value {
     let law = match &spec.feedback {
         Feedback::Expression(law) => b.scalar(law),
         Feedback::Extern => {
-            let xi = (1..=spec.n).map(Variable::Xi);
-            let arguments = xi.chain([Variable::StretchedTime]);
-            let arguments = arguments.map(|v| b.scalar(&v.into())).collect();
+            // Of several outputs the law knows all, and more of time than one chain has a use for.
+            let all = b.states[0].len().max(spec.n);
+            let several = b.axis.filter(|_| b.outputs > 1);
+            let xi = (1..=all).map(Variable::Xi);
+            let times = [Variable::StretchedTime, Variable::KappaRate];
+            let times = times.into_iter().take(if several.is_some() { 2 } else { 1 });
+            let mut arguments: Vec<_> = xi.chain(times).map(|v| b.scalar(&v.into())).collect();
+            if let Some(output) = several {
+                let place = b.number(BigRational::from_integer((output - 1).into()));
+                arguments.push(place);
+            }
             b.push(Op::Law(arguments))
         }
         Feedback::Linear => {
@@ -87,7 +96,11 @@ impl Builder<'_> {
     /// Derivative of this order, from 0, of the reference; none where it is 0.
     pub(super) fn reference(&mut self, order: usize) -> Option<Value> {
         if self.spec.references() > 0 {
-            return Some(self.push(Op::Input(Input::Reference(order))));
+            let given = match self.axis {
+                Some(output) => Input::ReferenceOf(output, order),
+                None => Input::Reference(order),
+            };
+            return Some(self.push(Op::Input(given)));
         }
         let wanted = self.spec.derivative(order)?;
         let value = self.scalar(wanted);

@@ -177,12 +177,13 @@ impl Coupled {
         all
     }
 
-    /// A law in these names, as it is written.
-    pub fn law_text(&self, law: &Expression) -> String {
-        self.law_named(law).to_string()
+    /// `{i}_{j}` for coordinate i of output j, one output after the other.
+    pub fn names_of_chains(&self) -> impl Iterator<Item = String> {
+        let orders = (1..).zip(self.orders());
+        orders.flat_map(|(j, order)| (1..=order).map(move |i| format!("{i}_{j}")))
     }
 
-    /// The same as an expression.
+    /// A law in these names.
     pub fn law_named(&self, law: &Expression) -> Expression {
         let names = self.names_of_law();
         law.substitute(&|e| {

@@ -54,6 +54,11 @@ impl Model {
     }
 }
 
+/// What the names of states stand for.
+pub fn own_names(states: &[Name]) -> Vec<(Name, Variable)> {
+    (1..).zip(states).map(|(j, name)| (*name, Variable::State(j))).collect()
+}
+
 /// The same expression with the names of a plant in place of its states and its input; where there are
 /// several inputs, their names stand behind those of the states.
 fn named(states: &[Name], input: Option<Name>, expression: &Expression) -> Expression {

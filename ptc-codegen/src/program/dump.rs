@@ -74,6 +74,7 @@ fn input_text(input: Input) -> String {
         Input::State(j) => format!("state x{j}"),
         Input::StateAtStart(j) => format!("state x{j} at the start"),
         Input::Reference(order) => format!("reference r{order}"),
+        Input::ReferenceOf(output, order) => format!("reference r{order}_{output}"),
         Input::Drift => "drift f".to_owned(),
         Input::Control => "control u".to_owned(),
         Input::Gain(j) => format!("gain {j}"),

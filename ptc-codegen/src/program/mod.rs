@@ -63,6 +63,8 @@ pub enum Input {
     State(usize),
     /// Derivative of this order, from 0, of what the output follows, where each call is given it.
     Reference(usize),
+    /// The same of one output of several, from 1: the output, and the order.
+    ReferenceOf(usize, usize),
     /// State x_j given to `arm`, from 1.
     StateAtStart(usize),
     /// Feedback gain of x_j, from 1, as `tick` left it.
@@ -84,6 +86,7 @@ impl Input {
             Self::Time => Stage::Tick,
             Self::State(_)
             | Self::Reference(_)
+            | Self::ReferenceOf(..)
             | Self::Gain(_)
             | Self::Divisor
             | Self::Drift

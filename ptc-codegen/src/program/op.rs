@@ -70,7 +70,8 @@ pub enum Op {
     Call(Function, Value),
     /// a^b for a > 0.
     Pow(Value, Value),
-    /// The user's own law pi0: its arguments are xi_1..xi_n and stretched time.
+    /// The user's own law pi0: its arguments are xi_1..xi_n and stretched time. That of one output of several
+    /// has the xi of all, kappa' behind time, and its place among the outputs, from 0, at the end.
     Law(Vec<Value>),
     /// An array by loops: with p(z) = z + sum_d tail_d z^(d+2) and one weight more than the tail has
     /// coefficients, element j is sum_i weights_i \[z^(i+1)\] p^(j+1), as [`rows`](super::rows::rows) gives it.

@@ -15,6 +15,10 @@ pub fn inputs(call: &Call<'_>, states: usize) -> impl Fn(Input) -> f64 {
         Input::State(j) => of(call.x, j),
         Input::Reference(order) => of(call.x, states + order + 1),
         Input::StateAtStart(j) => of(call.x0, j),
-        Input::Gain(_) | Input::Divisor | Input::Drift | Input::Control => f64::NAN,
+        Input::ReferenceOf(..)
+        | Input::Gain(_)
+        | Input::Divisor
+        | Input::Drift
+        | Input::Control => f64::NAN,
     }
 }

@@ -1,6 +1,6 @@
 //! Several axes that share one deadline and one mapping.
 
-use super::{Feedback, Spec};
+use super::{Feedback, Reference, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::model::{Coupled, Model, Output};
@@ -23,6 +23,8 @@ pub struct Axes {
     /// Law pi0 of each output of a plant that is not a sum of gains. In these `x_j` are the states of the
     /// plant, and `xi_j` count through the chains of all outputs, one after the other.
     pub laws: Vec<Expression>,
+    /// What each output of a plant follows, with its derivatives up to that of its order.
+    pub references: Vec<Vec<Expression>>,
 }
 
 impl Axes {
@@ -32,6 +34,7 @@ impl Axes {
             || !self.limits.is_empty()
             || !self.input_gains.is_empty()
             || !self.laws.is_empty()
+            || !self.references.is_empty()
     }
 }
 
@@ -55,6 +58,9 @@ impl Spec {
         }
         if let Some(law) = axes.laws.get(index) {
             spec.feedback = Feedback::Expression(law.clone());
+        }
+        if let Some(reference) = axes.references.get(index) {
+            spec.reference = Some(Reference::Known(reference.clone()));
         }
         if let Some(gain) = axes.input_gains.get(index) {
             spec.input_gain = (*gain != Expression::integer(1)).then(|| gain.clone());

@@ -83,13 +83,10 @@ impl Spec {
         let mut words = Vec::new();
         match &self.feedback {
             Feedback::Linear => words.extend(self.gain_words()),
-            Feedback::Expression(law) => words.push(match &self.coupled {
-                Some(coupled) => {
-                    let laws: Vec<_> = self.laws().map(|law| coupled.law_text(law)).collect();
-                    format!("--pi0=\"{}\"", laws.join(", "))
-                }
-                None => format!("--pi0=\"{law}\""),
-            }),
+            Feedback::Expression(_) => {
+                let laws = self.laws().map(|law| self.law_named(law).to_string());
+                words.push(format!("--pi0=\"{}\"", laws.collect::<Vec<_>>().join(", ")));
+            }
             Feedback::Extern => words.push("--pi0 extern".to_owned()),
         }
         let list = |items: Vec<String>| items.join(", ");
@@ -109,8 +106,9 @@ impl Spec {
             words.extend(self.input_gain_words());
         }
         words.extend(match &self.reference {
-            Some(Reference::Known(derivatives)) => {
-                Some(format!("--reference=\"{}\"", derivatives[0]))
+            Some(Reference::Known(_)) => {
+                let each: Vec<_> = self.known_references().map(|r| r[0].to_string()).collect();
+                Some(format!("--reference=\"{}\"", each.join(", ")))
             }
             Some(Reference::Input) => Some("--reference input".to_owned()),
             None => None,

@@ -234,9 +234,26 @@ impl Spec {
         self.family().map_or("custom", Family::name)
     }
 
-    /// How many values of the reference a call is given: r and its derivatives, or none.
+    /// How many values of the reference a call is given: r and its derivatives, or none. Of several
+    /// outputs it is given so many for each, as many as the highest order takes.
     pub fn references(&self) -> usize {
-        if self.reference == Some(Reference::Input) { self.n + 1 } else { 0 }
+        if self.reference != Some(Reference::Input) {
+            return 0;
+        }
+        let orders = self.coupled.iter().flat_map(|coupled| coupled.orders());
+        orders.max().unwrap_or(self.n) + 1
+    }
+
+    /// The references that are known, each with its derivatives: one, or those of several outputs.
+    pub fn known_references(&self) -> impl Iterator<Item = &[Expression]> {
+        let own = self.axes.iter().flat_map(|axes| &axes.references).map(Vec::as_slice);
+        let one = match &self.reference {
+            Some(Reference::Known(all)) if !self.axes.iter().any(|a| !a.references.is_empty()) => {
+                Some(all.as_slice())
+            }
+            _ => None,
+        };
+        own.chain(one)
     }
 
     /// How many numbers a call is given beside time: the state, and the reference behind it.
@@ -266,7 +283,7 @@ impl Spec {
         let law = self.laws();
         let given = self.custom().map(|custom| &custom.given);
         let model = self.model.iter().flat_map(|model| &model.coordinates);
-        let reference = (0..=self.n).filter_map(|order| self.derivative(order));
+        let reference = self.known_references().flatten();
         let of_plant = model.chain(&self.drift).chain(&self.input_gain);
         let of_axes = self.axes.iter().flat_map(|axes| &axes.input_gains);
         let coupled = self.coupled.iter().flat_map(|coupled| coupled.expressions());

@@ -50,6 +50,15 @@ impl Spec {
         own.chain(coupled.flat_map(|output| &output.coordinates))
     }
 
+    /// A law as it is written, in the names of the plant.
+    pub fn law_named(&self, law: &Expression) -> Expression {
+        match (&self.model, &self.coupled) {
+            (_, Some(coupled)) => coupled.law_named(law),
+            (Some(model), None) => model.named(law),
+            (None, None) => law.clone(),
+        }
+    }
+
     /// The order in words: that of the chain, or those of several outputs.
     pub fn order_text(&self) -> String {
         match &self.coupled {

@@ -55,7 +55,7 @@ impl Trial<'_> {
             Input::StateAtStart(j) => self.x0[j - 1],
             Input::Gain(j) => gains[j - 1],
             Input::Divisor => gains[self.spec().n],
-            Input::Drift | Input::Control => f64::NAN,
+            Input::ReferenceOf(..) | Input::Drift | Input::Control => f64::NAN,
         }
     }
 

@@ -188,6 +188,7 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
             Input::State(j) => record.x[j - 1],
             Input::StateAtStart(j) => record.x0[j - 1],
             Input::Reference(_)
+            | Input::ReferenceOf(..)
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift

@@ -232,6 +232,7 @@ mod tests {
             Input::State(_) | Input::StateAtStart(_) => Interval::new(-state, state),
             Input::Time
             | Input::Reference(_)
+            | Input::ReferenceOf(..)
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift

@@ -57,6 +57,7 @@ pub(super) fn input_name(input: Input) -> String {
         Input::State(j) => format!("x{j}"),
         Input::StateAtStart(j) => format!("x{j}_0"),
         Input::Reference(order) => format!("r{order}"),
+        Input::ReferenceOf(output, order) => format!("r{order}_{output}"),
         Input::Drift => "f".to_owned(),
         Input::Control => "u".to_owned(),
         Input::Gain(j) => format!("gain{j}"),

@@ -71,6 +71,7 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
             .unwrap_or(Interval::ANY),
         Input::Time
         | Input::Reference(_)
+        | Input::ReferenceOf(..)
         | Input::Gain(_)
         | Input::Divisor
         | Input::Drift

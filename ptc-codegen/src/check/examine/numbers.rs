@@ -53,6 +53,7 @@ impl<'a> Numbers<'a> {
             Input::Time => -time_to_go,
             Input::State(j) | Input::StateAtStart(j) => state(j),
             Input::Reference(_)
+            | Input::ReferenceOf(..)
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift

@@ -171,7 +171,10 @@ impl<'a> Sample<'a> {
                 }
                 Statement::Require(..) | Statement::Variable(..) | Statement::Note(_) => {}
                 // No part of a controller in samples.
-                Statement::Array(..) | Statement::Rows { .. } | Statement::Solve(_) => return None,
+                Statement::Array(..)
+                | Statement::Rows { .. }
+                | Statement::Call { .. }
+                | Statement::Solve(_) => return None,
             }
         }
         Some(())

@@ -25,13 +25,10 @@ pub(super) struct Known {
 pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
     let law = match &spec.feedback {
         Feedback::Linear => "pi0 = -(k1*xi1 + ... + kn*xin)".to_owned(),
-        Feedback::Expression(law) => match &spec.coupled {
-            Some(coupled) => {
-                let laws: Vec<_> = spec.laws().map(|law| coupled.law_text(law)).collect();
-                format!("pi0 = {}", laws.join(", "))
-            }
-            None => format!("pi0 = {law}"),
-        },
+        Feedback::Expression(_) => {
+            let laws: Vec<_> = spec.laws().map(|law| spec.law_named(law).to_string()).collect();
+            format!("pi0 = {}", laws.join(", "))
+        }
         Feedback::Extern => "pi0 of the program".to_owned(),
     };
     let mapping = match (spec.family(), spec.custom()) {
@@ -70,8 +67,9 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
     }
     facts.extend(spec.drift.as_ref().map(|f| fact("known f, cancelled", of_plant(f))));
     facts.extend(match &spec.reference {
-        Some(Reference::Known(derivatives)) => {
-            Some(fact("reference", format!("r = {}", derivatives[0])))
+        Some(Reference::Known(_)) => {
+            let each: Vec<_> = spec.known_references().map(|r| r[0].to_string()).collect();
+            Some(fact("reference", format!("r = {}", each.join(", "))))
         }
         Some(Reference::Input) => Some(fact("reference", "given with each call".to_owned())),
         None => None,

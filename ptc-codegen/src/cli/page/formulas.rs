@@ -296,7 +296,9 @@ fn law(spec: &Spec) -> Result<Group, Failure> {
             formulas.push(equal(pi0(), row([operator("\u{2212}"), sum])));
             told.push_str(gains(spec, &mut formulas)?);
         }
-        Feedback::Expression(law) => formulas.push(equal(pi0(), of_expression(law))),
+        Feedback::Expression(law) => {
+            formulas.push(equal(pi0(), of_expression(&spec.law_named(law))));
+        }
         Feedback::Extern => told.push_str(" pi0 is a function of the program's."),
     }
     Ok(Group { title: "Law", told, formulas })

@@ -6,7 +6,19 @@ use serde_json::{Map, Value, json};
 
 use super::sheet::{Block, Forms, Sheet};
 
-pub(super) fn render(sheet: &Sheet) -> String {
+/// One sheet, or those of several outputs as a list.
+pub(super) fn render(sheets: &[Sheet]) -> String {
+    let value = match sheets {
+        [sheet] => object(sheet),
+        several => {
+            let outputs = several.iter().filter(|sheet| !sheet.blocks.is_empty()).map(object);
+            json!({ "outputs": outputs.collect::<Vec<_>>() })
+        }
+    };
+    format!("{value}\n")
+}
+
+fn object(sheet: &Sheet) -> Value {
     let object: Map<String, Value> = sheet
         .blocks
         .iter()
@@ -20,7 +32,7 @@ pub(super) fn render(sheet: &Sheet) -> String {
             }
         })
         .collect();
-    format!("{}\n", Value::Object(object))
+    Value::Object(object)
 }
 
 fn list(forms: &Forms) -> Value {

@@ -2,6 +2,7 @@
 
 mod abstracts;
 mod args;
+mod coupled;
 mod custom;
 mod forms;
 mod formula;
@@ -40,17 +41,23 @@ const MAX_ABSTRACT_ORDER: usize = 30;
 
 /// Runs `show`.
 pub(crate) fn show(request: &Show) -> Result<String, Failure> {
-    let sheet = match ask(request)? {
-        Asked::Abstract(n) => of_abstract(request.subject, n, request.engine.engine)?,
-        Asked::Family(spec, family, ring) => {
-            of_family(request.subject, &spec, family, &ring, request.engine.engine)?
-        }
-        Asked::Custom(spec) => custom::sheet(request.subject, &spec, request.engine.engine)?,
+    let (subject, engine) = (request.subject, request.engine.engine);
+    let one = |spec: &Spec| match (spec.family(), spec.ring()) {
+        (Some(family), Some(ring)) => of_family(subject, spec, family, &ring, engine),
+        _ => custom::sheet(subject, spec, engine),
     };
+    let sheets = match ask(request)? {
+        Asked::Abstract(n) => vec![of_abstract(subject, n, engine)?],
+        Asked::Design(spec) => match &spec.coupled {
+            Some(coupled) => coupled::sheets(subject, (&spec, coupled), one)?,
+            None => vec![one(&spec)?],
+        },
+    };
+    let each = |render: fn(&Sheet) -> String| sheets.iter().map(render).collect::<Vec<_>>();
     Ok(match request.format {
-        Format::Text => text::render(&sheet),
-        Format::Latex => latex::render(&sheet),
-        Format::Json => json::render(&sheet),
+        Format::Text => each(text::render).join("\n"),
+        Format::Latex => each(latex::render).join("\n"),
+        Format::Json => json::render(&sheets),
     })
 }
 
@@ -77,10 +84,8 @@ pub(crate) fn formulas(subject: Subject, spec: &Spec) -> Result<Vec<Math>, Failu
 enum Asked {
     /// The abstract mapping, at an order.
     Abstract(usize),
-    /// A family, at an order, perhaps with parameters fixed.
-    Family(Box<Spec>, Family, Mapping),
-    /// A mapping that the user wrote down.
-    Custom(Box<Spec>),
+    /// A mapping at an order, perhaps with parameters fixed, or a whole design.
+    Design(Box<Spec>),
 }
 
 fn ask(request: &Show) -> Result<Asked, Failure> {
@@ -105,15 +110,12 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
         return flags.finish(None, vec![only_abstract()]);
     }
     let spec = flags.read()?;
-    let own = spec.coupled.is_some() || spec.axes.as_ref().is_some_and(Axes::differ);
+    let own = spec.coupled.is_none() && spec.axes.as_ref().is_some_and(Axes::differ);
     let of_one = if own { spec.needs_one_axis("show") } else { Ok(()) };
     if let Err(found) = spec.needs_time("show").and(of_one) {
         return flags.finish(None, found);
     }
-    match (spec.family(), spec.ring()) {
-        (Some(family), Some(ring)) => Ok(Asked::Family(Box::new(spec), family, ring)),
-        _ => Ok(Asked::Custom(Box::new(spec))),
-    }
+    Ok(Asked::Design(Box::new(spec)))
 }
 
 fn order(node: &Node, most: usize) -> Option<usize> {

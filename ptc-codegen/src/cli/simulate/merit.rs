@@ -13,8 +13,8 @@ pub(super) fn part(runs: &[Run]) -> Part {
     let bounded = runs.iter().any(|run| run.limits.iter().any(|limit| limit.is_finite()));
     let mut head: Vec<_> = ["run", "ends at t in s"].map(str::to_owned).into();
     for run in runs.iter().take(1) {
-        let error = if run.error.is_some() { "error of " } else { "" };
-        head.extend(run.states.iter().map(|x| format!("final {error}{x}")));
+        let last = if run.error.is_some() { &run.errors } else { &run.states };
+        head.extend(last.iter().map(|name| format!("final {name}")));
         let peak = |input: &String| [format!("peak |{input}|"), "at t in s".to_owned()];
         head.extend(run.inputs.iter().flat_map(peak));
         head.extend(bounded.then(|| "in saturation, s".to_owned()));

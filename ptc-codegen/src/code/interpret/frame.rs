@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use super::{Called, Held, Outcome};
 use crate::code::branch::Taken;
 use crate::code::{
-    AXIS, Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test,
-    Variable,
+    AXIS, Cell, Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status,
+    Test, Variable,
 };
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -105,6 +105,10 @@ impl<'b> Frame<'_, 'b> {
                     let values = self.rows(&tail, &weights);
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
+                Statement::Call { name, callback, array, times, count } => {
+                    let values = self.call(callback, array, times, *count);
+                    self.locals.insert(Cow::from(name), Held::Reals(values));
+                }
                 Statement::Solve(solve) => {
                     if let Some(status) = self.solve(solve) {
                         return Some(status);
@@ -114,6 +118,18 @@ impl<'b> Frame<'_, 'b> {
             }
         }
         None
+    }
+
+    /// What a function of several values gives: it is asked for one at a time.
+    fn call(&self, callback: &str, array: &str, times: &[Expr; 2], count: usize) -> Vec<f64> {
+        let called = self.callbacks.iter().find(|(known, _)| *known == callback);
+        let (Some((_, called)), Some(Held::Reals(array))) = (called, self.locals.get(array)) else {
+            fault(format!("no function {callback}, or no array {array}"))
+        };
+        let [time, rate] = times.each_ref().map(|time| self.real(time));
+        let place = |index: usize| u32::try_from(index).map_or(f64::NAN, f64::from);
+        let one = |index| called(&[array.as_slice(), &[rate, place(index)]].concat(), time);
+        (0..count).map(|index| number::settle(one(index), self.precision)).collect()
     }
 
     fn rows(&self, tail: &[f64], weights: &[f64]) -> Vec<f64> {
@@ -237,6 +253,9 @@ impl<'b> Frame<'_, 'b> {
         let (found, index) = match name {
             Expr::Local(name) => (self.locals.get(name.as_str()), 0),
             Expr::Element(name, index) => (self.locals.get(name.as_str()), *index),
+            Expr::Entry(name, Cell { row, column, columns }) => {
+                (self.locals.get(name.as_str()), row * columns + column)
+            }
             Expr::Field(name) => (self.fields.get(name.as_str()), 0),
             Expr::FieldElement(name, index) => (self.fields.get(name.as_str()), *index),
             Expr::Parameter(name) => (self.parameters.get(name.as_str()), 0),

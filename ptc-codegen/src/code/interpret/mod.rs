@@ -47,7 +47,8 @@ pub struct Outcome {
     pub results: BTreeMap<String, Vec<f64>>,
 }
 
-/// A function of the user's: its name, and what it gives for an array and a time.
+/// A function of the user's: its name, and what it gives for an array and a time. Where it gives several
+/// values, kappa' and the place of the value, from 0, stand behind the array.
 pub type Called<'a> = (&'a str, &'a dyn Fn(&[f64], f64) -> f64);
 
 impl<'a> Instance<'a> {

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use num_traits::ToPrimitive;
+
 use crate::code::{Expr, Operator, Shape, Solve, Statement, Test};
 use crate::controller::plan::{Plan, Routine, parameter_name};
 use crate::expression::Function;
@@ -66,6 +68,9 @@ fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, u
     uses
 }
 
+/// What the laws of all outputs give.
+const LAWS: &str = "laws";
+
 struct Writer<'a> {
     plan: &'a Plan<'a>,
     routine: Routine,
@@ -110,6 +115,15 @@ impl Writer<'_> {
         let known = match &definition.op {
             Op::Input(input) => self.input(*input),
             Op::Root(root) => self.root(root),
+            Op::Law(arguments) if !self.plan.program.others.is_empty() => {
+                let [xi @ .., time, rate, place] = arguments.as_slice() else {
+                    fault("a law of several outputs without its times")
+                };
+                self.laws(xi, [*time, *rate]);
+                let place = self.expression(*place).number().and_then(ToPrimitive::to_usize);
+                let place = place.unwrap_or_else(|| fault("a law without a place"));
+                self.define(value, Expr::Element(LAWS.to_owned(), place))
+            }
             Op::Law(arguments) => {
                 let (time, xi) =
                     arguments.split_last().unwrap_or_else(|| fault("a law without time"));
@@ -142,6 +156,23 @@ impl Writer<'_> {
         self.known.insert(value, known);
     }
 
+    /// Calls the law of all outputs, once.
+    fn laws(&mut self, xi: &[Value], times: [Value; 2]) {
+        let is_call = |statement: &Statement| matches!(statement, Statement::Call { .. });
+        if self.statements.iter().any(is_call) {
+            return;
+        }
+        let (xi, times) = (self.all(xi), times.map(|time| self.expression(time)));
+        self.statements.push(Statement::Array("xi".to_owned(), xi));
+        self.statements.push(Statement::Call {
+            name: LAWS.to_owned(),
+            callback: "pi0",
+            array: "xi".to_owned(),
+            times,
+            count: self.plan.program.others.len() + 1,
+        });
+    }
+
     fn define(&mut self, value: Value, expression: Expr) -> Expr {
         let name = self.fresh(value);
         self.statements.push(Statement::Let(name.clone(), Shape::Real, expression));
@@ -167,6 +198,7 @@ impl Writer<'_> {
                 Expr::local(format!("r{order}"))
             }
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
+            Input::ReferenceOf(output, order) => Expr::local(format!("r{order}_{output}")),
             Input::StateAtStart(j) if self.local.contains(&input) => Expr::local(format!("x{j}_0")),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Gain(j) => match self.plan.program.gains_of_axis() {

@@ -41,19 +41,28 @@ impl Builder<'_> {
         let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
         let limits = (0..m).map(|index| self.limit_of(index)).collect();
         let inputs = Name::listed(&coupled.inputs);
+        let reference = self.reference();
         Function {
             name: "step",
             about: format!(
-                "u = ({inputs}) at time t [s] and state x = ({}). Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.",
-                Name::listed(&coupled.states)
+                "u = ({inputs}) at time t [s]{}state x = ({}){}. Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.",
+                if reference.is_some() { ", " } else { " and " },
+                Name::listed(&coupled.states),
+                match reference.is_some() {
+                    true => " and reference r = (r, r', ...) of each output",
+                    false => "",
+                }
             ),
             owner: Owner::Controller,
             access: Access::Read,
-            arguments: vec![
+            arguments: [
                 Variable::new("t", Shape::Real, "time, s"),
                 self.array("x", &format!("state: {}", Name::listed(&coupled.states))),
-            ],
-            callbacks: Vec::new(),
+            ]
+            .into_iter()
+            .chain(reference)
+            .collect(),
+            callbacks: self.callbacks(),
             results: vec![
                 Variable::new("u", Shape::Reals(m), format!("inputs of the plant: {inputs}")),
                 Variable::new("axes", Shape::Statuses(m), "status of each input"),

@@ -10,7 +10,7 @@ mod step;
 
 use super::Controller;
 use super::plan::{Field, Plan, Routine};
-use crate::code::{Callback, Code, Expr, Shape, Statement, Test, Variable};
+use crate::code::{Callback, Cell, Code, Expr, Shape, Statement, Test, Variable};
 use crate::internal::fault;
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
@@ -104,7 +104,16 @@ impl Builder<'_> {
     /// The states, and the reference: what a call is given in arrays.
     fn arrays(&self) -> Vec<Input> {
         let states = (1..=self.spec.states()).map(Input::State);
-        states.chain((0..self.spec.references()).map(Input::Reference)).collect()
+        let count = self.spec.references();
+        let Some(coupled) = &self.spec.coupled else {
+            return states.chain((0..count).map(Input::Reference)).collect();
+        };
+        // Behind the order of an output its row is not read.
+        let orders = (1..).zip(coupled.orders()).filter(|_| count > 0);
+        let rows = orders.flat_map(|(output, order)| {
+            (0..=order).map(move |order| Input::ReferenceOf(output, order))
+        });
+        states.chain(rows).collect()
     }
 
     /// Such an input as a local value.
@@ -113,6 +122,7 @@ impl Builder<'_> {
             Input::State(j) => Expr::local(format!("x{j}")),
             Input::StateAtStart(j) => Expr::local(format!("x{j}_0")),
             Input::Reference(order) => Expr::local(format!("r{order}")),
+            Input::ReferenceOf(output, order) => Expr::local(format!("r{order}_{output}")),
             other => fault(format!("{other:?} is in no array")),
         }
     }
@@ -126,6 +136,10 @@ impl Builder<'_> {
             Input::State(j) => Expr::Element("x".to_owned(), j - 1),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
+            Input::ReferenceOf(output, order) => {
+                let cell = Cell { row: output - 1, column: order, columns: self.spec.references() };
+                Expr::Entry("r".to_owned(), cell)
+            }
             other => fault(format!("{other:?} is in no array")),
         }
     }
@@ -160,13 +174,29 @@ impl Builder<'_> {
     }
 
     fn callbacks(&self) -> Vec<Callback> {
-        let law = Callback {
-            name: "pi0",
-            array: "xi",
-            about: "User-defined law pi0(xi, t); t is the stretched time kappa + t0.",
+        let law = match &self.spec.coupled {
+            Some(coupled) if coupled.outputs.len() > 1 => Callback {
+                name: "pi0",
+                array: "xi",
+                length: coupled.orders().iter().sum(),
+                gives: coupled.outputs.len(),
+                about: "User-defined laws pi0(xi, t, rate) of all outputs; xi are the states of their chains in stretched time, one output after the other, t is the stretched time kappa + t0, and rate is kappa'.",
+            },
+            _ => Callback {
+                name: "pi0",
+                array: "xi",
+                length: self.spec.n,
+                gives: 1,
+                about: "User-defined law pi0(xi, t); t is the stretched time kappa + t0.",
+            },
         };
-        let after =
-            Callback { name: "after", array: "x", about: "User-defined law for t >= t0 + tau." };
+        let after = Callback {
+            name: "after",
+            array: "x",
+            length: self.spec.states(),
+            gives: 1,
+            about: "User-defined law for t >= t0 + tau.",
+        };
         let extern_law = self.spec.feedback == Feedback::Extern;
         let extern_end = self.spec.after == After::Extern && self.spec.what == What::Controller;
         extern_law.then_some(law).into_iter().chain(extern_end.then_some(after)).collect()
@@ -175,6 +205,14 @@ impl Builder<'_> {
     /// The array of the reference, where each call is given it.
     fn reference(&self) -> Option<Variable> {
         let count = self.spec.references();
+        if let Some(coupled) = self.spec.coupled.as_ref().filter(|_| count > 0) {
+            let orders: Vec<_> = coupled.orders().iter().map(ToString::to_string).collect();
+            let about = format!(
+                "for each output its reference and the derivatives, up to that of its order, {}; what is behind is not read",
+                orders.join(", ")
+            );
+            return Some(Variable::new("r", Shape::Lists(coupled.outputs.len(), count), about));
+        }
         let about =
             format!("reference of x1 and its derivatives, up to that of order {}", self.spec.n);
         (count > 0).then(|| Variable::new("r", Shape::Reals(count), about))

@@ -112,6 +112,9 @@ pub(super) trait Block: Text {
     /// A local array by loops.
     fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]);
 
+    /// A local array that a function of the user's gives.
+    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize);
+
     /// The lines before and behind the rounds of an iteration.
     fn rounds(&self, rounds: u32) -> [String; 2];
 
@@ -166,6 +169,10 @@ pub(super) trait Block: Text {
             Statement::Require(test, status) => self.require(test, *status),
             Statement::Array(name, values) => self.array(name, values),
             Statement::Rows { name, tail, weights } => self.rows(name, tail, weights),
+            Statement::Call { name, callback, array, times, count } => {
+                let [time, rate] = times.each_ref().map(|value| self.alone(value));
+                self.laws(name, callback, &[array, &time, &rate], *count);
+            }
             Statement::Solve(solve) => self.solve(solve),
             Statement::If(test, yes, no) => {
                 let line =
@@ -321,6 +328,7 @@ pub(super) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, S
             Statement::Rows { name, weights, .. } => {
                 declare(name, Shape::Reals(weights.len()), locals);
             }
+            Statement::Call { name, count, .. } => declare(name, Shape::Reals(*count), locals),
             Statement::Solve(solve) => {
                 declare(&solve.unknown, Shape::Real, locals);
                 for local in Solve::LOCALS {

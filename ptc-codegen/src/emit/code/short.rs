@@ -68,6 +68,10 @@ impl Short {
                     self.each(&mut weights, &mut out);
                     Statement::Rows { name, tail, weights }
                 }
+                Statement::Call { name, callback, array, mut times, count } => {
+                    self.each(&mut times, &mut out);
+                    Statement::Call { name, callback, array, times, count }
+                }
                 Statement::If(test, yes, no) => {
                     let (yes, no) = (self.block(yes), self.block(no));
                     Statement::If(test, yes, no)
@@ -177,7 +181,7 @@ impl Short {
             Expr::Count(_) => 5,
             Expr::Local(name) => name.len(),
             Expr::Element(name, _) => name.len() + 3,
-            Expr::Field(name) => name.len() + 6,
+            Expr::Field(name) | Expr::Entry(name, _) => name.len() + 6,
             Expr::FieldElement(name, _) => name.len() + 9,
             Expr::OfAxis(name, ..) => name.len() + 20,
             Expr::Call(function, a) => function.name().len() + self.width(a) + 2,

@@ -60,6 +60,11 @@ pub(in crate::emit) trait Text {
         format!("{array}[{index}]")
     }
 
+    /// An element of an array of arrays, both counted from 0.
+    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+        format!("{array}[{row}][{column}]")
+    }
+
     /// Element `index` of the `stride` elements of a field that belong to the axis of the argument.
     fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
         let place = match (stride, index) {
@@ -151,6 +156,9 @@ pub(in crate::emit) trait Text {
             Expr::Count(count) => (Level::Atom, self.count(*count)),
             Expr::Local(name) => (Level::Atom, self.local(name)),
             Expr::Element(name, index) => (Level::Atom, self.element(&self.local(name), *index)),
+            Expr::Entry(name, cell) => {
+                (Level::Atom, self.entry(&self.local(name), cell.row, cell.column))
+            }
             Expr::Field(name) => (Level::Atom, self.field(name)),
             Expr::FieldElement(name, index) => (Level::Atom, self.field_element(name, *index)),
             Expr::OfAxis(name, stride, index) => (Level::Atom, self.of_axis(name, *stride, *index)),

@@ -69,6 +69,7 @@ impl<'a> Reader<'a> {
             limits: Vec::new(),
             input_gains: Vec::new(),
             laws,
+            references: Vec::new(),
         };
         let first = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i)).cloned());
         let first: Option<Vec<Fixed>> = first.collect();
@@ -156,7 +157,7 @@ impl<'a> Reader<'a> {
                 "pi0",
                 spec.feedback != Feedback::Linear,
                 "axes need a linear law",
-                "give gains or poles, or make a controller for each axis",
+                "give gains or poles, make a controller for each axis, or write the chains as one plant with `inputs` and `outputs`, whose law may be extern",
             ),
             (
                 "after",
@@ -168,7 +169,7 @@ impl<'a> Reader<'a> {
                 "reference",
                 matches!(spec.reference, Some(Reference::Known(_))),
                 "each axis has a reference of its own",
-                "give `reference` = input: each call is given those of all axes",
+                "give `reference` = input: each call is given those of all axes; a plant with `inputs` and `outputs` takes an expression for each output",
             ),
             (
                 "g",

@@ -9,7 +9,7 @@ use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
-use crate::model::Coupled;
+use crate::model::{Coupled, Model, own_names};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Pole, gains};
 use crate::syntax::{Node, Value, constant};
@@ -78,7 +78,7 @@ impl<'a> Reader<'a> {
         (n, order): (Option<usize>, usize),
         late: usize,
         known: &[Parameter],
-        coupled: Option<&Coupled>,
+        (model, coupled): (Option<&Model>, Option<&Coupled>),
     ) -> Law {
         let mut law = Law::open();
         match self.only_one(&["gains", "poles", "pi0"]) {
@@ -100,8 +100,11 @@ impl<'a> Reader<'a> {
                 law = coupled.map_or(law, |coupled| self.laws(node, known, coupled));
             }
             Some((_, node)) => {
-                let scope = Scope { subject: Subject::Law, n: order, known, own: &[] };
-                if let Some(expression) = resolve(node, scope, &mut self.found) {
+                let own = model.map(|model| own_names(&model.states)).unwrap_or_default();
+                let scope = Scope { subject: Subject::Law, n: order, known, own: &own };
+                let inputs = model.map(|model| vec![model.input]).unwrap_or_default();
+                let read = resolve(node, scope, &mut self.found);
+                if let Some(expression) = read.filter(|law| self.gives_inputs(node, law, &inputs)) {
                     match gains_of(&expression, 1..=order) {
                         Some(gains) => law.gains = fixed(gains),
                         None => law.feedback = Feedback::Expression(expression),

@@ -180,7 +180,9 @@ impl<'a> Reader<'a> {
         let promises = self.promises(n, states);
         // A sample of delay is a state more.
         let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
-        let law = self.law((n.map(|n| n + late), order + late), late, &known, coupled.as_ref());
+        let orders = (n.map(|n| n + late), order + late);
+        let of_model = model.as_ref().map(|read| &read.model);
+        let law = self.law(orders, late, &known, (of_model, coupled.as_ref()));
         let (drift, input_gain) = match &model {
             Some(read) => {
                 let unless =
@@ -189,7 +191,12 @@ impl<'a> Reader<'a> {
             }
             None => (self.drift(order, &known), self.input_gain(order, &known)),
         };
-        let reference = self.reference(n, &known);
+        let (reference, references) = match &coupled {
+            Some(coupled) => self.references(coupled, &known),
+            // What it is of has not been read.
+            None if self.has_coupled() => (None, Vec::new()),
+            None => (self.reference(n, &known), Vec::new()),
+        };
         let mut spec = Spec {
             n: order,
             time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
@@ -220,6 +227,9 @@ impl<'a> Reader<'a> {
         }
         if let Some(orders) = axes {
             self.own_values(&mut spec, &orders, (law.laws, law.own_gains));
+        }
+        if let Some(axes) = &mut spec.axes {
+            axes.references = references;
         }
         self.fits_axes(&spec, samples);
         self.fits_model(&spec, samples);

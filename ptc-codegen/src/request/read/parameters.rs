@@ -131,7 +131,7 @@ impl Reader<'_> {
                     false => "dynamics",
                 },
                 _ if of(spec.drift.as_ref()) => "f",
-                _ if of(spec.derivative(0)) => "reference",
+                _ if spec.known_references().any(|all| of(all.first())) => "reference",
                 _ => "g",
             };
             let place = self.keys.get(key).map(|node| node.place);

@@ -10,7 +10,7 @@ use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
-use crate::syntax::Value;
+use crate::syntax::{Node, Value};
 
 impl Reader<'_> {
     /// The reference of a chain of order `n`; 0 is none at all.
@@ -19,9 +19,35 @@ impl Reader<'_> {
         if matches!(&node.value, Value::Word(word) if word == "input") {
             return Some(Reference::Input);
         }
+        if matches!(node.value, Value::List(_)) {
+            let message = "a list of references, where there is one output".to_owned();
+            let help = match self.keys.contains_key("axes") {
+                true => {
+                    "give `reference` = input: each call is given those of all axes; a plant with `inputs` and `outputs` takes an expression for each output"
+                }
+                false => "give one expression in t; several outputs have one for each",
+            };
+            self.wrong("reference", Some(node.place), message, help.to_owned());
+            return None;
+        }
+        let all = self.followed(node, n, known)?;
+        let rests = all[0] == Expression::integer(0);
+        (!rests).then_some(Reference::Known(all))
+    }
+
+    /// An expression in time with its derivatives, up to that of order `n`.
+    pub(super) fn followed(
+        &mut self,
+        node: &Node,
+        n: Option<usize>,
+        known: &[Parameter],
+    ) -> Option<Vec<Expression>> {
         let scope =
             Scope { subject: Subject::Reference, n: n.unwrap_or(MAX_ORDER), known, own: &[] };
         let given = resolve(node, scope, &mut self.found)?;
+        if !self.is_of_time(node, &given) {
+            return None;
+        }
         let (message, help) = if let Some(kink) = kink(&given) {
             (
                 format!("{kink} has a kink, and the reference is differentiated"),
@@ -29,10 +55,7 @@ impl Reader<'_> {
             )
         } else {
             match derivatives(&given, n?) {
-                Ok(all) => {
-                    let rests = given == Expression::integer(0);
-                    return (!rests).then_some(Reference::Known(all));
-                }
+                Ok(all) => return Some(all),
                 Err(order) => (
                     format!(
                         "derivative {order} of the reference is larger than an expression may be"
@@ -81,7 +104,6 @@ impl Reader<'_> {
     /// of its operations is analytic. What depends on parameters alone is left to run time, as far as
     /// they are.
     pub(super) fn reference_exists(&mut self, spec: &Spec) {
-        let Some(Reference::Known(derivatives)) = &spec.reference else { return };
         let known = |p: &Parameter| spec.fixed.contains_key(p) || spec.bounds.contains_key(p);
         let decided = |part: &Expression| moves(part) || part.parameters().iter().all(known);
         // A root has a value at 0, and no derivative there.
@@ -95,7 +117,8 @@ impl Reader<'_> {
             let value = evaluator.value(part, &names);
             value.is_some_and(|value| condition.is_met(&value.interval))
         };
-        let mut wanted = needs(&derivatives[0]).into_iter().map(analytic);
+        let given = spec.known_references().map(|all| &all[0]);
+        let mut wanted = given.flat_map(needs).map(analytic);
         let open = wanted.find(|(part, condition)| decided(part) && !met(part, *condition));
         let Some((part, condition)) = open else { return };
         let place = self.keys.get("reference").map(|node| node.place);

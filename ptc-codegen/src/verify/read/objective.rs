@@ -180,8 +180,7 @@ fn names(spec: &Spec) -> Vec<(Name, Variable)> {
     let Some(coupled) = &spec.coupled else { return Vec::new() };
     let of_plant = coupled.states.iter().chain(&coupled.inputs);
     let of_plant = (1..).zip(of_plant).map(|(j, name)| (*name, Variable::State(j)));
-    let orders = (1..).zip(coupled.orders());
-    let all = orders.flat_map(|(j, order)| (1..=order).map(move |i| format!("x{i}_{j}")));
+    let all = coupled.names_of_chains().map(|name| format!("x{name}"));
     let chains = (1..).zip(all).flat_map(|(place, text)| {
         let at_start =
             Name::new(&format!("{text}_0")).map(|name| (name, Variable::XiAtStart(place)));

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::by_hand::{Arm, TAU, along, heating, joint, tank, torques};
+use super::by_hand::{Arm, EPS, KNOWN, TAU, along, heating, joint, tank, torques};
 use super::{example, folder_with, near, run, run_in};
 
 const SHARES: [f64; 5] = [0.0, 0.05, 0.3, 0.6, 0.9];
@@ -77,6 +77,52 @@ fn a_tank_with_a_leak_fills_as_one_by_hand() {
     let (_, rows, _) = run("tight", &example("tank.toml"), &["--x0", "0.2,1,2", "--at", "0.5,0.9"]);
     for (row, share) in rows.iter().zip([0.5_f64, 0.1]) {
         near(&row[2..3], &[0.2 * share.powi(4)], 1e-11);
+    }
+}
+
+/// What the joints follow, with two derivatives.
+fn targets(t: f64) -> [[f64; 3]; 2] {
+    let (first, second) = (0.4 * t, 0.5 * t + 1.0);
+    [
+        [0.3 * first.sin(), 0.12 * first.cos(), -0.048 * first.sin()],
+        [0.2 * second.cos(), -0.1 * second.sin(), -0.05 * second.cos()],
+    ]
+}
+
+/// The torques by hand: the law of the errors, and the second derivatives of what is followed.
+fn following(t: f64, x: &[f64]) -> Vec<f64> {
+    let to_go = (TAU - t).max(EPS);
+    let pace = 20.0 * TAU / to_go.powi(2);
+    let wanted = |[r, rate, second]: [f64; 3], q: f64, w: f64| {
+        second - 1.5 * pace * pace * (q - r) - (2.5 * pace - 2.0 / to_go) * (w - rate)
+    };
+    let [first, second] = targets(t);
+    let v = [wanted(first, x[0], x[2]), wanted(second, x[1], x[3])];
+    let ([a, b, c], bias) = KNOWN.equations(x);
+    vec![a * v[0] + b * v[1] + bias[0], b * v[0] + c * v[1] + bias[1]]
+}
+
+/// The errors move as sums of exponentials, whatever the joints follow, and the joints as those of an arm
+/// that is integrated by hand.
+#[test]
+fn an_arm_follows_two_sines() {
+    let design = example("two_link.toml")
+        .replace("limits = [120, 60]", "u_max = inf #")
+        .replace("mu =", "reference = [\"0.3*sin(0.4*t)\", \"0.2*cos(0.5*t + phase)\"]\nmu =");
+    let design = design.replace("[params]", "[params]\nphase = 1");
+    let x0 = [1.0, -0.5, 0.2, 0.0];
+    let (_, rows, told) = run("follows", &design, &["--x0", "1,-0.5,0.2,0", "--at", AT]);
+    assert!(told.contains("tracking error at t = 18 s: e1_1 = "), "{told}");
+    let [[r1, d1, _], [r2, d2, _]] = targets(0.0);
+    let grid = SHARES.map(|part| part * TAU);
+    let plant = |x: &[f64], u: &[f64]| KNOWN.rates(x, u);
+    let wanted = along(&plant, &following, (&grid, 8000), &x0);
+    for ((row, x), t) in rows.iter().zip(&wanted).zip(grid) {
+        let ([e1, de1], [e2, de2]) = (joint(t, [1.0 - r1, 0.2 - d1]), joint(t, [-0.5 - r2, -d2]));
+        let [[r1, d1, _], [r2, d2, _]] = targets(t);
+        near(&row[2..6], &[r1 + e1, r2 + e2, d1 + de1, d2 + de2], 1e-9);
+        near(&row[2..6], x, 1e-8);
+        near(&row[6..], &following(t, &row[2..6]), 1e-9);
     }
 }
 

@@ -50,6 +50,15 @@ fn plants() -> BTreeMap<&'static str, Spec> {
     ["mix", "unicycle", "three", "two_link"].into_iter().zip(all.map(|text| spec(&text))).collect()
 }
 
+/// The same with references, one output follows and one does not, and what each call is given; and with a
+/// law that it is given.
+fn following() -> BTreeMap<&'static str, Spec> {
+    let own =
+        |reference: &str| spec(&MIX.replace("mu =", &format!("reference = {reference}\nmu =")));
+    let law = spec(&MIX.replace("poles = [[-4, -5], [-3]]", "pi0 = \"extern\""));
+    [("known", own("[\"amp*sin(t)\", \"0\"]")), ("given", own("\"input\"")), ("law", law)].into()
+}
+
 #[test]
 fn u_is_that_of_the_definition() {
     let mut lines: BTreeMap<&str, Vec<Vec<f64>>> = BTreeMap::new();
@@ -205,7 +214,35 @@ fn mistakes_are_shown_at_their_lines() {
         (MIX, "[[-4, -5], [-3]]", "[-4, -5]", 3, "one list of poles", "of 2 and 1 numbers"),
         (MIX, "poles = [[-4, -5], [-3]]\n", "", 0, "`poles` are missing", "a list for each output"),
         (MIX, "mu =", "axes = 2\nmu =", 2, "`axes` beside `inputs`", "leave it out"),
-        (MIX, "mu =", "reference = \"input\"\nmu =", 2, "brought to 0", "set point"),
+        (MIX, "mu =", "reference = \"sin(t)\"\nmu =", 2, "1 references for 2 outputs", "and 0 for"),
+        (MIX, "mu =", "reference = [\"t\", \"abs(t)\"]\nmu =", 2, "abs(t) has a kink", "tanh"),
+        (MIX, "mu =", "reference = [\"t\", \"1/t\"]\nmu =", 2, "not shown to have", "give t0"),
+        (MIX, "mu =", "reference = [\"h\", \"0\"]\nmu =", 2, "`h` is a state or", "in t, dt and"),
+        (MIX, "mu =", "reference = [\"a*t\", \"0\"]\nmu =", 2, "`a` is a state or an input", "dt"),
+        (
+            MIX,
+            "mu =",
+            "reference = [\"input\", \"0\"]\nmu =",
+            2,
+            "`input` is a key of",
+            "parameter",
+        ),
+        (
+            MIX,
+            "mu =",
+            "reference = \"input\"\nclock = \"samples\"\nmu =",
+            3,
+            "needs a clock in time",
+            "leave `clock` out",
+        ),
+        (
+            MIX,
+            "mu =",
+            "reference = \"input\"\nafter = \"zero\"\nmu =",
+            3,
+            "hold their gains",
+            "leave `after` out",
+        ),
         (arm, "\"w\"]\ninputs", "\"q\"]\ninputs", 4, "two names `q`", "a name of its own"),
         (arm, ", \"w\"]\ninputs", "]\ninputs", 4, "3 states for 2 inputs", "the rate of each"),
         (arm, "[\"q\", \"3\"]", "[\"q\", \"v\"]", 6, "depends on the rate `v`", "`bias`"),
@@ -235,12 +272,48 @@ fn mistakes_are_shown_at_their_lines() {
     assert!(stderr.contains("at most 3 are decoupled"), "{stderr}");
 }
 
+/// `show law` has the plant and, for each output, the law of a chain with its gains.
+#[test]
+fn show_has_the_law_of_each_output() {
+    let folder = folder_with("coupled_show", "mix.toml", MIX);
+    let json = |words: &[&str]| -> serde_json::Value {
+        let (code, text, stderr) = run_in(&folder, &[words, &["--format", "json"]].concat());
+        assert_eq!(code, Some(0), "{stderr}");
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let outputs = json(&["show", "law", "mix.toml"]);
+    for (output, (n, poles)) in [("2", "[-4, -5]"), ("1", "[-3]")].into_iter().enumerate() {
+        let chain = format!("n = {n}\nmu = \"exp(a=1)\"\npoles = {poles}\ntau = 1\neps = 1e-2\n");
+        std::fs::write(folder.join("chain.toml"), chain).expect("a file");
+        assert_eq!(outputs["outputs"][output], json(&["show", "law", "chain.toml"]));
+    }
+    for format in ["text", "latex"] {
+        let words = ["show", "law", "mix.toml", "--format", format];
+        let (_, text, _) = run_in(&folder, &words);
+        for part in ["p' = v", "  f_2 = v*h", "  det(D) = ", "output 2, of order n = 1"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+    let (_, text, _) = run_in(&folder, &["show", "matrix", "mix.toml"]);
+    assert!(text.contains("BB_2 ="), "{text}");
+    // Outputs that share their gains are shown once, and laws that are no gains are not.
+    let folder = folder_with("coupled_show_arm", "arm.toml", example("two_link.toml"));
+    let (_, text, _) = run_in(&folder, &["show", "law", "arm.toml"]);
+    assert!(
+        text.contains("u = M v + bias") && text.matches("of order n = 2").count() == 3,
+        "{text}"
+    );
+    let folder = folder_with("coupled_show_laws", "arm.toml", example("barrier_arm.toml"));
+    let (code, _, stderr) = run_in(&folder, &["show", "law", "arm.toml"]);
+    assert!(code != Some(0) && stderr.contains("are not sums of gains"), "{stderr}");
+}
+
 /// The command in the head gives the design back, and every language has it.
 #[test]
 fn every_language_has_it() {
-    for (name, own) in plants() {
+    for (name, own) in plants().into_iter().chain(following()) {
         let again = crate::command::spec_of(&own.command()).expect("a legal command");
-        assert_eq!(again.command(), own.command());
+        assert_eq!(again, own);
         for language in
             [Language::C, Language::Cpp, Language::Rust, Language::Python, Language::Matlab]
         {

@@ -103,6 +103,60 @@ fn u_is_that_of_the_formula() {
     }
 }
 
+/// A pendulum with one input, whose law knows its states by their names.
+const PENDULUM: &str = "name = \"pendulum\"
+mu = \"exp(a=1)\"
+pi0 = \"-6*xi1 - 5*xi2 - stiff*sin(q)*T + q*w*kappa_rate\"
+[params]
+tau = 1
+eps = 1e-2
+u_max = inf
+stiff = 0.5
+[model]
+states = [\"q\", \"w\"]
+input = \"M\"
+output = \"q\"
+dynamics = { q = \"w\", w = \"2*M - sin(q)\" }
+";
+
+/// By hand: w' = pi0/T^2 + w/T, and M = (w' + sin q)/2.
+#[test]
+fn a_law_of_one_input_knows_the_states() {
+    let own = spec(PENDULUM);
+    let names: Vec<_> = own.run_time_parameters().map(|p| p.spelling()).collect();
+    assert_eq!(names, ["t0"]);
+    let main = "static const pendulum_params params = { .t0 = 0.25 };\n\
+        int main(void)\n{\n    pendulum control;\n    double u;\n\
+        \x20   const double x[2] = { 0.5, -0.75 };\n\
+        \x20   if (pendulum_init(&control, &params) != PTC_OK) { return 1; }\n\
+        \x20   for (double t = 0.25; t < 1.5; t += 0.1875) {\n\
+        \x20       if (pendulum_step(&control, t, x, &u) < 0) { return 2; }\n\
+        \x20       printf(\"%.17g %.17g\\n\", t, u);\n    }\n    return 0;\n}\n";
+    let rows = in_c::run("laws_pendulum", &own, main);
+    assert_eq!(rows.len(), 7);
+    let (q, w) = (0.5_f64, -0.75_f64);
+    for row in rows {
+        let to_go = (1.25 - row[0]).max(0.01);
+        let pi0 = -6.0 * q - 5.0 * to_go * w - 0.5 * q.sin() * to_go + q * w / to_go;
+        let wanted = ((pi0 / to_go + w) / to_go + q.sin()) / 2.0;
+        assert!((row[1] - wanted).abs() <= 1e-13 * (1.0 + wanted.abs()), "{row:?}: {wanted}");
+    }
+    let again = crate::command::spec_of(&own.command()).expect("a legal command");
+    assert_eq!(again, own);
+    let head = ptc_codegen::generate(&own, Language::C).expect("accepted")[0].text.clone();
+    assert!(head.contains("pi0 = -6*xi1 - 5*xi2 - stiff*sin(q)*T + q*w*kappa_rate"), "{head}");
+    for (from, to, message, help) in [
+        ("- stiff*", "- M*", "`M` is an input of the plant", "a parameter needs another name"),
+        ("mu =", "what = \"associated\"\nmu =", "does not know the states", "leave `what` out"),
+        ("sin(q)*T", "x1_0*T", "the states and t", "states at the start"),
+    ] {
+        let folder = folder_with("laws_pendulum_mistakes", "d.toml", PENDULUM.replace(from, to));
+        let (status, _, stderr) = run_in(&folder, &["check", "d.toml"]);
+        assert_ne!(status, Some(0), "{from}");
+        assert!(stderr.contains(message) && stderr.contains(help), "{from}: {stderr}");
+    }
+}
+
 /// The command in the head gives the design back, in the names of the plant.
 #[test]
 fn the_command_is_in_the_names_of_the_plant() {
@@ -142,8 +196,9 @@ fn mistakes_are_shown_at_their_lines() {
         ),
         ("[\"-x1_0\", \"-xi1_2\"]", "`x1_0` does not exist where", "states at t0 are not known"),
         ("[\"-u\", \"-xi1_2\"]", "`u` is not known where pi0", "parameter"),
+        ("[\"-xi1_1 + b\", \"-xi1_2\"]", "`b` is an input of the plant", "needs another name"),
         ("[\"-xi1_1\", \"-xi1_2/0\"]", "division by zero", "divisor"),
-        ("\"extern\"", "the outputs need a law that is known", "an expression for each output"),
+        ("[\"extern\", \"-xi1_2\"]", "extern", "parameter"),
     ] {
         let folder = folder_with("laws_mistakes", "design.toml", with(laws));
         let (status, _, stderr) = run_in(&folder, &["check", "design.toml"]);

@@ -96,11 +96,12 @@ impl C<'_> {
         }
         for callback in code.callbacks() {
             let (real, array) = (self.type_of(Shape::Real), callback.array);
-            let lengths = code.functions.iter().flat_map(|f| &f.arguments);
-            let n = lengths.filter_map(|argument| argument.shape.length()).max().unwrap_or(1);
-            let (given, about) = (callback.name, callback.about);
-            self.out.line(format!("/* {about} */"));
-            self.out.line(format!("typedef {real} (*{name}_{given})(void *context, const {real} {array}[{n}], {real} t);\n"));
+            let (given, about, n) = (callback.name, callback.about, callback.length);
+            self.remark(about);
+            self.out.line(match callback.gives {
+                1 => format!("typedef {real} (*{name}_{given})(void *context, const {real} {array}[{n}], {real} t);\n"),
+                count => format!("typedef void (*{name}_{given})(void *context, const {real} {array}[{n}], {real} t, {real} rate, {real} {given}[{count}]);\n"),
+            });
         }
     }
 

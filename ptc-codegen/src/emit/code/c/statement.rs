@@ -94,6 +94,13 @@ impl C<'_> {
                 self.array("const ", "p", tail);
                 self.out.line(format!("{}_rows({name}, p);", self.code.name));
             }
+            Statement::Call { name, callback, array, times, count } => {
+                let [time, rate] = times.each_ref().map(|value| self.alone(value));
+                let (real, zero) = (self.type_of(Shape::Real), self.literal("0.0"));
+                let zeros = vec![zero; *count].join(", ");
+                self.out.line(format!("{real} {name}[{count}] = {{{zeros}}};"));
+                self.out.line(format!("{callback}(context, {array}, {time}, {rate}, {name});"));
+            }
             Statement::Solve(solve) => self.solve(solve),
             Statement::Note(text) => {
                 self.out.gap();

@@ -130,6 +130,11 @@ impl Block for Cpp<'_> {
         self.out.line(format!("const auto {name} = rows(w, p);"));
     }
 
+    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize) {
+        let kind = self.type_of(Shape::Reals(count));
+        self.out.line(format!("const {kind} {name} = {callback}({});", given.join(", ")));
+    }
+
     fn rounds(&self, rounds: u32) -> [String; 2] {
         let open = format!("for (std::size_t round = 0U; round < {rounds}U; round++) {{");
         [open, "}".to_owned()]

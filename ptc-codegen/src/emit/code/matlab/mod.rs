@@ -74,6 +74,10 @@ impl Text for Matlab<'_> {
         format!("{array}({})", index + 1)
     }
 
+    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+        format!("{array}({}, {})", row + 1, column + 1)
+    }
+
     fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
         let place = match stride {
             1 => format!("{AXIS} + 1"),
@@ -207,6 +211,11 @@ impl Block for Matlab<'_> {
     fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
         let [weights, tail] = [weights, tail].map(|values| self.list(values).join(", "));
         self.out.line(format!("{name} = row_sums([{weights}], [{tail}]);"));
+    }
+
+    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
+        let real = self.real_type();
+        self.out.line(format!("{name} = {real}({callback}({}));", given.join(", ")));
     }
 
     fn rounds(&self, rounds: u32) -> [String; 2] {

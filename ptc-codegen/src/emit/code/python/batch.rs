@@ -32,11 +32,18 @@ impl Python<'_> {
         }
         list.extend((!function.callbacks.is_empty()).then(|| "*".to_owned()));
         let called = function.callbacks.iter();
-        list.extend(called.map(|c| format!("{}: Callable[[Array, Array], ArrayLike]", c.name)));
+        list.extend(called.map(|c| {
+            let given = ["Array"].repeat(if c.gives > 1 { 3 } else { 2 }).join(", ");
+            format!("{}: Callable[[{given}], ArrayLike]", c.name)
+        }));
         self.out.line("");
         self.out.open(format!("def {}({}) -> {result}:", function.name, list.join(", ")));
         self.out.words("", &format!("\"\"\"{}", function.about));
-        self.out.line("\nEach argument may be a batch; states stand along the last axis.");
+        let lists = function.arguments.iter().any(|a| matches!(a.shape, Shape::Lists(..)));
+        let of_outputs = if lists { ", r along the last two" } else { "" };
+        self.out.line(format!(
+            "\nEach argument may be a batch; states stand along the last axis{of_outputs}."
+        ));
         for callback in &function.callbacks {
             self.out.line("");
             let (name, about) = (callback.name, callback.about);
@@ -53,6 +60,10 @@ impl Python<'_> {
                     let states = states.join(", ");
                     let read = if name == "r" { "_reference" } else { "_states" };
                     self.out.line(format!("{states}{comma} = {read}({name}, \"{name}\")"));
+                }
+                Shape::Lists(count, length) => {
+                    let given = format!("{name}, {count}, {length}, \"{name}\"");
+                    self.out.line(format!("{name} = _of_axes({given})"));
                 }
                 Shape::Count => self.out.line(format!("{name} = {name}.__index__()")),
                 _ => self.out.line(format!("{name} = np.asarray({name}, dtype=_R)")),

@@ -68,6 +68,7 @@ impl Text for Python<'_> {
             (true, "x" | "xi") => format!("x{}", index + 1),
             (true, "x0") => format!("x{}_0", index + 1),
             (true, "r") => format!("r{index}"),
+            (true, "laws") => format!("laws[..., {index}]"),
             _ => format!("{array}[{index}]"),
         }
     }
@@ -130,6 +131,10 @@ impl Text for Python<'_> {
             stride => format!("{stride} * {AXIS} + {index}"),
         };
         format!("{}[..., {place}]", self.field(name))
+    }
+
+    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+        format!("{array}[..., {row}, {column}]")
     }
 
     fn field_element(&self, name: &str, index: usize) -> String {
@@ -288,6 +293,17 @@ impl Block for Python<'_> {
     fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
         let [weights, tail] = [weights, tail].map(|values| self.list(values).join(", "));
         self.out.line(format!("{name} = _rows([{weights}], [{tail}])"));
+    }
+
+    fn laws(&mut self, name: &str, callback: &str, [array, time, rate]: &[&str; 3], count: usize) {
+        self.out.line(format!(
+            "{name} = np.asarray({callback}({array}, np.asarray({time}), np.asarray({rate})), dtype=_R)"
+        ));
+        self.out.open(format!("if {name}.ndim == 0 or {name}.shape[-1] != {count}:"));
+        self.out.line(format!(
+            "raise ValueError(f\"{callback} gives shape {{{name}.shape}}; legal: (..., {count})\")"
+        ));
+        self.out.leave();
     }
 
     fn rounds(&self, rounds: u32) -> [String; 2] {

@@ -101,7 +101,8 @@ impl Python<'_> {
                 self.out.line(format!("{}\n", reference.replace("the states", "r, r', ...")));
             }
         }
-        if code.axes().is_some() && !code.has_inputs() {
+        let arguments = code.functions.iter().flat_map(|function| &function.arguments);
+        if arguments.into_iter().any(|argument| matches!(argument.shape, Shape::Lists(..))) {
             self.out.line(format!("{LISTS}\n"));
         }
         let formed = code.functions.iter().flat_map(|function| &function.body);

@@ -130,7 +130,14 @@ impl Rust<'_> {
         }
         let (real, array) = (self.type_of(Shape::Real), self.states());
         for callback in &function.callbacks {
-            list.push(format!("{}: impl FnOnce(&{array}, {real}) -> {real}", callback.name));
+            let name = callback.name;
+            list.push(match callback.gives {
+                1 => format!("{name}: impl FnOnce(&{array}, {real}) -> {real}"),
+                count => {
+                    let xi = self.type_of(Shape::Reals(callback.length));
+                    format!("{name}: impl FnOnce(&{xi}, {real}, {real}) -> [{real}; {count}]")
+                }
+            });
         }
         let given = function.results.first().map(|result| self.type_of(result.shape));
         let given = given.unwrap_or_else(|| "()".to_owned());

@@ -215,6 +215,10 @@ impl Block for Rust<'_> {
         self.out.line(format!("let {name} = Self::rows(weights, &tail);"));
     }
 
+    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
+        self.out.line(format!("let {name} = {callback}({});", given.join(", ")));
+    }
+
     fn rounds(&self, rounds: u32) -> [String; 2] {
         [format!("for _ in 0..{rounds} {{"), "}".to_owned()]
     }

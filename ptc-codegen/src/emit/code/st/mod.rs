@@ -10,6 +10,7 @@ use super::gives::Gives;
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, st};
+use crate::internal::fault;
 use crate::parameter::Precision;
 pub(in crate::emit) use library::{Kind, Library, Scope, Unit};
 
@@ -190,6 +191,12 @@ impl Block for StructuredText<'_> {
         self.array(name, weights);
         let loops = helpers::rows(&self.local(name), weights.len());
         self.out.line(loops);
+    }
+
+    fn laws(&mut self, _: &str, callback: &str, _: &[&str; 3], _: usize) {
+        fault(format!(
+            "{callback} gives several values, and plants with several inputs are refused"
+        ))
     }
 
     fn rounds(&self, rounds: u32) -> [String; 2] {

@@ -4,9 +4,9 @@ use super::super::{Reader, items};
 use crate::expression::{Expression, Variable};
 use crate::keys::KeyInfo;
 use crate::limits::OUTPUTS;
-use crate::model::Coupled;
+use crate::model::{Coupled, own_names};
 use crate::parameter::Name;
-use crate::request::{After, Feedback, Spec, What};
+use crate::request::{After, Spec, What};
 use crate::syntax::{Node, Value};
 
 /// The keys that only such a plant has.
@@ -51,7 +51,7 @@ impl Reader<'_> {
         }
         let [states, inputs, third, fourth] = wanted.map(|key| self.keys.get(key).copied());
         let (states, inputs) = self.names(states?, ("inputs", items(inputs?)))?;
-        let own: Vec<_> = (1..).zip(&states).map(|(j, name)| (*name, Variable::State(j))).collect();
+        let own = own_names(&states);
         match lagrangian {
             true => self.lagrangian((states, inputs), &own, (third?, fourth?)),
             false => self.decoupled((states, inputs), &own, (third?, fourth?)),
@@ -178,22 +178,10 @@ impl Reader<'_> {
                 "leave `what` out: the infinite-time system is that of one output",
             ),
             (
-                "pi0",
-                spec.feedback == Feedback::Extern,
-                "the outputs need a law that is known",
-                "give gains, poles or an expression for each output",
-            ),
-            (
                 "after",
                 spec.after != After::Hold,
                 "the outputs hold their gains after the deadline",
                 "leave `after` out, and set u = 0 outside",
-            ),
-            (
-                "reference",
-                true,
-                "the outputs are brought to 0, not to a reference",
-                "subtract a constant set point in `outputs`: q - 0.3",
             ),
             ("error", differ, "the outputs have different orders", "leave it out, and give eps"),
             ("x0_max", differ, "the outputs have different orders", "leave it out, and give eps"),

@@ -29,7 +29,8 @@ impl Reader<'_> {
             return law;
         }
         let names = coupled.names_of_law();
-        let laws: Vec<_> = given.iter().map(|item| self.law_of(item, known, &names)).collect();
+        let laws: Vec<_> =
+            given.iter().map(|item| self.law_of(item, known, (&names, &coupled.inputs))).collect();
         let Some(laws) = laws.into_iter().collect::<Option<Vec<_>>>() else { return law };
         let mut next = 1;
         let of_output = |(law, order): (&Expression, usize)| {
@@ -53,17 +54,36 @@ impl Reader<'_> {
         law
     }
 
+    /// That a law does not use an input of the plant, which follows from it.
+    pub(in super::super) fn gives_inputs(
+        &mut self,
+        node: &Node,
+        law: &Expression,
+        inputs: &[Name],
+    ) -> bool {
+        let is_input = |p: &Parameter| matches!(p, Parameter::Named(name) if inputs.contains(name));
+        let Some(input) = law.parameters().into_iter().find(is_input) else { return true };
+        let message =
+            format!("`{}` is an input of the plant, which follows from pi0", input.spelling());
+        let help = "pi0 is an expression in the states, those in stretched time and t; a parameter needs another name";
+        self.found.push("bad-expression", "pi0", Some(node.place), message, help);
+        false
+    }
+
     fn law_of(
         &mut self,
         node: &Node,
         known: &[Parameter],
-        names: &[(Name, Expression)],
+        (names, inputs): (&[(Name, Expression)], &[Name]),
     ) -> Option<Expression> {
         // While it is read each name is a state of its own.
         let own: Vec<_> =
             (1..).zip(names).map(|(j, (name, _))| (*name, Variable::State(j))).collect();
         let scope = Scope { subject: Subject::Law, n: 0, known, own: &own };
         let law = resolve(node, scope, &mut self.found)?;
+        if !self.gives_inputs(node, &law, inputs) {
+            return None;
+        }
         let part = |e: &Expression| match e.variable()? {
             Variable::State(j) => names.get(j - 1).map(|(_, part)| part.clone()),
             _ => None,

@@ -5,13 +5,14 @@ mod ill;
 mod laws;
 mod linear;
 mod names;
+mod references;
 
 use super::Reader;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::KeyInfo;
-use crate::model::{Chain, Model, Values};
+use crate::model::{Chain, Model, Values, own_names};
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::request::{Feedback, Spec};
+use crate::request::{Feedback, Spec, What};
 use crate::syntax::{Node, real};
 
 /// The keys of a model, none of which goes without the others.
@@ -50,7 +51,7 @@ impl Reader<'_> {
         let [states, input, output, dynamics] = KEYS.map(|key| self.keys.get(key).copied());
         let (states, inputs) = self.names(states?, ("input", std::slice::from_ref(input?)))?;
         let [input] = *inputs.as_slice() else { return None };
-        let own: Vec<_> = (1..).zip(&states).map(|(j, name)| (*name, Variable::State(j))).collect();
+        let own = own_names(&states);
         let output_node = output?;
         let output = self.of_states(output_node, &own, &inputs);
         let rates = self.state_rates(dynamics?, &states)?;
@@ -79,12 +80,22 @@ impl Reader<'_> {
         if samples {
             self.not_linear(model);
         }
-        self.against(&[(
-            "pi0",
-            spec.feedback == Feedback::Extern || spec.latches(),
-            "beside a model pi0 is an expression in xi1..xin and t",
-            "leave extern, and states at the start, out",
-        )]);
+        let of_state = |e: &Expression| matches!(e.variable(), Some(Variable::State(_)));
+        let knows_states = spec.laws().any(|law| law.any(&of_state));
+        self.against(&[
+            (
+                "pi0",
+                spec.feedback == Feedback::Extern || spec.latches(),
+                "beside a model pi0 is an expression in xi1..xin, the states and t",
+                "leave extern, and states at the start, out",
+            ),
+            (
+                "pi0",
+                spec.what == What::Associated && knows_states,
+                "the infinite-time system does not know the states of the plant",
+                "leave `what` out, or write pi0 in xi1..xin and t alone",
+            ),
+        ]);
     }
 
     /// An expression in these names and in parameters, in which the `inputs` do not occur.
