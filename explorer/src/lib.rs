@@ -27,7 +27,8 @@ pub fn answer(request: &str) -> String {
 
 fn respond(request: &Value) -> Value {
     let text = |key: &str| request[key].as_str().unwrap_or_default();
-    let language = Language::named(text("language"));
+    // The page shows sources: without FMUs it is smaller.
+    let language = Language::named(text("language")).filter(|language| language.fmi().is_none());
     let design = Design::read(text("design"));
     let mut answer = json!({ "keys": design.keys() });
     let (spec, plant) = match design.meaning() {
@@ -47,7 +48,7 @@ fn respond(request: &Value) -> Value {
         Ok(accepted) => {
             answer["cost"] = check::cost(&accepted);
             answer["formulas"] = json!(accepted.formulas());
-            match language.map(|language| accepted.files(language, &[])).transpose() {
+            match language.map(|language| accepted.sources(language, &[])).transpose() {
                 Ok(files) => {
                     answer["files"] = code::files(&files.unwrap_or_default());
                     Vec::new()

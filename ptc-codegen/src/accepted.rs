@@ -39,11 +39,27 @@ impl Accepted {
         })
     }
 
-    /// Its source files, with what a step was measured to cost in their heads.
+    /// Its files, with what a step was measured to cost in their heads.
     ///
     /// # Errors
     /// Everything in the spec that this language cannot express.
     pub fn files(
+        &self,
+        language: Language,
+        measured: &[Measured],
+    ) -> Result<Vec<File>, Vec<Diagnostic>> {
+        let Some(version) = language.fmi() else { return self.sources(language, measured) };
+        within(|| match &self.staged {
+            Some(_) => emit::emit_fmu(&Controller { measured, ..self.controller() }, version),
+            None => emit::emit_sampled_fmu(&self.report, version),
+        })
+    }
+
+    /// The same in a language of source files, which an FMU is not.
+    ///
+    /// # Errors
+    /// As [`Accepted::files`].
+    pub fn sources(
         &self,
         language: Language,
         measured: &[Measured],

@@ -153,6 +153,8 @@ enum Print {
     Program(fn(&Code) -> Vec<File>),
     /// Files around the code of a controller in another language.
     Around(Language, fn(&Report, &Code) -> Vec<File>),
+    /// No source: an FMU is made by [`emit_fmu`] alone, so that who emits sources does not link it.
+    Fmu,
 }
 
 /// A generated file.
@@ -206,7 +208,7 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
     }
 }
 
-/// The files of a controller in `language`.
+/// The source files of a controller in `language`.
 ///
 /// # Errors
 /// A name that is a word of the language, and each feature that it cannot express; there are none in
@@ -214,6 +216,30 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
 pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     accepts(language.target(), controller.spec(), Some(controller.program))?;
     printed(language, controller.report, |language| program(controller, language))
+}
+
+/// The files of the FMU of a controller, by their paths in it, without a binary.
+///
+/// # Errors
+/// As [`emit`].
+pub fn emit_fmu(
+    controller: &Controller<'_>,
+    version: fmu::Version,
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    accepts(version.target(), controller.spec(), Some(controller.program))?;
+    Ok(fmu::files(controller.report, &program(controller, Language::C), version))
+}
+
+/// The same of a controller in samples.
+///
+/// # Errors
+/// As [`emit`].
+pub fn emit_sampled_fmu(
+    report: &Report,
+    version: fmu::Version,
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    accepts(version.target(), &report.spec, None)?;
+    Ok(fmu::files(report, &sampled_c(report), version))
 }
 
 /// The files of the controller whose program in a language is `program`, unless a word that is only
@@ -227,6 +253,7 @@ fn printed(
     let (of, files) = match language.target().print {
         Print::Program(print) => (language, print(&program(language))),
         Print::Around(of, files) => (of, files(report, &program(of))),
+        Print::Fmu => fault("an FMU is no source file"),
     };
     if of == Language::StructuredText {
         st::names_itself(&report.spec, &code::st(&program(of)), &mut found);
@@ -258,7 +285,7 @@ fn accepts(target: &Target, spec: &Spec, program: Option<&Program>) -> Result<()
     found.finish(Some(()))
 }
 
-/// The files of a controller in samples in `language`.
+/// The source files of a controller in samples in `language`.
 ///
 /// # Errors
 /// As [`emit`].

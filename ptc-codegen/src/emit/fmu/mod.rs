@@ -31,6 +31,13 @@ pub enum Version {
 }
 
 impl Version {
+    pub(super) fn target(self) -> &'static Target {
+        match self {
+            Self::Two => &TARGET_2,
+            Self::Three => &TARGET_3,
+        }
+    }
+
     /// The headers of the interface, which an importer has; no FMU holds them.
     pub fn headers(self) -> Vec<File> {
         let headers: [(&str, &str); 3] = match self {
@@ -55,7 +62,6 @@ pub(super) const TARGET_2: Target = Target {
     language: Language::Fmu2,
     name: "fmu2",
     about: "an FMU for co-simulation after FMI 2.0",
-    print: Print::Around(Language::C, |report, code| files(report, code, Version::Two)),
     ..TARGET_3
 };
 
@@ -67,7 +73,7 @@ pub(super) const TARGET_3: Target = Target {
     comment: ("/* ", " */"),
     is_word,
     refuse,
-    print: Print::Around(Language::C, |report, code| files(report, code, Version::Three)),
+    print: Print::Fmu,
 };
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
@@ -86,7 +92,7 @@ fn is_word(word: &str) -> bool {
 }
 
 /// The files of the FMU of a controller, by their paths in it, without a binary.
-fn files(report: &Report, code: &Code, version: Version) -> Vec<File> {
+pub(super) fn files(report: &Report, code: &Code, version: Version) -> Vec<File> {
     let name = report.spec.name();
     // The token is a hash of all that the FMU says, itself left out.
     let example = Example::of(report);
