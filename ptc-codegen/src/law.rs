@@ -9,7 +9,9 @@
 
 use crate::algebra::{Kind, Poly, Symbol, integer};
 use crate::expansion::{self, ClosedForms, Expanded};
-use crate::mapping::{Mapping, expand};
+use crate::expression::{Expression, Node};
+use crate::mapping::{Atoms, Custom, Mapping, expand};
+use crate::parameter::Fixed;
 use crate::request::{Feedback, Spec};
 
 /// The form in which u is computed.
@@ -21,6 +23,8 @@ pub enum Form {
         base_inverse: Option<Symbol>,
         /// `rows[j - 1]`, in the scaled gains, the parameters and at most one tick quantity.
         rows: Vec<Poly>,
+        /// What the symbols of a user-defined mapping are; those of a family are known by themselves.
+        values: Vec<(Symbol, Expression)>,
     },
     /// gain_j = -r_1^-(n+1-j) (1/(j-1)!) sum_i k_i (i-1)! [z^(i-1)] p(z)^(j-1), where
     /// p(z) = sum_l r_l/(r_1 l!) z^l is the normalised Taylor series of mu: for mappings whose r_1
@@ -57,10 +61,28 @@ impl Law {
             (Feedback::Linear, Some(ring)) => {
                 Self::new(spec.n, &ring, expanded.and_then(Expanded::family))
             }
-            (Feedback::Linear, None) => law(Form::Series),
+            (Feedback::Linear, None) => match spec.custom().filter(|_| expanded.is_none()) {
+                Some(custom) => Self::of_custom(spec, custom).unwrap_or(law(Form::Series)),
+                None => law(Form::Series),
+            },
             _ => law(Form::State),
         };
         Self { expanded: expanded.cloned(), ..law }
+    }
+
+    /// The linear law with a user-defined mapping whose ring closes.
+    fn of_custom(spec: &Spec, custom: &Custom) -> Option<Self> {
+        let Atoms { ring, values: own } = custom.atoms(&|e| match e.node() {
+            Node::Parameter(parameter) => {
+                spec.fixed.get(parameter).and_then(Fixed::number).cloned().map(Expression::from)
+            }
+            _ => None,
+        })?;
+        let mut law = Self::new(spec.n, &ring, None);
+        if let Form::Rows { values, .. } = &mut law.form {
+            *values = own;
+        }
+        Some(law)
     }
 
     /// The linear law for order `n` and `mapping`, whose closed forms are `expanded` where they are
@@ -73,6 +95,7 @@ impl Law {
                     Some(forms) => rows(n, mapping, &kappa_prime, &forms.bell),
                     None => rows(n, mapping, &kappa_prime, &expansion::table(mapping, n)),
                 },
+                values: Vec::new(),
             },
             None => Form::Series,
         };
@@ -161,14 +184,17 @@ mod tests {
         assert_eq!(rows_of(Family::Tanh, 2)[0], "-K1*one_plus_E^2");
     }
 
-    /// The general form gives the same u, with more operations.
+    /// Rows where the ring of the mapping closes, else the Taylor series.
     #[test]
-    fn gains_with_a_mapping_of_the_users_have_a_form_of_their_own() {
-        let (entries, _) = crate::design::read("n = 2\nmu = \"tau*(1 - exp(-t))\"", &mut |_| {
-            crate::diagnostic::Place(0)
-        });
-        let spec = crate::request::read(&entries).expect("a controller");
-        assert!(matches!(Law::of(&spec).form, Form::Series));
+    fn the_form_of_a_custom_mapping_is_that_of_its_ring() {
+        let form = |mu: &str| {
+            let design = format!("n = 2\nmu = \"{mu}\"");
+            let (entries, _) = crate::design::read(&design, &mut |_| crate::diagnostic::Place(0));
+            Law::of(&crate::request::read(&entries).expect("a controller")).form
+        };
+        let Form::Rows { rows, .. } = form("tau*(1 - exp(-a*t))") else { panic!("it closes") };
+        assert_eq!(rows.iter().map(text).collect::<Vec<_>>(), ["-K1", "1 - K2"]);
+        assert!(matches!(form("tau*tanh(sinh(t))"), Form::Series));
     }
 
     #[test]

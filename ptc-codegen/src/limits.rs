@@ -111,6 +111,8 @@ table! {
     EXPANDED = 64 "products of terms", "as many terms as a polynomial may have", "";
     /// Growth of a normal form.
     GROWTH = 4 "times the size of what it stands for", "a larger one takes longer to compute, and to read", "";
+    /// Degree of the polynomials that the atoms of a user-defined mapping satisfy.
+    ATOMS = 2 "as a degree in its generator", "the rows of order n have n times the degree, and powers of a generator that grows leave the range", "";
     /// Size by which a normal form may grow in any case.
     ALWAYS = 48 "operations and operands", "the limit of a short expression is some times as long", "";
     /// Terms of the polynomial part of a fraction.

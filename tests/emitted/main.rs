@@ -1,6 +1,7 @@
 //! What is emitted, compiled and run, against references, itself in other languages, and the interpreter; and the
 //! readers under any text.
 
+mod atoms;
 mod behaviour;
 mod bits;
 #[path = "../support/command.rs"]

@@ -131,3 +131,37 @@ fn four_families_are_mixed() {
     let (error, _) = worst(&spec, 0.4208117085076758, 10000.0, &[(10000.420753827631, &spec)]);
     assert!(error <= 1.0, "{error} of what is allowed");
 }
+
+/// Mappings whose differential ring closes, beside the families themselves.
+const CLOSING: [&str; 8] = [
+    "tau*(exp(a*t) - 1)/(exp(a*t) + 1)",
+    "tau - tau/sqrt(1 + a*t)",
+    "tau*(1 - ((1 + a*t)^2)^(-1/3))",
+    "tau*(1 - exp(-a*t)*(1 + b*t))",
+    "tau*(1 - exp(-a*t)/2 - exp(-2*a*t)/2)",
+    "tau*(1 - (1 + a*t)^(-b)*exp(-a*t))",
+    "tau*(1 - sqrt(exp(-a*t))/3 - 2*exp(-a*t)/3)",
+    "tau*(1 - 2/(1 + exp(2*a*t)))",
+];
+
+#[test]
+fn a_ring_keeps_the_digits() {
+    let kinds = [("1", "f64"), ("3", "f64"), ("6", "f64"), ("3", "f32")];
+    let each = |mu| kinds.map(|(n, precision)| (mu, n, precision));
+    let cases: Vec<_> = CLOSING.into_iter().flat_map(each).collect();
+    let told = in_pairs(&cases, |(mu, n, precision)| {
+        let spec = read(mu, n, precision);
+        let last = if spec.precision == Precision::F64 { 12 } else { 4 };
+        let call = |k: i32| (2.0 - 2.0 * 10f64.powf(f64::from(-k) / 2.0), &spec);
+        worst(&spec, 2.0, 0.0, &(0..=2 * last).map(call).collect::<Vec<_>>())
+    });
+    let mut wrong = Vec::new();
+    for ((mu, n, precision), (error, share)) in cases.iter().zip(told) {
+        let line = format!("{mu:50} n = {n} {precision}: {error:.2e} at T/tau = {share:.0e}");
+        println!("{line}");
+        if error.is_nan() || error > 1.0 {
+            wrong.push(line);
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

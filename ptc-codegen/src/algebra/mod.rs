@@ -12,7 +12,7 @@ mod symbol;
 
 pub use poly::{Monomial, Poly};
 pub(crate) use rational::{common_measure, multiple, whole};
-pub use render::{latex, text};
+pub use render::{latex, named_text, text};
 pub use symbol::{Kind, Symbol};
 
 pub use num_bigint::BigInt;

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::rational::{add, product};
-use super::{BigRational, Symbol, integer};
+use super::{BigInt, BigRational, Symbol, integer};
 
 /// A product of powers of symbols: sorted by symbol, no exponent zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -209,6 +209,20 @@ impl Poly {
             return Self::term(power, monomial.pow(i32::try_from(exponent).unwrap_or(i32::MAX)));
         }
         (0..exponent).fold(Self::one(), |product, _| product.times(self))
+    }
+
+    /// The root of a single term with a positive coefficient, where it is one, for positive symbols.
+    pub fn root(&self, degree: u32) -> Option<Self> {
+        let (monomial, coefficient) = self.single_term()?;
+        let of = |number: &BigInt| {
+            let root = (number.is_positive() && degree > 0).then(|| number.nth_root(degree))?;
+            (root.pow(degree) == *number).then_some(root)
+        };
+        let number = BigRational::new(of(coefficient.numer())?, of(coefficient.denom())?);
+        let degree = i32::try_from(degree).ok()?;
+        let part = |(s, e): &(Symbol, i32)| (e % degree == 0).then_some((*s, e / degree));
+        let factors = monomial.factors().iter().map(part).collect::<Option<_>>()?;
+        Some(Self::term(number, Monomial(factors)))
     }
 
     /// The inverse, which is a Laurent polynomial only for a single term.

@@ -5,18 +5,23 @@ use num_traits::{One, Signed, Zero};
 use super::{BigRational, Monomial, Poly, Symbol};
 
 /// How one notation writes the parts of a polynomial.
-struct Notation {
-    power: fn(Symbol, i32) -> String,
+struct Notation<'a> {
+    power: &'a dyn Fn(Symbol, i32) -> String,
     product: &'static str,
     fraction: fn(&str, &str) -> String,
 }
 
 /// The polynomial in plain text, for example `-a*T + 3*a^2*T^-1`.
 pub fn text(poly: &Poly) -> String {
+    named_text(poly, &|symbol| symbol.text())
+}
+
+/// The same with other names.
+pub fn named_text(poly: &Poly, name: &dyn Fn(Symbol) -> String) -> String {
     render(
         poly,
         &Notation {
-            power: |s, e| match (e, s.text()) {
+            power: &|s, e| match (e, name(s)) {
                 (1, name) => name,
                 (_, name) if name.contains('^') => format!("({name})^{e}"),
                 (_, name) => format!("{name}^{e}"),
@@ -32,7 +37,7 @@ pub fn latex(poly: &Poly) -> String {
     render(
         poly,
         &Notation {
-            power: |s, e| match (e, s.latex()) {
+            power: &|s, e| match (e, s.latex()) {
                 (1, name) => name,
                 (_, name) if name.contains(['\'', '^']) && !name.starts_with('(') => {
                     format!("\\left({name}\\right)^{{{e}}}")
@@ -45,7 +50,7 @@ pub fn latex(poly: &Poly) -> String {
     )
 }
 
-fn render(poly: &Poly, notation: &Notation) -> String {
+fn render(poly: &Poly, notation: &Notation<'_>) -> String {
     if poly.is_zero() {
         return "0".to_owned();
     }
@@ -63,7 +68,7 @@ fn render(poly: &Poly, notation: &Notation) -> String {
     out
 }
 
-fn term(monomial: &Monomial, coefficient: &BigRational, notation: &Notation) -> String {
+fn term(monomial: &Monomial, coefficient: &BigRational, notation: &Notation<'_>) -> String {
     let mut factors = Vec::new();
     if !coefficient.is_one() || monomial.factors().is_empty() {
         let (numerator, denominator) = (coefficient.numer().to_string(), coefficient.denom());

@@ -59,6 +59,16 @@ pub enum Kind {
     InverseLag,
     /// y = (1 - start) E/S^2 of the soft family.
     Bend,
+    /// z, the generator of a user-defined mapping.
+    Generator,
+    /// F(z), the denominator of its D ln r_1.
+    Denominator,
+    /// V = 1/F.
+    InverseDenominator,
+    /// B = r_1 F but for a factor.
+    Base,
+    /// 1/B.
+    InverseBase,
     /// A part of a user's expression that no polynomial holds: a name, or a call.
     Kernel,
 }
@@ -122,6 +132,11 @@ impl Symbol {
             Kind::Lag => "H",
             Kind::InverseLag => "inv_H",
             Kind::Bend => "y",
+            Kind::Generator => "z",
+            Kind::Denominator => "F",
+            Kind::InverseDenominator => "V",
+            Kind::Base => "B",
+            Kind::InverseBase => "inv_B",
             Kind::Kernel => "z",
         };
         if self.index == 0 { stem.to_owned() } else { format!("{stem}{}", self.index) }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Controller;
 use super::declared::linear;
-use crate::algebra::{self, Poly, Symbol};
+use crate::algebra::{self, Kind, Poly, Symbol};
 use crate::expansion::{self, Expanded};
 use crate::expression::{Expression, Subject};
 use crate::family::FamilyInfo;
@@ -60,6 +60,9 @@ fn as_given(custom: &Custom, controller: &Controller<'_>) -> Vec<String> {
             let shown = r.iter().take(SHOWN).enumerate();
             lines.extend(shown.map(|(index, r)| format!("  r_{} = {r}", index + 1)));
         }
+        _ if matches!(controller.law.form, LawForm::Rows { .. }) => lines.push(
+            "r_k/r_1 are polynomials in z and 1/F, from which come the gains below.".to_owned(),
+        ),
         _ => lines.push(
             "r_k and BB_n are computed from the Taylor series of mu at each call.".to_owned(),
         ),
@@ -226,16 +229,17 @@ fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
 fn forms(spec: &Spec, law: &Law, x: &str) -> Vec<String> {
     let mut lines = Vec::new();
     match &law.form {
-        LawForm::Rows { base_inverse, rows } => {
+        LawForm::Rows { base_inverse, rows, values } => {
             let base = base_inverse.map(|s| format!("{}^(n+1-j) ", s.text())).unwrap_or_default();
             lines.push(format!("  gain_j = {base}row_j"));
-            let rate = algebra::text(&law.rate);
+            let text = |poly: &Poly| algebra::named_text(poly, &|symbol| named(symbol, values));
+            let rate = text(&law.rate);
             let rate = if rate.contains(['*', '^', '/']) { format!("({rate})") } else { rate };
             lines.push(format!("  K1, K2, ...: K_i = k_i/{rate}^(n+1-i)"));
             for (j, row) in rows.iter().take(SHOWN).enumerate() {
-                lines.push(format!("  row_{} = {}", j + 1, algebra::text(row)));
+                lines.push(format!("  row_{} = {}", j + 1, text(row)));
             }
-            lines.extend(definitions(*base_inverse, rows));
+            lines.extend(definitions(*base_inverse, rows, values));
             if rows.len() > SHOWN {
                 lines.push(format!(
                     "  (the first {SHOWN}; all of them: ptc-codegen show law --n {} --mu {})",
@@ -261,9 +265,29 @@ fn forms(spec: &Spec, law: &Law, x: &str) -> Vec<String> {
     lines
 }
 
+/// A symbol as it is written: a parameter of a user-defined mapping by its name.
+fn named(symbol: Symbol, values: &[(Symbol, Expression)]) -> String {
+    match values.iter().find(|(own, _)| *own == symbol && own.kind == Kind::Kernel) {
+        Some((_, value)) if value.height() > 0 => format!("({value})"),
+        Some((_, value)) => value.to_string(),
+        None => symbol.text(),
+    }
+}
+
 /// Definitions of the quantities in the rows that are no atoms.
-fn definitions(base_inverse: Option<Symbol>, rows: &[Poly]) -> Vec<String> {
+fn definitions(
+    base_inverse: Option<Symbol>,
+    rows: &[Poly],
+    values: &[(Symbol, Expression)],
+) -> Vec<String> {
     let used: BTreeSet<Symbol> = rows.iter().flat_map(Poly::symbols).chain(base_inverse).collect();
-    let definition = |s: Symbol| Some(format!("  {} = {}", s.text(), s.definition()?));
+    let definition = |s: Symbol| {
+        let own = values.iter().find(|(own, _)| *own == s && s.kind != Kind::Kernel);
+        let meaning = match own {
+            Some((_, value)) => value.to_string(),
+            None => s.definition()?.to_owned(),
+        };
+        Some(format!("  {} = {meaning}", s.text()))
+    };
     used.into_iter().filter_map(definition).collect()
 }

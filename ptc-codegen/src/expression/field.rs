@@ -190,6 +190,16 @@ impl Field {
             let (p, q) = (number.numer().to_i32()?, number.denom().to_i32()?);
             return self.root(base, p, q);
         }
+        // A whole part of the exponent is a power of its own: what it has in common then cancels.
+        let whole = exponent_ratio.num.coefficient(&Monomial::one()).trunc();
+        if let Some(k) = whole.to_i32().filter(|k| *k != 0 && exponent_ratio.den.is_empty()) {
+            let rest = exponent_ratio.plus(&Ratio::number(-whole))?;
+            return self.root(base.clone(), k, 1)?.times(&self.symbolic(base, rest)?);
+        }
+        self.symbolic(base, exponent_ratio)
+    }
+
+    fn symbolic(&mut self, base: Ratio, exponent_ratio: Ratio) -> Option<Ratio> {
         let negative = exponent_ratio.num.terms().next().is_some_and(|(_, c)| c.is_negative());
         let (sign, size) = if negative { (-1, exponent_ratio.neg()) } else { (1, exponent_ratio) };
         let size = self.shortest(&vec![size])?;

@@ -12,6 +12,7 @@ pub(crate) mod effort;
 pub(crate) mod enclosure;
 pub(crate) mod existence;
 mod field;
+pub(crate) mod generator;
 pub(crate) mod interval;
 pub(crate) mod leading;
 mod names;
@@ -35,6 +36,7 @@ pub(crate) use node::Found;
 pub use node::{Expression, Node};
 pub use resolve::{INTEGRAL, Scope, family_form, resolve};
 pub use solve::solve;
+pub(crate) use solve::unravel;
 
 /// What varies while the controller runs, beside its parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

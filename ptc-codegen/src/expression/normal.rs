@@ -6,6 +6,7 @@ use super::field::{Field, Kernel, Terms, sum};
 use super::leading::{Limit, limit};
 use super::ratio::{Ratio, exact_quotient};
 use super::sign::{Sign, positive_parameters, sign};
+use super::solve::contains;
 use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
 use crate::limits::{ALWAYS, GROWTH, PARTS, SIZE};
@@ -127,14 +128,7 @@ fn split(field: &mut Field, terms: Terms) -> Option<Terms> {
 
 /// Whether a symbol depends on time.
 pub(super) fn moves(field: &Field, symbol: Symbol) -> bool {
-    let inner = |poly: &Poly| poly.symbols().into_iter().any(|s| moves(field, s));
-    let ratio = |r: &Ratio| inner(&r.num) || r.den.iter().any(|(f, _)| inner(f));
-    match field.kernel(symbol) {
-        Some(Kernel::Atom(atom)) => atom.contains(Variable::SinceStart),
-        Some(Kernel::Exp(unit)) => ratio(unit),
-        Some(Kernel::Root(base, index)) => ratio(base) || index.contains(Variable::SinceStart),
-        None => false,
-    }
+    contains(field, symbol, Variable::SinceStart)
 }
 
 /// The symbol of a polynomial that decides how fast it grows: an exponential, else time.

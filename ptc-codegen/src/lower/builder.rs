@@ -21,6 +21,8 @@ pub(super) struct Builder<'a> {
     program: Program,
     known: HashMap<Op, Value>,
     pub(super) quantities: BTreeMap<Symbol, Value>,
+    /// What the symbols of a user-defined mapping are.
+    pub(super) values: BTreeMap<Symbol, Expression>,
     /// The squares of those that are evaluated by even and odd parts.
     pub(super) squares: BTreeMap<Symbol, Value>,
     /// The Taylor series of mu and the states xi, at the current time and at the start.
@@ -79,6 +81,7 @@ impl<'a> Builder<'a> {
             expanded: None,
             program,
             quantities: BTreeMap::new(),
+            values: BTreeMap::new(),
             squares: BTreeMap::new(),
             known: HashMap::new(),
             taylors: [None, None],

@@ -41,7 +41,10 @@ fn fixed(spec: &Spec, symbol: Symbol) -> Option<BigRational> {
 
 /// Whether `symbol` is known when the parameters are.
 pub(super) fn is_known_at_init(symbol: Symbol) -> bool {
-    matches!(symbol.kind, Kind::Pi | Kind::Tau | Kind::A | Kind::M | Kind::ScaledGain)
+    matches!(
+        symbol.kind,
+        Kind::Pi | Kind::Tau | Kind::A | Kind::M | Kind::ScaledGain | Kind::Kernel
+    )
 }
 
 /// The scaled gains K_1..K_n.

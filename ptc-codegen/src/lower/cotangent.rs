@@ -3,7 +3,8 @@
 use super::builder::Builder;
 use super::coefficient::pi_power;
 use crate::algebra::{BigInt, BigRational, Kind, Symbol};
-use crate::parameter::{Parameter, Precision};
+use crate::expression::{Expression, Function, Node, Variable, normal};
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::Value;
 use crate::syntax::number;
 
@@ -77,6 +78,34 @@ impl Builder<'_> {
         (inverse, shape)
     }
 
+    /// cos(th)/sin(th) for that angle, without a library function; none of any other expression.
+    pub(super) fn cotangent(&mut self, expression: &Expression) -> Option<Value> {
+        let Node::Div(cos, sin) = expression.node() else { return None };
+        let (Node::Call(Function::Cos, angle), Node::Call(Function::Sin, other)) =
+            (cos.node(), sin.node())
+        else {
+            return None;
+        };
+        let tau = self.spec.fixed.get(&Parameter::Tau).and_then(Fixed::number);
+        let tau = tau.map_or(Parameter::Tau.into(), |tau| Expression::from(tau.clone()));
+        let quarter = Expression::pi().mul(Variable::TimeToGo.into());
+        let share = Expression::integer(2).mul(tau).mul(angle.clone()).div(quarter);
+        if angle != other || normal::normal(&share) != Expression::integer(1) {
+            return None;
+        }
+        let rate = self.cotangent_rate();
+        let scale = self.inverse_angle_rate();
+        Some(self.mul(scale, rate))
+    }
+
+    /// 2 tau/pi.
+    fn inverse_angle_rate(&mut self) -> Value {
+        let inverse = (pi_power(1) / BigInt::from(2)).recip();
+        let (inverse, tau) = (self.number(inverse), self.parameter(Parameter::Tau));
+        let scale = self.mul(inverse, tau);
+        self.name(scale, "inv_angle_rate", "2*tau/pi")
+    }
+
     pub(super) fn cotangent_rate(&mut self) -> Value {
         let (inverse, shape) = self.tangent_parts();
         let time_to_go = self.time_to_go();
@@ -88,11 +117,10 @@ impl Builder<'_> {
     pub(super) fn slope(&mut self) -> Value {
         let half_pi = pi_power(1) / BigInt::from(2);
         let tau = self.parameter(Parameter::Tau);
-        let (quarter, inverse) = (self.number(half_pi.clone()), self.number(half_pi.recip()));
+        let quarter = self.number(half_pi);
         let first = self.div(quarter, tau);
         let first = self.name(first, "angle_rate", "pi/(2*tau)");
-        let scale = self.mul(inverse, tau);
-        let scale = self.name(scale, "inv_angle_rate", "2*tau/pi");
+        let scale = self.inverse_angle_rate();
         let square = self.square(Symbol::plain(Kind::CotangentRate));
         let scaled = square.map(|square| self.mul(scale, square));
         self.sum(Some(first), scaled).unwrap_or(first)

@@ -98,7 +98,8 @@ fn of_chain<'a>(b: &mut Builder<'a>, law: &Law, designs: &'a [Spec]) -> (Value, 
 /// The rows of the gains; empty for a law that is not a sum of gains.
 fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
     match &law.form {
-        Form::Rows { base_inverse, rows } => {
+        Form::Rows { base_inverse, rows, values } => {
+            b.values = values.iter().cloned().collect();
             let scaled = coefficient::scaled_gains(b, &law.rate);
             let rows: Vec<_> =
                 rows.iter().enumerate().map(|(j, row)| lower_row(b, j, row, &scaled)).collect();

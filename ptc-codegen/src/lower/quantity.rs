@@ -20,6 +20,15 @@ impl Builder<'_> {
         if let Some(value) = self.quantities.get(&symbol) {
             return *value;
         }
+        if let Some(own) = self.values.get(&symbol).cloned() {
+            let value = self.scalar(&own);
+            let value = match symbol.kind {
+                Kind::Kernel => value,
+                _ => self.name(value, &symbol.text(), &own.to_string()),
+            };
+            self.quantities.insert(symbol, value);
+            return value;
+        }
         let value = match symbol.kind {
             Kind::InverseTimeToGo => self.inverse_time_to_go(),
             Kind::InverseSquare => self.inverse_square(),

@@ -27,6 +27,9 @@ impl Builder<'_> {
     }
 
     fn operation(&mut self, expression: &Expression, found: &mut Found<Value>) -> Value {
+        if let Some(value) = self.cotangent(expression) {
+            return value;
+        }
         match expression.node() {
             Node::Number(number) => self.number(number.clone()),
             Node::Pi => self.number(pi_power(1)),

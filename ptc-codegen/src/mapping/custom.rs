@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use crate::expression::decaying::decaying;
 use crate::expression::effort::{bounded, completed};
 use crate::expression::leading::{Decay, Limit};
-use crate::expression::{Expression, Function, Node, Subject, Variable, leading, normal, solve};
+use crate::expression::{
+    Expression, Function, Node, Subject, Variable, leading, normal, solve, unravel,
+};
 use crate::limits::EFFORT;
 use crate::parameter::Parameter;
 
@@ -46,7 +48,11 @@ impl Form {
     fn of_mu(mu: &Expression) -> Option<Self> {
         let complement = normal::complement(mu);
         complement.differentiable()?;
-        match solve(&complement, Variable::SinceStart, Variable::TimeToGo.into()) {
+        let (t, to_go) = (Variable::SinceStart, Expression::from(Variable::TimeToGo));
+        // In mu itself what cancels in the result is rational, so that normal forms take it out.
+        let elapsed = || Expression::from(Parameter::Tau).sub(to_go.clone());
+        let kappa = solve(&complement, t, to_go.clone()).or_else(|| unravel(mu, t, elapsed()));
+        match kappa {
             Some(kappa) => Self::of_kappa(&kappa),
             None => {
                 let complement = decaying(&complement);

@@ -4,11 +4,13 @@
 //! maps to polynomials in themselves, and by r_1 = 1/kappa' = mu'. Every r_k, B_{i,j} and b_n
 //! then is a polynomial in the atoms, by D alone.
 
+mod atoms;
 mod custom;
 mod derivatives;
 mod rings;
 pub(crate) mod time;
 
+pub use atoms::Atoms;
 pub use custom::{Custom, Form, Kappa};
 pub use time::TimeMapping;
 

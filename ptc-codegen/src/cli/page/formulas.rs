@@ -325,7 +325,7 @@ fn gains(spec: &Spec, formulas: &mut Vec<Math>) -> Result<&'static str, Failure>
     let next = spec.n + 1;
     let count = minus(number(next), name("j"));
     match Law::of(spec).form {
-        Form::Rows { base_inverse, .. } => {
+        Form::Rows { base_inverse, values, .. } if values.is_empty() => {
             let row_j = sub(name("row"), name("j"));
             formulas.push(equal(
                 gain(),
@@ -337,7 +337,7 @@ fn gains(spec: &Spec, formulas: &mut Vec<Math>) -> Result<&'static str, Failure>
             formulas.extend(show::formulas(Subject::Law, spec)?);
             Ok(" The gains in closed form: what parameters decide is computed once.")
         }
-        Form::Series => {
+        Form::Rows { .. } | Form::Series => {
             series(spec, formulas);
             Ok(" The gains by the Taylor series of mu: [z^i] takes the coefficient of z^i.")
         }

@@ -32,7 +32,7 @@ pub(super) fn write(
         sheet.heading.push(error.to_owned());
     }
     match &law.form {
-        Form::Rows { base_inverse, rows } => {
+        Form::Rows { base_inverse, rows, .. } => {
             let rows: Vec<Poly> = rows.iter().map(&fix).collect();
             let tick = rows.iter().flat_map(Poly::symbols).chain(*base_inverse);
             let tick: std::collections::BTreeSet<Symbol> = tick.collect();

@@ -1,0 +1,38 @@
+//! Values of the generator in the time-to-go.
+
+use crate::expression::{Expression, Function, Node, Variable, normal, solve};
+
+/// A mu whose kappa is `kappa`, but for a constant: only its slope is wanted, so that any branch of an
+/// inverse tangent will do.
+pub(super) fn inverse(kappa: &Expression, t: Expression) -> Option<Expression> {
+    let mut tangent = None;
+    kappa.each(&mut |e| {
+        if let Node::Call(Function::Tan, angle) = e.node() {
+            tangent = Some((e.clone(), angle.clone()));
+        }
+    });
+    let Some((tangent, angle)) = tangent else { return solve(kappa, Variable::Elapsed, t) };
+    let place = Variable::Control;
+    let outer = kappa.substitute(&|e| (*e == tangent).then(|| place.into()));
+    let angle_at = Expression::call(Function::Atan, solve(&outer, place, t)?);
+    (!outer.contains(Variable::Elapsed)).then(|| solve(&angle, Variable::Elapsed, angle_at))?
+}
+
+/// e^(-rate t) for the stretched time t: a power where that is a logarithm.
+pub(super) fn decay(t: &Expression, rate: &Expression) -> Expression {
+    let mut logarithm = None;
+    t.each(&mut |e| match e.node() {
+        Node::Call(Function::Ln, inner) if inner.contains(Variable::TimeToGo) => {
+            logarithm.get_or_insert((e.clone(), inner.clone()));
+        }
+        _ => {}
+    });
+    let exponent = t.clone().mul(rate.clone()).neg();
+    if let Some((whole, inner)) = logarithm {
+        let power = normal::normal(&exponent.clone().div(whole));
+        if !power.contains(Variable::TimeToGo) {
+            return normal::normal(&inner.power(power));
+        }
+    }
+    normal::normal(&Expression::call(Function::Exp, exponent))
+}
