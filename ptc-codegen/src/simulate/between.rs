@@ -2,6 +2,7 @@
 
 use super::integrals::Integrals;
 use super::linear::Linear;
+use super::mode::Mode;
 use super::plant::Motion;
 use super::solver::State;
 use super::switching::Piecewise;
@@ -34,6 +35,8 @@ pub(super) struct Between<'a> {
     pub(super) length: f64,
     /// Time-to-go at the beginning.
     pub(super) time_to_go: f64,
+    /// The state that was reached.
+    pub(super) end: State,
 }
 
 impl Between<'_> {
@@ -122,5 +125,9 @@ impl Piecewise for Between<'_> {
 
     fn nothing(&mut self, _: f64) -> f64 {
         BETWEEN.absolute
+    }
+
+    fn see(&mut self, _: usize, _: f64, x: &State, _: Option<(&Mode, f64)>) {
+        self.end = *x;
     }
 }

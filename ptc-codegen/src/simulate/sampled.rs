@@ -10,7 +10,6 @@ use super::around::SAME;
 use super::between::{BETWEEN, Between, Held, Moved};
 use super::integrals::Integrals;
 use super::linear::Linear;
-use super::mode::Mode;
 use super::plant::Motion;
 use super::solver::{First, State};
 use super::switching::Walk;
@@ -301,10 +300,9 @@ impl Sampled {
         }
         let length = to - from;
         let integrals = integrals.as_mut();
-        let mut between = Between { moved, integrals, held, from, length, time_to_go };
-        let mut end = begin;
-        let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;
-        let done = walk.on(&mut between, begin, &[0.0, 1.0], (First::Fifth, BETWEEN), &mut see);
+        let mut between = Between { moved, integrals, held, from, length, time_to_go, end: begin };
+        let done = walk.on(&mut between, begin, &[0.0, 1.0], (First::Fifth, BETWEEN));
+        let mut end = between.end;
         if let Err((_, failure)) = done {
             let of_integral = |own: &Integrals| own.failure(failure.clone());
             return Err(self.integrals.as_ref().map_or_else(|| failure.clone(), of_integral));

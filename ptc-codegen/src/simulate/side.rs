@@ -145,25 +145,22 @@ impl<S: Side> Run<S> {
     ) -> Result<(), Failure> {
         self.side.give(values)?;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-        let at = move |share: f64| At { t: t0 + (tau - tau * share), time_to_go: tau * share };
         let (start, most) = (self.state, self.state.rows(0, self.side.order()).amax());
         // A run begins where the last one ended, whether or not that is looked at.
         let mut points = vec![self.sigma];
         points.extend(shares.iter().map(|share| -share.ln()));
         let Self { side, integrals, sigma, state, walk } = self;
-        let mut system = OnSigma { side, integrals: integrals.as_mut(), tau, t0, most };
-        let mut seen = |system: &mut OnSigma<'_, S>,
-                        index: usize,
-                        at_sigma: f64,
-                        found: &State,
-                        slide: Option<(&Mode, f64)>| {
-            (*sigma, *state) = (at_sigma, *found);
-            if let Some(share) = index.checked_sub(1).and_then(|index| shares.get(index)) {
-                system.tell(at(*share), found, slide, visit);
-            }
+        let mut system = OnSigma {
+            side,
+            integrals: integrals.as_mut(),
+            tau,
+            t0,
+            most,
+            shares,
+            reached: (sigma, state),
+            visit,
         };
-        let how = (First::Eighth, accuracy);
-        let end = walk.on(&mut system, start, &points, how, &mut seen);
+        let end = walk.on(&mut system, start, &points, (First::Eighth, accuracy));
         end.map_err(|(sigma, failure)| {
             let of_integral = |own: &Integrals| own.failure(failure.clone());
             let failure = integrals.as_ref().map_or_else(|| failure.clone(), of_integral);
@@ -181,22 +178,24 @@ struct OnSigma<'a, S> {
     tau: f64,
     t0: f64,
     most: f64,
+    /// T/tau at which the state is handed over.
+    shares: &'a [f64],
+    /// Where the run stands.
+    reached: (&'a mut f64, &'a mut State),
+    visit: &'a mut dyn FnMut(Sample<'_>),
 }
 
 impl<S: Side> OnSigma<'_, S> {
     fn at(&self, sigma: f64) -> At {
-        let share = (-sigma).exp();
+        self.at_share((-sigma).exp())
+    }
+
+    fn at_share(&self, share: f64) -> At {
         At { t: self.t0 + (self.tau - self.tau * share), time_to_go: self.tau * share }
     }
 
     /// Hands over a point; along a jump u is what keeps the state there.
-    fn tell(
-        &mut self,
-        at: At,
-        state: &State,
-        slide: Option<(&Mode, f64)>,
-        visit: &mut dyn FnMut(Sample<'_>),
-    ) {
+    fn tell(&mut self, at: At, state: &State, slide: Option<(&Mode, f64)>) {
         let beyond = slide.and_then(|(mode, part)| {
             self.choose(&mode.slide.as_ref()?.beyond);
             let mut u = Vec::new();
@@ -206,6 +205,7 @@ impl<S: Side> OnSigma<'_, S> {
         });
         let behind = self.side.order();
         let integrals = &state.as_slice()[behind..behind + self.integrals()];
+        let visit = &mut *self.visit;
         self.side.tell(at, state, &mut |sample| {
             let sample = Sample { integrals, ..sample };
             let Some((beyond, part)) = &beyond else { return visit(sample) };
@@ -281,5 +281,13 @@ impl<S: Side> Piecewise for OnSigma<'_, S> {
 
     fn nothing(&mut self, sigma: f64) -> f64 {
         self.side.nothing(self.at(sigma), self.most)
+    }
+
+    fn see(&mut self, index: usize, sigma: f64, state: &State, slide: Option<(&Mode, f64)>) {
+        (*self.reached.0, *self.reached.1) = (sigma, *state);
+        // The first point is where the run begins.
+        if let Some(share) = index.checked_sub(1).and_then(|index| self.shares.get(index)) {
+            self.tell(self.at_share(*share), state, slide);
+        }
     }
 }

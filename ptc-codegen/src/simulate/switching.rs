@@ -59,6 +59,10 @@ pub(super) trait Piecewise {
 
     /// An error that counts as nothing where the system is stiff.
     fn nothing(&mut self, s: f64) -> f64;
+
+    /// Is shown the state at the point of an index, and along a jump the mode with the part of the way
+    /// beyond it.
+    fn see(&mut self, index: usize, s: f64, state: &State, slide: Option<(&Mode, f64)>);
 }
 
 /// The progress of a run beside its state.
@@ -68,10 +72,6 @@ pub(super) struct Walk {
     stiff: bool,
     step: f64,
 }
-
-/// What sees a point: the system, the index of the point, where it is, the state, and the part of
-/// the way beyond a jump along which it slides.
-pub(super) type See<'a, S> = &'a mut dyn FnMut(&mut S, usize, f64, &State, Option<(&Mode, f64)>);
 
 /// Most events of a run.
 const EVENTS: usize = 20_000;
@@ -83,17 +83,17 @@ const AT_ONCE: usize = 4;
 const AHEAD: f64 = 1e-6;
 
 impl Walk {
-    /// Integrates from `start` at `points[0]` to the last of the ascending points, and sees each.
+    /// Integrates from `start` at `points[0]` to the last of the ascending points, and shows each to the
+    /// system. Not generic, as the methods below it are large.
     ///
     /// # Errors
     /// With the point reached.
-    pub(super) fn on<S: Piecewise>(
+    pub(super) fn on(
         &mut self,
-        system: &mut S,
+        system: &mut dyn Piecewise,
         start: State,
         points: &[f64],
         (first, accuracy): (First, Accuracy),
-        see: See<'_, S>,
     ) -> Result<(), (f64, Failure)> {
         let Some(mut at) = points.first().copied() else { return Ok(()) };
         let mut state = start;
@@ -121,24 +121,24 @@ impl Walk {
             let (floors, kinks, states) = (system.floors(), system.kinks(), system.order());
             let order = states + system.integrals();
             pass.until = at + length;
-            let cell = RefCell::new((&mut *system, &mut *see));
+            let cell = RefCell::new(&mut *system);
             let rates = |s: f64, y: &State, rates: &mut State| {
-                let system = &mut *cell.borrow_mut().0;
+                let system = &mut **cell.borrow_mut();
                 match mode.slide {
                     None => system.rates(s, y, rates),
                     Some(_) => field(system, &mode, s, y, rates),
                 }
             };
-            let nothing = |s: f64| cell.borrow_mut().0.nothing(s);
+            let nothing = |s: f64| cell.borrow_mut().nothing(s);
             let monitor = |s: f64, y: &State, values: &mut Vec<f64>| {
-                margins(&mut *cell.borrow_mut().0, &mode, s, y, values);
+                margins(&mut **cell.borrow_mut(), &mode, s, y, values);
             };
             let mut visit = |index: usize, s: f64, y: &State| {
-                let (system, see) = &mut *cell.borrow_mut();
+                let system = &mut **cell.borrow_mut();
                 let slide =
-                    mode.slide.as_ref().map(|slide| Tangent::of(*system, &mode, slide, s, y));
+                    mode.slide.as_ref().map(|slide| Tangent::of(system, &mode, slide, s, y));
                 system.choose(&mode.above);
-                see(system, index, s, y, slide.map(|tangent| (&mode, tangent.part)));
+                system.see(index, s, y, slide.map(|tangent| (&mode, tangent.part)));
             };
             let piece = Piece {
                 first,
@@ -179,9 +179,9 @@ impl Walk {
     }
 
     /// The mode in which to go on, or to begin.
-    fn resume<S: Piecewise>(
+    fn resume(
         &mut self,
-        system: &mut S,
+        system: &mut dyn Piecewise,
         at: f64,
         state: &State,
     ) -> Result<Mode, Failure> {
