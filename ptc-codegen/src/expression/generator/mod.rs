@@ -52,12 +52,12 @@ pub(crate) fn generator(form: &Expression) -> Option<Generated> {
     })
 }
 
-/// Hyperbolic functions by exponentials.
+/// Hyperbolic functions by exponentials, the outer ones alone: no ring closes on one in another.
 fn in_exponentials(form: &Expression) -> Expression {
     form.substitute(&|e| {
         let Node::Call(function, u) = e.node() else { return None };
-        let u = in_exponentials(u);
-        if !u.twice() {
+        let hyperbolic = matches!(function, Function::Tanh | Function::Sinh | Function::Cosh);
+        if !hyperbolic || !u.twice() {
             return None;
         }
         let (one, two) = (Expression::integer(1), Expression::integer(2));
