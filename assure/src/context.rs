@@ -56,7 +56,7 @@ impl Context {
         let mut index = self.day;
         let mut is_due = |_: &T| {
             index += 1;
-            index % parts == 0
+            index.is_multiple_of(parts)
         };
         all.into_iter().filter(|one| is_due(one)).collect()
     }
