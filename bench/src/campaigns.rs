@@ -64,7 +64,6 @@ fn designs() -> Result<Vec<(String, String)>> {
             .replace("x1 = [-1, 1]\nx2 = [-1, 1]\nx3 = [-1, 1]\n", &states);
         designs.push((format!("n = {n}"), text));
     }
-    designs.push(("f = 0".to_owned(), with("gust - damping*x3 + slip*u", "0 + 0*gust")));
     designs.push(("`sin(x1)` in f".to_owned(), with("gust -", "sin(x1) + gust -")));
     designs.push(("`u_max = 500`".to_owned(), with("[plant]", "[params]\nu_max = 500\n\n[plant]")));
     Ok(designs)
