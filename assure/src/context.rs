@@ -53,12 +53,8 @@ impl Context {
     /// The part of `all` whose turn it is in a brief run, the next one a day later; else all.
     pub fn in_turn<T>(&self, all: Vec<T>) -> Vec<T> {
         let parts = if self.brief { PARTS } else { 1 };
-        let mut index = self.day;
-        let mut is_due = |_: &T| {
-            index += 1;
-            index.is_multiple_of(parts)
-        };
-        all.into_iter().filter(|one| is_due(one)).collect()
+        let due = |(index, _): &(u64, T)| index.is_multiple_of(parts);
+        (self.day..).zip(all).filter(due).map(|(_, one)| one).collect()
     }
 
     /// `full` records of each controller, a quarter of them in a brief run.

@@ -184,15 +184,6 @@ pub(crate) fn parameter_name(parameter: Parameter) -> String {
 fn input_name(input: Input) -> String {
     match input {
         Input::Parameter(parameter) => parameter_name(parameter),
-        Input::StartTime => "t0".to_owned(),
-        Input::Time => "t".to_owned(),
-        Input::State(j) => format!("x{j}"),
-        Input::StateAtStart(j) => format!("x{j}_0"),
-        Input::Reference(order) => format!("r{order}"),
-        Input::ReferenceOf(output, order) => format!("r{order}_{output}"),
-        Input::Drift => "f".to_owned(),
-        Input::Control => "u".to_owned(),
-        Input::Gain(j) => format!("gain{j}"),
-        Input::Divisor => "input_gain".to_owned(),
+        other => other.name(),
     }
 }

@@ -16,6 +16,7 @@ mod example;
 pub mod fmu;
 mod formulas;
 mod header;
+mod language;
 mod literal;
 mod matlab;
 mod observed;
@@ -31,6 +32,8 @@ mod st;
 #[cfg(test)]
 mod table;
 
+pub use language::Language;
+use language::{Print, Target};
 pub use project::Project;
 
 use crate::check::examine::Report;
@@ -43,119 +46,6 @@ use crate::program::{Program, digits};
 use crate::request::{After, Feedback, Spec, What};
 use crate::selftest::SelfTest;
 use declared::declared;
-
-/// A language to emit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum Language {
-    /// C99: a header and a source file.
-    C,
-    /// Rust, `no_std`: one self-contained file.
-    Rust,
-    /// C++17: one header.
-    Cpp,
-    /// MATLAB and GNU Octave: a function file for each function.
-    Matlab,
-    /// Python on NumPy: one typed module.
-    Python,
-    /// IEC 61131-3 Structured Text: a function block.
-    StructuredText,
-    /// The same in PLCopen XML: a project to import.
-    PlcOpen,
-    /// An FMU after FMI 2.0: its files by their paths in the archive, without a library.
-    Fmu2,
-    /// An FMU after FMI 3.0, likewise.
-    Fmu3,
-}
-
-/// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 9] = [
-    c::TARGET,
-    rust::TARGET,
-    cpp::TARGET,
-    matlab::TARGET,
-    python::TARGET,
-    st::TARGET,
-    plcopen::TARGET,
-    fmu::TARGET_2,
-    fmu::TARGET_3,
-];
-
-impl Language {
-    /// Every language.
-    pub const ALL: [Self; TARGETS.len()] = {
-        let mut all = [Self::C; TARGETS.len()];
-        let mut index = 0;
-        while index < TARGETS.len() {
-            all[index] = TARGETS[index].language;
-            index += 1;
-        }
-        all
-    };
-
-    fn target(self) -> &'static Target {
-        // A test holds the table in the order of the enum.
-        &TARGETS[self as usize]
-    }
-
-    /// Its name on the command line.
-    pub fn name(self) -> &'static str {
-        self.target().name
-    }
-
-    /// The language of this name on the command line.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|language| language.name() == name)
-    }
-
-    /// What is emitted, in a few words.
-    pub fn about(self) -> &'static str {
-        self.target().about
-    }
-
-    /// The version of FMI, of an FMU.
-    #[doc(hidden)]
-    pub fn fmi(self) -> Option<fmu::Version> {
-        match self {
-            Self::Fmu2 => Some(fmu::Version::Two),
-            Self::Fmu3 => Some(fmu::Version::Three),
-            _ => None,
-        }
-    }
-
-    /// What opens and what closes a comment line.
-    #[doc(hidden)]
-    pub fn comment(self) -> (&'static str, &'static str) {
-        self.target().comment
-    }
-}
-
-/// A back end: what is known of it before there is a program, and its printer.
-struct Target {
-    language: Language,
-    /// Name on the command line.
-    name: &'static str,
-    /// What is emitted, in a few words.
-    about: &'static str,
-    /// What opens and closes a comment line.
-    comment: (&'static str, &'static str),
-    /// Whether a word that other languages leave free means something in this one.
-    is_word: fn(&str) -> bool,
-    /// Notes what it cannot express.
-    refuse: fn(&Spec, Option<&Program>, &mut Diagnostics),
-    /// How its files are made.
-    print: Print,
-}
-
-/// How files are made.
-enum Print {
-    /// A program is printed.
-    Program(fn(&Code) -> Vec<File>),
-    /// Files around the code of a controller in another language.
-    Around(Language, fn(&Report, &Code) -> Vec<File>),
-    /// No source: an FMU is made by [`emit_fmu`] alone, so that who emits sources does not link it.
-    Fmu,
-}
 
 /// A generated file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -399,17 +289,4 @@ fn tidy(text: &str) -> String {
     let mut text = lines.join("\n");
     text.push('\n');
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Language, TARGETS};
-
-    #[test]
-    fn targets_are_in_the_order_of_the_languages() {
-        for (index, target) in TARGETS.iter().enumerate() {
-            assert_eq!(target.language as usize, index);
-            assert_eq!(Language::named(target.name), Some(target.language));
-        }
-    }
 }

@@ -78,6 +78,23 @@ pub enum Input {
 }
 
 impl Input {
+    /// What it is called, in emitted code as in messages.
+    pub fn name(self) -> String {
+        match self {
+            Self::Parameter(parameter) => parameter.spelling(),
+            Self::StartTime => "t0".to_owned(),
+            Self::Time => "t".to_owned(),
+            Self::State(j) => format!("x{j}"),
+            Self::StateAtStart(j) => format!("x{j}_0"),
+            Self::Reference(order) => format!("r{order}"),
+            Self::ReferenceOf(output, order) => format!("r{order}_{output}"),
+            Self::Drift => "f".to_owned(),
+            Self::Control => "u".to_owned(),
+            Self::Gain(j) => format!("gain{j}"),
+            Self::Divisor => "input_gain".to_owned(),
+        }
+    }
+
     /// When the input becomes known.
     pub fn stage(self) -> Stage {
         match self {

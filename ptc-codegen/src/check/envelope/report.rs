@@ -52,16 +52,8 @@ pub(super) fn input_name(input: Input) -> String {
             Some(index) => format!("{}[{index}]", parameter.key()),
             None => parameter.key().to_owned(),
         },
-        Input::StartTime => "t0".to_owned(),
-        Input::Time => "t".to_owned(),
-        Input::State(j) => format!("x{j}"),
-        Input::StateAtStart(j) => format!("x{j}_0"),
-        Input::Reference(order) => format!("r{order}"),
-        Input::ReferenceOf(output, order) => format!("r{order}_{output}"),
-        Input::Drift => "f".to_owned(),
-        Input::Control => "u".to_owned(),
-        Input::Gain(j) => format!("gain{j}"),
         Input::Divisor => "g".to_owned(),
+        other => other.name(),
     }
 }
 

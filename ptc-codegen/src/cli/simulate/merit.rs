@@ -13,8 +13,11 @@ pub(super) fn part(runs: &[Run]) -> Part {
     let bounded = runs.iter().any(|run| run.limits.iter().any(|limit| limit.is_finite()));
     let mut head: Vec<_> = ["run", "ends at t in s"].map(str::to_owned).into();
     for run in runs.iter().take(1) {
-        let last = if run.error.is_some() { &run.errors } else { &run.states };
-        head.extend(last.iter().map(|name| format!("final {name}")));
+        let last: Vec<_> = match &run.error {
+            Some(error) => error.iter().map(|(name, _)| name).collect(),
+            None => run.states.iter().collect(),
+        };
+        head.extend(last.into_iter().map(|name| format!("final {name}")));
         let peak = |input: &String| [format!("peak |{input}|"), "at t in s".to_owned()];
         head.extend(run.inputs.iter().flat_map(peak));
         head.extend(bounded.then(|| "in saturation, s".to_owned()));
@@ -22,7 +25,10 @@ pub(super) fn part(runs: &[Run]) -> Part {
     let rows = runs.iter().filter_map(|run| {
         let last = run.rows.last()?;
         let mut row = vec![run.label.clone(), short(last.t)];
-        row.extend(run.error.as_ref().unwrap_or(&last.x).iter().copied().map(short));
+        match &run.error {
+            Some(error) => row.extend(error.iter().map(|(_, e)| short(*e))),
+            None => row.extend(last.x.iter().copied().map(short)),
+        }
         for k in 0..run.inputs.len() {
             let larger = |a, b| if size(b, k) > size(a, k) { b } else { a };
             let peak = run.rows.iter().reduce(larger)?;

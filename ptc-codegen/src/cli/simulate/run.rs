@@ -27,10 +27,9 @@ pub(super) struct Run {
     /// Whether u is held between the rows.
     pub(super) held: bool,
     pub(super) rows: Vec<Row>,
-    /// The tracking error in the last row, where there is a reference.
-    pub(super) error: Option<Vec<f64>>,
-    /// What its numbers are called: `e2_1` is the rate of the error of output 1.
-    pub(super) errors: Vec<String>,
+    /// The tracking error in the last row by its names, where there is a reference: `e2_1` is the rate of
+    /// that of output 1.
+    pub(super) error: Option<Vec<(String, f64)>>,
 }
 
 impl Run {
@@ -45,32 +44,19 @@ impl Run {
         let error = last.transpose().map_err(|failure| ended(failure, tau))?.flatten();
         let (states, inputs) = (spec.state_names(), spec.input_names());
         let limits = values.limits(spec);
-        let errors = match &spec.coupled {
+        let names: Vec<_> = match &spec.coupled {
             None => (1..=spec.n).map(|i| format!("e{i}")).collect(),
             Some(coupled) => coupled.names_of_chains().map(|name| format!("e{name}")).collect(),
         };
+        let error = error.map(|error| names.into_iter().zip(error).collect());
         let (label, mapping) = (format!("tau = {tau} s"), spec.mapping_name().to_owned());
-        Ok(Self {
-            label,
-            mapping,
-            tau,
-            states,
-            inputs,
-            t0,
-            limits,
-            report,
-            held,
-            rows,
-            error,
-            errors,
-        })
+        Ok(Self { label, mapping, tau, states, inputs, t0, limits, report, held, rows, error })
     }
 
     /// The tracking error in the end, in words.
     pub(super) fn tracking(&self) -> Option<String> {
         let (error, last) = (self.error.as_ref()?, self.rows.last()?);
-        let one = |(name, e): (&String, &f64)| format!("{name} = {e:.3e}");
-        let all: Vec<_> = self.errors.iter().zip(error).map(one).collect();
+        let all: Vec<_> = error.iter().map(|(name, e)| format!("{name} = {e:.3e}")).collect();
         Some(format!("tracking error at t = {} s: {}", digits(last.t), all.join(", ")))
     }
 

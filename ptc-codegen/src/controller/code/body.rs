@@ -192,14 +192,14 @@ impl Writer<'_> {
             Input::Parameter(parameter) => Expr::local(parameter_name(parameter)),
             Input::StartTime => Expr::local("t0"),
             Input::Time => Expr::local("t"),
-            Input::State(j) if self.local.contains(&input) => Expr::local(format!("x{j}")),
-            Input::State(j) => Expr::Element("x".to_owned(), j - 1),
-            Input::Reference(order) if self.local.contains(&input) => {
-                Expr::local(format!("r{order}"))
+            Input::State(_) | Input::Reference(_) | Input::StateAtStart(_)
+                if self.local.contains(&input) =>
+            {
+                Expr::local(input.name())
             }
+            Input::State(j) => Expr::Element("x".to_owned(), j - 1),
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
-            Input::ReferenceOf(output, order) => Expr::local(format!("r{order}_{output}")),
-            Input::StateAtStart(j) if self.local.contains(&input) => Expr::local(format!("x{j}_0")),
+            Input::ReferenceOf(..) => Expr::local(input.name()),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Gain(j) => match self.plan.program.gains_of_axis() {
                 own if own < self.plan.program.gains.len() => {

@@ -119,10 +119,10 @@ impl Builder<'_> {
     /// Such an input as a local value.
     fn local(&self, input: Input) -> Expr {
         match input {
-            Input::State(j) => Expr::local(format!("x{j}")),
-            Input::StateAtStart(j) => Expr::local(format!("x{j}_0")),
-            Input::Reference(order) => Expr::local(format!("r{order}")),
-            Input::ReferenceOf(output, order) => Expr::local(format!("r{order}_{output}")),
+            Input::State(_)
+            | Input::StateAtStart(_)
+            | Input::Reference(_)
+            | Input::ReferenceOf(..) => Expr::local(input.name()),
             other => fault(format!("{other:?} is in no array")),
         }
     }
