@@ -17,7 +17,9 @@ pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Inputs, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};
 
+use crate::expression::Function as Call;
 use crate::parameter::Precision;
+use crate::program::Root;
 
 /// Outcome of a call, with the words of the emitted interfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -167,6 +169,8 @@ pub struct Solve {
     pub size: Expr,
     /// Size at which the iteration ends.
     pub tolerance: Expr,
+    /// Rounds in which `next` counts; those after it take the geometric middle.
+    pub proposals: u32,
     /// Bound on the number of rounds.
     pub rounds: u32,
 }
@@ -206,6 +210,21 @@ pub struct Start {
 impl Solve {
     /// The local values of an iteration beside the unknown, by the suffixes of their names.
     pub const LOCALS: [&'static str; 4] = ["low", "high", "next", "size"];
+
+    /// The number of a round, from 0.
+    pub const ROUND: &'static str = "attempt";
+
+    /// The geometric middle of the bracket, as [`program::Root::middle`](crate::program::Root::middle)
+    /// computes it, and the test that holds in the rounds that take it; none where none does.
+    pub fn bisection(&self, precision: Precision) -> Option<(Test, Expr)> {
+        let last = self.proposals.checked_sub(1).filter(|_| self.proposals < self.rounds)?;
+        let [low, high] = ["low", "high"].map(|end| Expr::local(format!("{}_{end}", self.unknown)));
+        let least = Expr::Number(Root::least(precision));
+        let above = Expr::binary(Operator::Add, low, least);
+        let root = |value| Expr::Call(Call::Sqrt, Box::new(value));
+        let middle = Expr::binary(Operator::Mul, root(above), root(high));
+        Some((Test::CountLess(Expr::Count(last), Expr::local(Self::ROUND)), middle))
+    }
 }
 
 impl Shape {

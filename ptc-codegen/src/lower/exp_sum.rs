@@ -85,7 +85,18 @@ fn stretched_time(b: &mut Builder<'_>, rates: &[Value], target: Value) -> Value 
     let modes = modes(b, rates, unknown);
     let (sum, first, second) = moments(b, rates, &modes);
     let (residual, next, size) = halley(b, unknown, target, sum, first, second);
-    let root = Root { unknown, start, low, high, residual, next, size, tolerance, rounds: ROUNDS };
+    let root = Root {
+        unknown,
+        start,
+        low,
+        high,
+        residual,
+        next,
+        size,
+        tolerance,
+        proposals: ROUNDS,
+        rounds: ROUNDS,
+    };
     b.push(Op::Root(root))
 }
 

@@ -96,6 +96,7 @@ struct Loop {
     next: usize,
     size: usize,
     tolerance: usize,
+    proposals: u32,
     rounds: u32,
     body: Vec<Instruction>,
 }
@@ -194,8 +195,20 @@ impl Tape {
         let [unknown, start, low, high, residual, next, size, tolerance] =
             root.operands().map(|value| self.places[value.0]);
         let body = body.collect::<Option<_>>()?;
-        let rounds = root.rounds;
-        Some(Loop { unknown, start, low, high, residual, next, size, tolerance, rounds, body })
+        let Root { proposals, rounds, .. } = *root;
+        Some(Loop {
+            unknown,
+            start,
+            low,
+            high,
+            residual,
+            next,
+            size,
+            tolerance,
+            proposals,
+            rounds,
+            body,
+        })
     }
 }
 
@@ -261,7 +274,7 @@ fn solve(root: &Loop, registers: &mut [Pack], arrays: &mut [Vec<Pack>]) -> Pack 
         [root.start, root.low, root.high].map(|place| registers[place]);
     let tolerance = registers[root.tolerance];
     let mut done = [false; LANES];
-    for _ in 0..root.rounds {
+    for round in 0..root.rounds {
         registers[root.unknown] = y;
         perform(&root.body, registers, arrays);
         for lane in 0..LANES {
@@ -275,6 +288,9 @@ fn solve(root: &Loop, registers: &mut [Pack], arrays: &mut [Vec<Pack>]) -> Pack 
             let inside = next >= low && next <= high;
             y.0[lane] = if inside { next } else { 0.5 * (low + high) };
             done[lane] = at(root.size) <= tolerance.0[lane];
+            if !done[lane] && round >= root.proposals {
+                y.0[lane] = Root::middle(low, high, Precision::F64);
+            }
         }
         if done.iter().all(|done| *done) {
             break;

@@ -230,7 +230,7 @@ impl Slots {
         let (mut low, mut high, mut y) =
             (at(self, root.low), at(self, root.high), at(self, root.start));
         let mut ended = "exhausted";
-        for _ in 0..root.rounds {
+        for round in 0..root.rounds {
             self.numbers[root.unknown.0] = y;
             for value in body {
                 self.compute(steps, *value, precision, law, watch);
@@ -257,6 +257,10 @@ impl Slots {
             if at(self, root.size) <= at(self, root.tolerance) {
                 ended = "ended";
                 break;
+            }
+            if round >= root.proposals {
+                watch(value, "bisected");
+                y = Root::middle(low, high, precision);
             }
         }
         watch(value, ended);

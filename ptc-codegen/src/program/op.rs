@@ -2,13 +2,16 @@
 
 use std::hash::{Hash, Hasher};
 
-use super::{Input, Value};
+use super::{Input, Value, number};
 use crate::algebra::BigRational;
 use crate::expression::Function;
+use crate::parameter::Precision;
 
 /// A bracketed iteration for the root y of a decreasing residual: from `start`, each round takes
 /// the root to lie right of y where `residual > 0`, steps to `next`, falls back to the middle of
-/// the bracket when `next` leaves it, and ends once the step's `size` is at most `tolerance`.
+/// the bracket when `next` leaves it, and ends once the step's `size` is at most `tolerance`. After
+/// `proposals` rounds it takes the geometric middle of the bracket, [`middle`](Root::middle), which
+/// reaches every root within its range: nothing is known of how fast a residual brings `next` there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Root {
     /// The unknown y, an [`Op::Unknown`].
@@ -27,11 +30,44 @@ pub struct Root {
     pub size: Value,
     /// Size at which the iteration ends.
     pub tolerance: Value,
+    /// Rounds in which `next` counts.
+    pub proposals: u32,
     /// Bound on the number of rounds.
     pub rounds: u32,
 }
 
 impl Root {
+    /// Exponents of ten of the least root but 0 that bisection tells from 0, and of the greatest one.
+    pub fn range(precision: Precision) -> (i32, i32) {
+        match precision {
+            Precision::F64 => (-300, 300),
+            Precision::F32 => (-37, 37),
+        }
+    }
+
+    /// Rounds of bisection from that range to neighbouring numbers: 2 ln 10^300 2^-60 = 1.2e-15, and
+    /// 2 ln 10^37 2^-32 = 4e-8.
+    pub fn bisections(precision: Precision) -> u32 {
+        match precision {
+            Precision::F64 => 60,
+            Precision::F32 => 32,
+        }
+    }
+
+    /// The least root but 0 that bisection reaches.
+    pub fn least(precision: Precision) -> BigRational {
+        let (exponent, _) = Self::range(precision);
+        num_traits::pow(BigRational::from_integer(10.into()), exponent.unsigned_abs() as usize)
+            .recip()
+    }
+
+    /// sqrt(low + least) sqrt(high), each operation rounded; what is added counts where low is 0 alone.
+    pub fn middle(low: f64, high: f64, precision: Precision) -> f64 {
+        let least = number::round(&Self::least(precision), precision);
+        let settle = |value| number::settle(value, precision);
+        settle(settle(settle(low + least).sqrt()) * settle(high.sqrt()))
+    }
+
     /// Operands in the order of the fields.
     pub fn operands(&self) -> [Value; 8] {
         let Self { unknown, start, low, high, residual, next, size, tolerance, .. } = *self;
@@ -163,6 +199,7 @@ impl Op {
                 next: to(r.next),
                 size: to(r.size),
                 tolerance: to(r.tolerance),
+                proposals: r.proposals,
                 rounds: r.rounds,
             }),
         }

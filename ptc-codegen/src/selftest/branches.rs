@@ -2,6 +2,7 @@
 
 use super::maker::Maker;
 use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable};
+use crate::code::Solve;
 use crate::parameter::Parameter;
 use crate::program::Op;
 use crate::program::number::settle;
@@ -26,8 +27,12 @@ impl Maker<'_> {
                 Op::Root(root) => {
                     let name = program.get(value).name.as_ref().map_or("y", |(name, _)| name);
                     if missing("exhausted") {
-                        let condition = format!("round < {}U", root.rounds);
+                        let condition = format!("{} < {}U", Solve::ROUND, root.rounds);
                         add(condition, "the iteration used no more rounds than it has");
+                    }
+                    if root.proposals < root.rounds && missing("bisected") {
+                        let condition = format!("{}U < {}", root.proposals - 1, Solve::ROUND);
+                        add(condition, "the iteration needed no bisection");
                     }
                     if missing("before") {
                         add(

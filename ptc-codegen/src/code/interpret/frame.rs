@@ -12,7 +12,7 @@ use crate::code::{
 };
 use crate::internal::fault;
 use crate::parameter::Precision;
-use crate::program::{Op, Value, apply, number, rows::rows};
+use crate::program::{Op, Root, Value, apply, number, rows::rows};
 
 /// The names that one call knows.
 pub(super) struct Frame<'a, 'b> {
@@ -142,7 +142,7 @@ impl<'b> Frame<'_, 'b> {
         let [mut y, mut low, mut high, tolerance] =
             [&solve.start, &solve.low, &solve.high, &solve.tolerance].map(|value| self.real(value));
         let settle = |value, precision| number::settle(value, precision);
-        for _ in 0..solve.rounds {
+        for round in 0..solve.rounds {
             self.locals.insert(Cow::from(&solve.unknown), Held::Real(y));
             if let Some(status) = self.block(&solve.body) {
                 return Some(status);
@@ -160,6 +160,9 @@ impl<'b> Frame<'_, 'b> {
             };
             if size <= tolerance {
                 break;
+            }
+            if round >= solve.proposals {
+                y = Root::middle(low, high, self.precision);
             }
         }
         self.locals.insert(Cow::from(&solve.unknown), Held::Real(y));

@@ -262,6 +262,7 @@ impl Writer<'_> {
             next: self.expression(root.next),
             size: self.expression(root.size),
             tolerance: self.expression(root.tolerance),
+            proposals: root.proposals,
             rounds: root.rounds,
         };
         self.statements.push(Statement::Solve(Box::new(solve)));

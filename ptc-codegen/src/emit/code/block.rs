@@ -115,8 +115,9 @@ pub(super) trait Block: Text {
     /// A local array that a function of the user's gives.
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize);
 
-    /// The lines before and behind the rounds of an iteration.
-    fn rounds(&self, rounds: u32) -> [String; 2];
+    /// The lines before and behind the rounds of an iteration, whose number is [`Solve::ROUND`] where
+    /// they are counted.
+    fn rounds(&self, rounds: u32, counted: bool) -> [String; 2];
 
     /// The line that ends an iteration.
     fn leave(&self) -> &'static str;
@@ -215,7 +216,8 @@ pub(super) trait Block: Text {
             let line = self.begin(&self.local(name), &self.alone(value));
             self.out().line(line);
         }
-        let [open, end] = self.rounds(solve.rounds);
+        let bisection = solve.bisection(self.precision());
+        let [open, end] = self.rounds(solve.rounds, bisection.is_some());
         self.out().open(open);
         self.block(&solve.body);
         for (name, value) in [(&next, &solve.next), (&size, &solve.size)] {
@@ -238,6 +240,9 @@ pub(super) trait Block: Text {
         let leave = self.leave();
         self.out().line(leave);
         close(self.out(), branch.end);
+        if let Some((late, middle)) = bisection {
+            self.statement(&Statement::If(late, set(y, middle), vec![]));
+        }
         close(self.out(), &end);
     }
 

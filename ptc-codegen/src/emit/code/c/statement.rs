@@ -125,8 +125,8 @@ impl C<'_> {
             let value = self.alone(value);
             self.out.line(format!("{real} {name} = {value};"));
         }
-        let rounds = solve.rounds;
-        self.out.open(format!("for (uint32_t round = 0U; round < {rounds}U; round++) {{"));
+        let (rounds, round) = (solve.rounds, Solve::ROUND);
+        self.out.open(format!("for (uint32_t {round} = 0U; {round} < {rounds}U; {round}++) {{"));
         self.block(&solve.body, &mut |_| {});
         for (name, value) in [(&next, &solve.next), (&size, &solve.size)] {
             let value = self.alone(value);
@@ -149,6 +149,10 @@ if ({size} <= {tolerance}) {{
     break;
 }}"
         ));
+        if let Some((late, middle)) = solve.bisection(self.code.precision) {
+            let set = Statement::Set(Place::Local(y.clone()), middle);
+            self.statement(&Statement::If(late, vec![set], vec![]));
+        }
         self.out.close("}");
         if let Some(behind) = self.notes.behind {
             behind(solve, &tolerance, &real).into_iter().for_each(|line| self.out.line(line));

@@ -8,7 +8,7 @@ mod rows;
 use super::block::{Block, Branch};
 use super::gives::{Gives, calls_library, paired};
 use super::text::{Level, Lines, Text};
-use crate::code::{Access, Code, Ending, Expr, Finish, Function, Shape, Status, Test};
+use crate::code::{Access, Code, Ending, Expr, Finish, Function, Shape, Solve, Status, Test};
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -135,8 +135,9 @@ impl Block for Cpp<'_> {
         self.out.line(format!("const {kind} {name} = {callback}({});", given.join(", ")));
     }
 
-    fn rounds(&self, rounds: u32) -> [String; 2] {
-        let open = format!("for (std::size_t round = 0U; round < {rounds}U; round++) {{");
+    fn rounds(&self, rounds: u32, _: bool) -> [String; 2] {
+        let round = Solve::ROUND;
+        let open = format!("for (std::size_t {round} = 0U; {round} < {rounds}U; {round}++) {{");
         [open, "}".to_owned()]
     }
 

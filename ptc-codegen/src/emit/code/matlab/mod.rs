@@ -12,7 +12,7 @@ use super::block::{Block, Branch};
 use super::gives::Gives;
 use super::legal::checks;
 use super::text::{Level, Lines, Text};
-use crate::code::{AXIS, Code, Ending, Expr, Owner, Shape, Status, Test};
+use crate::code::{AXIS, Code, Ending, Expr, Owner, Shape, Solve, Status, Test};
 use crate::emit::{File, literal::through_double};
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -218,8 +218,9 @@ impl Block for Matlab<'_> {
         self.out.line(format!("{name} = {real}({callback}({}));", given.join(", ")));
     }
 
-    fn rounds(&self, rounds: u32) -> [String; 2] {
-        [format!("for attempt = 1:{rounds}"), "end".to_owned()]
+    fn rounds(&self, rounds: u32, _: bool) -> [String; 2] {
+        let open = format!("for {} = uint32(0:{})", Solve::ROUND, rounds.saturating_sub(1));
+        [open, "end".to_owned()]
     }
 
     fn leave(&self) -> &'static str {

@@ -120,7 +120,9 @@ impl Python<'_> {
             self.out.line(line);
         }
         self.out.line("done = np.asarray(False)");
-        self.out.open(format!("for _ in range({}):", solve.rounds));
+        let bisection = solve.bisection(self.code.precision);
+        let round = if bisection.is_some() { Solve::ROUND } else { "_" };
+        self.out.open(format!("for {round} in range({}):", solve.rounds));
         solve.body.iter().for_each(|statement| self.chosen(statement));
         let [residual, step, change, tolerance] =
             [&solve.residual, &solve.next, &solve.size, &solve.tolerance]
@@ -139,6 +141,10 @@ done = done | ({size} <= {tolerance})
 if done.all():
     break"
         ));
+        if let Some((late, middle)) = bisection {
+            let (late, middle) = (self.test(&late), self.alone(&middle));
+            self.out.line(format!("if {late}:\n    {y} = np.where(done, {y}, {middle})"));
+        }
         self.out.leave();
     }
 

@@ -12,7 +12,7 @@ use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::legal::checks;
 use super::text::{Level, Lines, Text, bare};
-use crate::code::{AXIS, Code, Ending, Expr, Shape, Status, Test};
+use crate::code::{AXIS, Code, Ending, Expr, Shape, Solve, Status, Test};
 use crate::emit::{File, literal::through_double};
 use crate::parameter::Precision;
 
@@ -306,8 +306,9 @@ impl Block for Python<'_> {
         self.out.leave();
     }
 
-    fn rounds(&self, rounds: u32) -> [String; 2] {
-        [format!("for _ in range({rounds}):"), String::new()]
+    fn rounds(&self, rounds: u32, counted: bool) -> [String; 2] {
+        let round = if counted { Solve::ROUND } else { "_" };
+        [format!("for {round} in range({rounds}):"), String::new()]
     }
 
     fn leave(&self) -> &'static str {

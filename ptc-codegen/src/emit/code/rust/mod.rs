@@ -9,7 +9,7 @@ mod rows;
 use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text, bracketed};
-use crate::code::{AXIS, Code, Ending, Expr, Shape, Status, Test};
+use crate::code::{AXIS, Code, Ending, Expr, Shape, Solve, Status, Test};
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::{Precision, type_name};
@@ -219,8 +219,9 @@ impl Block for Rust<'_> {
         self.out.line(format!("let {name} = {callback}({});", given.join(", ")));
     }
 
-    fn rounds(&self, rounds: u32) -> [String; 2] {
-        [format!("for _ in 0..{rounds} {{"), "}".to_owned()]
+    fn rounds(&self, rounds: u32, counted: bool) -> [String; 2] {
+        let round = if counted { Solve::ROUND } else { "_" };
+        [format!("for {round} in 0..{rounds} {{"), "}".to_owned()]
     }
 
     fn leave(&self) -> &'static str {

@@ -6,7 +6,7 @@ use super::super::block::{Block, declared};
 use super::super::text::Text;
 use super::library::{Kind, Library, Member, Scope, Section, Structure, Unit};
 use super::{Gives, StructuredText, helpers};
-use crate::code::{Expr, Finish, Function, Owner, Shape, Statement, Variable};
+use crate::code::{Expr, Finish, Function, Owner, Shape, Solve, Statement, Variable};
 use crate::internal::fault;
 use crate::parameter::Precision;
 
@@ -202,7 +202,7 @@ impl StructuredText<'_> {
             |(name, shape): (String, _)| Member::new(self.local(&name), self.kind(shape), "");
         let mut members: Vec<_> = locals.into_iter().map(local).collect();
         if step.has(|statement| matches!(statement, Statement::Solve(_))) {
-            members.push(Member::plain("attempt", "DINT"));
+            members.push(Member::plain(Solve::ROUND, "UDINT"));
         }
         let weights = step.body.iter().find_map(|statement| match statement {
             Statement::Rows { weights, .. } => Some(weights.len()),

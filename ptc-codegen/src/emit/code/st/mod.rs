@@ -8,7 +8,7 @@ mod library;
 use super::block::{Block, Branch};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, Shape, Status, Test};
+use crate::code::{Code, Ending, Expr, Shape, Solve, Status, Test};
 use crate::emit::{File, st};
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -199,8 +199,9 @@ impl Block for StructuredText<'_> {
         ))
     }
 
-    fn rounds(&self, rounds: u32) -> [String; 2] {
-        [format!("FOR attempt := 1 TO {rounds} DO"), "END_FOR;".to_owned()]
+    fn rounds(&self, rounds: u32, _: bool) -> [String; 2] {
+        let [first, last] = [0, rounds.saturating_sub(1)].map(|round| self.count(round));
+        [format!("FOR {} := {first} TO {last} DO", Solve::ROUND), "END_FOR;".to_owned()]
     }
 
     fn leave(&self) -> &'static str {
