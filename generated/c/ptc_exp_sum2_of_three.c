@@ -154,7 +154,7 @@ ptc_status ptc_exp_sum2_of_three_step(
             double y = (v2 < v3) ? v3 : v2;
             double y_low = v2;
             double y_high = v1 * self->slowest;
-            for (uint32_t round = 0U; round < 12U; round++) {
+            for (uint32_t attempt = 0U; attempt < 12U; attempt++) {
                 const double v4 = exp(-(self->a1 * y));
                 const double v5 = exp(-(self->a2 * y));
                 const double v6 = exp(-(self->a3 * y));
@@ -250,7 +250,7 @@ ptc_status ptc_exp_sum2_of_three_tick(
             double y = (v2 < v3) ? v3 : v2;
             double y_low = v2;
             double y_high = v1 * self->slowest;
-            for (uint32_t round = 0U; round < 12U; round++) {
+            for (uint32_t attempt = 0U; attempt < 12U; attempt++) {
                 const double v4 = exp(-(self->a1 * y));
                 const double v5 = exp(-(self->a2 * y));
                 const double v6 = exp(-(self->a3 * y));

@@ -192,7 +192,7 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
             double y = (v2 < v3) ? v3 : v2;
             double y_low = v2;
             double y_high = v1 * self->slowest;
-            for (uint32_t round = 0U; round < 12U; round++) {
+            for (uint32_t attempt = 0U; attempt < 12U; attempt++) {
                 const double v4 = exp(-(self->a1 * y));
                 const double v5 = exp(-(self->a2 * y));
                 const double v6 = self->a1 * v4;
@@ -296,7 +296,7 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
             double y = (v2 < v3) ? v3 : v2;
             double y_low = v2;
             double y_high = v1 * self->slowest;
-            for (uint32_t round = 0U; round < 12U; round++) {
+            for (uint32_t attempt = 0U; attempt < 12U; attempt++) {
                 const double v4 = exp(-(self->a1 * y));
                 const double v5 = exp(-(self->a2 * y));
                 const double v6 = self->a1 * v4;

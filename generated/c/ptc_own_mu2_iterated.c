@@ -106,7 +106,7 @@ ptc_status ptc_own_mu2_iterated_step(
             double y = 0.0;
             double y_low = 0.0;
             double y_high = 1e300;
-            for (uint32_t round = 0U; round < 40U; round++) {
+            for (uint32_t attempt = 0U; attempt < 100U; attempt++) {
                 const double v1 = (y + 1.0) * 2.0;
                 const double v2 = self->tau / v1;
                 const double v3 = exp(y * self->f29);
@@ -187,7 +187,7 @@ ptc_status ptc_own_mu2_iterated_tick(
             double y = 0.0;
             double y_low = 0.0;
             double y_high = 1e300;
-            for (uint32_t round = 0U; round < 40U; round++) {
+            for (uint32_t attempt = 0U; attempt < 100U; attempt++) {
                 const double v1 = (y + 1.0) * 2.0;
                 const double v2 = self->tau / v1;
                 const double v3 = exp(y * self->f29);

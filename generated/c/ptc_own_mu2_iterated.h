@@ -57,7 +57,7 @@
  *
  * Operations of one step, without input checks and clipping: 28 additions or comparisons, 30
  *       multiplications, 12 divisions, 3 function calls. One round of the iteration is
- *       counted; it takes at most 40.
+ *       counted; it takes at most 100.
  */
 #ifndef PTC_OWN_MU2_ITERATED_H
 #define PTC_OWN_MU2_ITERATED_H

@@ -288,7 +288,7 @@ public:
         double y = (v2 < v3) ? v3 : v2;
         double y_low = v2;
         double y_high = v1 * slowest_;
-        for (std::size_t round = 0U; round < 12U; round++) {
+        for (std::size_t attempt = 0U; attempt < 12U; attempt++) {
             const double v4 = std::exp(-(a1_ * y));
             const double v5 = std::exp(-(a2_ * y));
             const double v6 = a1_ * v4;
@@ -366,7 +366,7 @@ public:
         double y = (v2 < v3) ? v3 : v2;
         double y_low = v2;
         double y_high = v1 * slowest_;
-        for (std::size_t round = 0U; round < 12U; round++) {
+        for (std::size_t attempt = 0U; attempt < 12U; attempt++) {
             const double v4 = std::exp(-(a1_ * y));
             const double v5 = std::exp(-(a2_ * y));
             const double v6 = a1_ * v4;

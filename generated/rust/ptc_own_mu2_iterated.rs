@@ -56,7 +56,7 @@
 //!
 //! Operations of one step, without input checks and clipping: 28 additions or comparisons, 30
 //!       multiplications, 12 divisions, 3 function calls. One round of the iteration is
-//!       counted; it takes at most 40.
+//!       counted; it takes at most 100.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -126,6 +126,18 @@ pub trait Controller<const N: usize> {
 /// From `std`, or from the crate `libm` where the feature of that name is on.
 #[allow(unexpected_cfgs)]
 mod math {
+    #[inline]
+    pub fn sqrt(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::sqrt(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.sqrt()
+        }
+    }
+
     #[inline]
     pub fn exp(a: f64) -> f64 {
         #[cfg(feature = "libm")]
@@ -319,7 +331,7 @@ impl PtcOwnMu2Iterated {
         let mut y = 0.0;
         let mut y_low = 0.0;
         let mut y_high = 1e300;
-        for _ in 0..40 {
+        for attempt in 0..100 {
             let v1 = (y + 1.0) * 2.0;
             let v2 = self.tau / v1;
             let v3 = math::exp(y * self.f29);
@@ -342,6 +354,9 @@ impl PtcOwnMu2Iterated {
             }
             if y_size <= 1e-9 {
                 break;
+            }
+            if 39 < attempt {
+                y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
             }
         }
         let v8 = (y + 1.0) * 2.0;
@@ -398,7 +413,7 @@ impl PtcOwnMu2Iterated {
         let mut y = 0.0;
         let mut y_low = 0.0;
         let mut y_high = 1e300;
-        for _ in 0..40 {
+        for attempt in 0..100 {
             let v1 = (y + 1.0) * 2.0;
             let v2 = self.tau / v1;
             let v3 = math::exp(y * self.f29);
@@ -421,6 +436,9 @@ impl PtcOwnMu2Iterated {
             }
             if y_size <= 1e-9 {
                 break;
+            }
+            if 39 < attempt {
+                y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
             }
         }
         let v8 = (y + 1.0) * 2.0;

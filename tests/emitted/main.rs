@@ -3,7 +3,7 @@
 
 mod atoms;
 mod behaviour;
-mod bits;
+mod bisection;
 #[path = "../support/command.rs"]
 mod command;
 mod design_properties;
@@ -15,7 +15,6 @@ mod languages;
 mod latched;
 mod laws;
 mod mixtures;
-mod names;
 mod oracle;
 mod reference;
 mod samples_languages;

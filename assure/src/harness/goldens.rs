@@ -54,7 +54,7 @@ pub fn of_axes() -> [Spec; 2] {
 }
 
 /// User-defined mappings, laws, ends and divisors, and latched states.
-fn features() -> [Spec; 5] {
+fn features() -> [Spec; 6] {
     [
         spec(&[
             ("n", "2"),
@@ -66,6 +66,11 @@ fn features() -> [Spec; 5] {
             ("n", "2"),
             ("mu", "mean(rational(a=1), tanh(a=a))"),
             ("name", "ptc_own_mu2_iterated"),
+        ]),
+        spec(&[
+            ("n", "1"),
+            ("mu", "tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))"),
+            ("name", "ptc_own_mu1_bisected"),
         ]),
         spec(&[
             ("n", "1"),

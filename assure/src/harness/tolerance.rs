@@ -2,11 +2,21 @@
 //! scale is the sum of the absolute values of the terms of u (tests/data/README.md). Those of a
 //! controller are in the library, which writes them into self-tests.
 
+use ptc_codegen::parameter::Precision;
 pub use ptc_codegen::reference::tolerance::control;
 
 /// Identities between sums of products of doubles, relative to the sum of their absolute values:
 /// the entries of BB_n hold up to n powers of atoms that are themselves a few roundings off.
 pub const IDENTITY: f64 = 1e-12;
+
+/// u where it is a power -50 of time-to-go, relative to u: as many times the roundings of time-to-go,
+/// and of a power that is iterated.
+pub const fn slow(precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => 1e-13,
+        Precision::F32 => 1e-4,
+    }
+}
 
 /// A control law on an exact trajectory, relative to the largest |u| of that trajectory.
 pub const TRAJECTORY: f64 = 1e-13;

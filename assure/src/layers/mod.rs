@@ -1,6 +1,7 @@
 //! The layers, each in a file of its own.
 
 mod attack;
+mod bits;
 mod book;
 mod campaign;
 mod command;
@@ -16,6 +17,7 @@ mod identity;
 mod matlab;
 mod miri;
 mod module;
+mod names;
 mod packages;
 mod projects;
 mod python;
@@ -42,6 +44,8 @@ pub const LAYERS: &[Layer] = &[
     cost::LAYER,
     rust::LAYER,
     miri::LAYER,
+    names::LAYER,
+    bits::LAYER,
     identity::LAYER,
     fuzz::LAYER,
     cpp::LAYER,

@@ -96,7 +96,7 @@ fn the_barrier_holds() {
 #[test]
 fn a_campaign_judges_it() {
     let design = example("barrier_arm.toml")
-        + "[plant]\nm2 = [1.4, 1.6]\n[verify]\nq1 = [0.5, 1]\nq2 = [-0.6, 0]\nw1 = 0\nw2 = 0\nscenarios = 8\n\
+        + "[plant]\nm2 = [1.4, 1.6]\n[verify]\nq1 = [0.5, 1]\nq2 = [-0.6, 0]\nw1 = 0\nw2 = 0\nscenarios = 4\nsearch = 8\n\
            [[objective]]\nbound = \"within\"\nh = \"q1\"\nlow = -1.2\nhigh = 1.2\n\
            [[objective]]\nbound = \"input\"\nupsilon = [60, 30]\n\
            [[objective]]\nbound = \"attractive\"\nerror = 0.01\n";

@@ -1,19 +1,30 @@
 //! A name that is taken for a controller gives source that compiles, whatever it means elsewhere.
 
-use crate::support;
-
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 use std::process::Command;
 
-use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler};
+use anyhow::Result;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::generate;
 use ptc_codegen::request::{Entry, Spec, read};
 use ptc_codegen::syntax::parse;
-use support::{STRICT, c_compiler, folder, rustc};
+
+use crate::context::Context;
+use crate::harness::cpp::{STRICT_CPP, cpp_compiler};
+use crate::harness::{STRICT, c_compiler, rustc};
+use crate::layer::{Finding, Layer};
+use crate::tool::{GCC, GXX, PYTHON, RUSTC};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "names",
+    claim: "A controller or a parameter with a name that means something to a language, a library or \
+            the emitted code compiles, or is refused with that reason.",
+    tools: &[GCC, GXX, RUSTC, PYTHON],
+    run,
+};
 
 /// Names that C, Rust or the emitted code itself use for something of their own.
 const MEANINGFUL: [&str; 48] = [
@@ -115,7 +126,7 @@ fn called(design: &[(&str, &str)], name: &str) -> Option<Spec> {
 }
 
 /// Compiles every module, and finds a name of the module that one of its functions hides.
-const PYTHON: &str = r#"
+const MODULES: &str = r#"
 import ast, pathlib, sys
 for path in sorted(pathlib.Path(sys.argv[1]).glob("*.py")):
     text = path.read_text()
@@ -144,9 +155,8 @@ for path in sorted(pathlib.Path(sys.argv[1]).glob("*.py")):
         print(path.name, "means two things:", *sorted(twice))
 "#;
 
-#[test]
-fn names_that_are_taken_compile() {
-    let folder = folder("names_internal");
+fn run(context: &Context) -> Result<Finding> {
+    let folder = context.scratch("names");
     let (mut modules, mut headers) = (String::new(), String::new());
     let (mut sources, mut taken, mut refused) = (Vec::new(), [0, 0], BTreeSet::new());
     let put = |name: String, text: &str| {
@@ -167,7 +177,7 @@ fn names_that_are_taken_compile() {
             if index == 0 {
                 names.extend(MEANINGFUL.map(str::to_owned));
             }
-            for name in names {
+            for name in context.in_turn(names.into_iter().collect()) {
                 let mapping = format!("tau*{name}*t/(1 + {name}*t)");
                 let by_parameter = spec_of(&[("n", "2"), ("mu", &mapping), ("name", "host")]);
                 let given = [called(design, &name), by_parameter.filter(|_| index == 0)];
@@ -209,8 +219,8 @@ fn names_that_are_taken_compile() {
             }
         }
     }
-    println!("{taken:?} names are taken, refused are {refused:?}");
-    assert!(taken[0] > 400 && taken[1] > 30, "{taken:?} names are taken");
+    let parts = if context.brief { 3 } else { 1 };
+    assert!(taken[0] > 400 / parts && taken[1] > 30 / parts, "{taken:?} names are taken");
     // Words of the languages, of their libraries and of the statuses.
     assert!(refused.len() < 110, "{refused:?}");
     put("lib.rs".to_owned(), &format!("#![allow(non_snake_case)]\n{modules}"));
@@ -232,8 +242,31 @@ fn names_that_are_taken_compile() {
         let shown = errors[..errors.len().min(20)].join("\n");
         assert!(output.status.success(), "{shown}");
     }
-    let output = Command::new("python3").args(["-c", PYTHON]).arg(&folder).output();
+    let output = Command::new("python3").args(["-c", MODULES]).arg(&folder).output();
     let output = output.expect("python3");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(output.stdout.is_empty(), "{}", String::from_utf8_lossy(&output.stdout));
+    let [controllers, parameters] = taken;
+    let summary = format!(
+        "{controllers} names of controllers and {parameters} of parameters in 4 languages compile, {} \
+         are refused",
+        refused.len()
+    );
+    let mut finding = Finding { summary, ..Finding::default() };
+    seeded(context, &mut finding)?;
+    Ok(finding)
+}
+
+/// A controller with the name of a type of C.
+fn seeded(context: &Context, finding: &mut Finding) -> Result<()> {
+    let folder = context.scratch("names_seeded");
+    let spec = Spec { name: Some("axle".to_owned()), ..context.example() };
+    for file in generate(&spec, Language::C).unwrap_or_default() {
+        fs::write(folder.join(&file.name), file.text.replace("axle *self", "double *self"))?;
+    }
+    let mut c = c_compiler();
+    c.args(STRICT).arg("-fsyntax-only").arg(folder.join("axle.c"));
+    let caught = !c.output()?.status.success();
+    finding.seed("a controller that has the name of a type", caught.then(|| "cc".to_owned()));
+    Ok(())
 }

@@ -1,10 +1,9 @@
 //! C, Rust and the interpreter, before and after every pass, give the same bits where no function
-//! of a mathematical library is called.
-
-use crate::support;
+//! of a mathematical library is called. A difference ends the layer: it panics with both outcomes.
 
 use std::collections::BTreeMap;
 
+use anyhow::Result;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{self, Code, Instance, Status};
 use ptc_codegen::controller::{self, Controller};
@@ -16,11 +15,26 @@ use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, Value, passes};
 use ptc_codegen::request::{Guard, Spec};
-use support::program::{Outcome, Record, in_c, in_rust};
-use support::random::Random;
-use support::records::records;
-use support::specs::{calls_a_library, families, spec};
-use support::{folder, in_pairs};
+
+use super::seeded::with_defect;
+use crate::context::Context;
+use crate::harness::machine::Machine;
+use crate::harness::program::{Outcome, Record, in_c, in_c_from, in_rust};
+use crate::harness::random::Random;
+use crate::harness::records::records;
+use crate::harness::specs::{calls_a_library, families, spec};
+use crate::harness::{STRICT, in_pairs};
+use crate::layer::{Finding, Layer};
+use crate::tool::{GCC, RUSTC};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "bits",
+    claim: "C, Rust, the interpreter of the program before and after every pass, and that of the whole \
+            controller give the same bits where no function of a mathematical library is called, also \
+            with `fma` and `latency`.",
+    tools: &[GCC, RUSTC],
+    run,
+};
 
 /// Records for each spec.
 const RECORDS: usize = 1000;
@@ -160,9 +174,39 @@ fn agrees_as_a_whole(spec: &Spec, records: &[Record], c: &[Outcome]) {
     }
 }
 
+fn run(context: &Context) -> Result<Finding> {
+    let (specs, statuses) = plain(context);
+    let forms = other_forms(context);
+    let calls: usize = statuses.values().sum();
+    let summary = format!(
+        "{specs} controllers, {calls} calls in both languages, and {forms} with fused operations or \
+         trees: equal bits after every pass"
+    );
+    let mut finding = Finding { summary, ..Finding::default() };
+    seeded(context, &mut finding)?;
+    Ok(finding)
+}
+
+/// The example with one rounding more in a coefficient.
+fn seeded(context: &Context, finding: &mut Finding) -> Result<()> {
+    let (folder, spec) = (context.scratch("bits_seeded"), examine(&context.example()).spec);
+    let defect = ("k1 / (a * a)", "k1 / a / a", "one rounding more in a coefficient");
+    let files = with_defect(&folder, &spec, Language::C, defect)?;
+    let sources: Vec<_> =
+        files.into_iter().filter(|file| file.extension().is_some_and(|e| e == "c")).collect();
+    let flags = STRICT.map(str::to_owned);
+    let c = in_c_from(Machine::Host, &folder, &spec, &sources, &flags);
+    let rust = in_rust(&folder, std::slice::from_ref(&spec)).remove(0);
+    let records = records(&spec, &mut Random(context.seed), RECORDS);
+    let (c, rust) = (c.run(&records), rust.run(&records));
+    let differs = c.iter().zip(&rust).any(|(c, rust)| c.bits() != rust.bits());
+    finding.seed(defect.2, differs.then(|| "the bits of Rust".to_owned()));
+    Ok(())
+}
+
 /// What each spec gives for random records, in C as in Rust and in the interpreters.
-fn compared(test: &str, specs: &[Spec], count: usize) -> Vec<Vec<Outcome>> {
-    let folder = folder(test);
+fn compared(context: &Context, name: &str, specs: &[Spec], count: usize) -> Vec<Vec<Outcome>> {
+    let (folder, count) = (context.scratch(name), context.records(count));
     let programs: Vec<_> =
         specs.iter().zip(in_c(&folder, specs)).zip(in_rust(&folder, specs)).enumerate().collect();
     in_pairs(&programs, |(index, ((spec, c), rust))| {
@@ -175,8 +219,8 @@ fn compared(test: &str, specs: &[Spec], count: usize) -> Vec<Vec<Outcome>> {
     })
 }
 
-#[test]
-fn languages_and_passes_agree_bit_for_bit() {
+/// How many specs were compared, and their calls by status.
+fn plain(context: &Context) -> (usize, BTreeMap<i32, usize>) {
     let specs: Vec<_> = families()
         .filter(|family| *family != Family::ExpSum && *family != Family::Power)
         .flat_map(specs)
@@ -201,20 +245,23 @@ fn languages_and_passes_agree_bit_for_bit() {
     });
     let divided = ["2", "1/mass"].map(|g| spec(&[("n", "2"), ("mu", "exp"), ("g", g)]));
     let specs: Vec<_> = specs.into_iter().chain(looped).chain(following).chain(divided).collect();
-    let outcomes = compared("bits", &specs, RECORDS);
+    let specs = context.in_turn(specs);
+    let outcomes = compared(context, "bits", &specs, RECORDS);
     let mut statuses = BTreeMap::new();
     for outcome in outcomes.iter().flatten() {
         let status = if outcome.init == 0 { outcome.step.0 } else { outcome.init };
         *statuses.entry(status).or_insert(0) += 1;
     }
-    println!("{} specs; calls by status: {statuses:?}", specs.len());
     // Every outcome has been compared, so the records are not of one kind.
-    assert!((-3..=2).all(|status| statuses.get(&status).is_some_and(|count| *count > 100)));
+    assert!(
+        (-3..=2).all(|status| statuses.get(&status).is_some_and(|count| *count > 100)),
+        "{statuses:?}"
+    );
+    (specs.len(), statuses)
 }
 
 /// With products and sums fused, with polynomials as trees, and with both.
-#[test]
-fn other_forms_agree_bit_for_bit() {
+fn other_forms(context: &Context) -> usize {
     let families = [Family::Exp, Family::Rational, Family::Tan, Family::Tanh, Family::Algebraic];
     let orders = families.iter().flat_map(|family| [1, 3, 6, 12].map(|n| Spec::new(n, *family)));
     let own = [
@@ -240,5 +287,7 @@ fn other_forms_agree_bit_for_bit() {
     // Order 1 has no sum of products, and low orders no polynomial that a tree shortens.
     let other = specs.iter().filter(differs).count();
     assert!(other > specs.len() / 2, "{other} of {}", specs.len());
-    compared("forms", &specs, RECORDS / 4);
+    let specs = context.in_turn(specs);
+    compared(context, "forms", &specs, RECORDS / 4);
+    specs.len()
 }

@@ -1,0 +1,460 @@
+//! Prescribed-time controller ptc_own_mu1_bisected: order n = 1, mapping custom.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 1 --mu="tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))" --name ptc_own_mu1_bisected
+//! Version 0.1.0.
+//!
+//! Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
+//! f is not part of the law: cancel its known terms before the call.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   k: gains of pi0 = -k_1 xi_1, finite; k[0] is k_1 [1/s]
+//!
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
+//!   mu(t)  = tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))
+//!   tau - mu(t) = tau*(2/(1 + t + sqrt(1 + t^2)))^(1/50)
+//!   kappa = the root t of tau - mu(t) = T, by a bounded iteration
+//! r_k and BB_n are computed from the Taylor series of mu at each call.
+//!
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+//!   pi0 = -k_1 xi_1
+//!   u = sum_j gain_j x_j
+//!   gain_j = r_1^-(n+1-j) row_j
+//!   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1), with k_(n+1) = 1
+//!   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i
+//!
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+//!       mathematical library.
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: the mapping is of its class, proved.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   loop: not checked: it needs a value of `tau`.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step, without input checks and clipping: 19 additions or comparisons, 23
+//!       multiplications, 7 divisions, 2 square roots, 2 function calls. One round of the
+//!       iteration is counted; it takes at most 100.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// From `std`, or from the crate `libm` where the feature of that name is on.
+#[allow(unexpected_cfgs)]
+mod math {
+    #[inline]
+    pub fn sqrt(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::sqrt(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.sqrt()
+        }
+    }
+
+    #[inline]
+    pub fn ln(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::log(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.ln()
+        }
+    }
+
+    #[inline]
+    pub fn pow(a: f64, b: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::pow(a, b)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.powf(b)
+        }
+    }
+}
+
+/// Run-time parameters of [`PtcOwnMu1Bisected`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcOwnMu1BisectedParams {
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
+    pub tau: f64,
+    /// start time \[s\], finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
+    pub eps: f64,
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
+    pub u_max: f64,
+    /// gains of pi0 = -k_1 xi_1, finite; k\[0\] is k_1 \[1/s\].
+    pub k: [f64; 1],
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcOwnMu1Bisected {
+    /// start time.
+    t0: f64,
+    /// prescribed settling time.
+    tau: f64,
+    /// t0 + tau, rounded.
+    deadline: f64,
+    /// low part of t0 + tau (compensated sum).
+    correction: f64,
+    /// time-to-go at which the gains are held.
+    eps: f64,
+    /// -eps: later than this the gains are held.
+    hold_from: f64,
+    /// weighted gain -0!*k1.
+    w1: f64,
+    /// bound of |u|.
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcOwnMu1Bisected`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcOwnMu1BisectedGains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[0\] x\[0\].
+    pub gain: [f64; 1],
+    /// bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl PtcOwnMu1Bisected {
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: PtcOwnMu1BisectedParams) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let k1 = params.k[0];
+        if !(tau.is_finite()
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && t0.is_finite()
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && k1.is_finite()
+            && (eps < tau))
+        {
+            return Err(Error::Param);
+        }
+        let hold_from = -eps;
+        let w1 = -k1;
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        if !((1e-200 <= size_w1) && hold_from.is_finite() && w1.is_finite()) {
+            return Err(Error::Param);
+        }
+        let mut built = Self {
+            tau,
+            eps,
+            hold_from,
+            w1,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at t0 \[s\].
+    ///
+    /// # Errors
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time t \[s\] and state x = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
+        let T = -late;
+        let mut y = 0.0;
+        let mut y_low = 0.0;
+        let mut y_high = 1e300;
+        for attempt in 0..100 {
+            let v1 = 1.0 + (y * y);
+            let v2 = math::sqrt(v1);
+            let v3 = 1.0 / (y + 1.0 + v2);
+            let v4 = math::pow(v3 * 2.0, 0.02) * self.tau;
+            let v5 = math::ln(v4 / T);
+            let s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
+            let y_next = y - (v5 * (v4 / (v4 * (0.02 * s1))));
+            let y_size = v5.abs();
+            if 0.0 < v5 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if (y_low <= y_next) && (y_next <= y_high) {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= 1e-9 {
+                break;
+            }
+            if 39 < attempt {
+                y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
+            }
+        }
+        let v6 = 1.0 + (y * y);
+        let v7 = math::sqrt(v6);
+        let s2 = -((1.0 + (v7 * (0.5 * ((y + y) * (1.0 / v6))))) * (1.0 / (y + 1.0 + v7)));
+        let inv_r1 = 1.0 / (T * (-(0.02 * (s2 * 2.0 * 0.5))));
+        let v = self.w1 * x[0] * inv_r1;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite() && x[0].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
+                (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcOwnMu1BisectedGains, Error> {
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
+        let T = -late;
+        let mut y = 0.0;
+        let mut y_low = 0.0;
+        let mut y_high = 1e300;
+        for attempt in 0..100 {
+            let v1 = 1.0 + (y * y);
+            let v2 = math::sqrt(v1);
+            let v3 = 1.0 / (y + 1.0 + v2);
+            let v4 = math::pow(v3 * 2.0, 0.02) * self.tau;
+            let v5 = math::ln(v4 / T);
+            let s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
+            let y_next = y - (v5 * (v4 / (v4 * (0.02 * s1))));
+            let y_size = v5.abs();
+            if 0.0 < v5 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if (y_low <= y_next) && (y_next <= y_high) {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= 1e-9 {
+                break;
+            }
+            if 39 < attempt {
+                y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
+            }
+        }
+        let v6 = 1.0 + (y * y);
+        let v7 = math::sqrt(v6);
+        let s2 = -((1.0 + (v7 * (0.5 * ((y + y) * (1.0 / v6))))) * (1.0 / (y + 1.0 + v7)));
+        let inv_r1 = 1.0 / (T * (-(0.02 * (s2 * 2.0 * 0.5))));
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
+        Ok(PtcOwnMu1BisectedGains {
+            gain: [self.w1 * inv_r1],
+            u_max: self.u_max,
+            status,
+        })
+    }
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl PtcOwnMu1BisectedGains {
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 1]) -> Result<Control<f64>, Error> {
+        let v = self.gain[0] * x[0];
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
+            (v, self.status)
+        } else if x[0].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<1> for PtcOwnMu1Bisected {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}
