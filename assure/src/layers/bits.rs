@@ -254,7 +254,8 @@ fn plain(context: &Context) -> (usize, BTreeMap<i32, usize>) {
     }
     // Every outcome has been compared, so the records are not of one kind.
     assert!(
-        (-3..=2).all(|status| statuses.get(&status).is_some_and(|count| *count > 100)),
+        (-3..=2)
+            .all(|status| statuses.get(&status).is_some_and(|count| *count > context.records(100))),
         "{statuses:?}"
     );
     (specs.len(), statuses)
