@@ -47,6 +47,8 @@ pub struct Instant {
     pub x: Vec<f64>,
     /// The inputs.
     pub u: Vec<f64>,
+    /// The tracking errors, where there is a reference.
+    pub errors: Vec<f64>,
     /// The integrals of the campaign, from t0 to here.
     pub integrals: Vec<f64>,
     /// By how much each objective is exceeded here.
@@ -345,8 +347,9 @@ impl<'a> Watch<'a> {
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
         let here = Here { time_to_go, x, u, integrals };
         self.observer.excess(here, at_end, &mut |i, value| excess[i] = value);
+        let errors = self.observer.errors().collect();
         let [x, u, integrals] = [x, u, integrals].map(<[f64]>::to_vec);
-        Instant { t, time_to_go, x, u, integrals, excess, at_end }
+        Instant { t, time_to_go, x, u, errors, integrals, excess, at_end }
     }
 }
 

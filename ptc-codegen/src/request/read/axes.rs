@@ -1,6 +1,7 @@
 //! Several axes: how many, and what each has of its own.
 
 use super::{Reader, count, items, shown};
+use crate::diagnostic::counted;
 use crate::expression::{self, Expression};
 use crate::limits::AXES;
 use crate::parameter::{Fixed, Parameter};
@@ -47,7 +48,8 @@ impl<'a> Reader<'a> {
             return all;
         }
         let place = self.keys.get(key).map(|node| node.place);
-        let message = format!("{} values of `{key}` for {number} axes", all.len());
+        let message =
+            format!("{} of `{key}` for {}", counted(&all.len(), "value"), counted(&number, "axis"));
         let help = format!("give one for each of the {number} axes, or one that all share");
         self.wrong(key, place, message, help);
         &[]
