@@ -115,6 +115,12 @@ impl Numbers<'_> {
     fn call(&self, call: &Call, spec: &Spec, has_gains: bool) -> String {
         let (x, reference) = call.x.split_at(spec.states());
         let several = spec.coupled.is_some();
+        let rows = |all: &[f64], length: usize| {
+            let each = all.chunks(length).map(|row| format!("{{ {} }}", self.list(row)));
+            each.collect::<Vec<_>>().join(", ")
+        };
+        let is_of_axes = spec.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);
+        let states = if is_of_axes { rows(x, spec.n) } else { self.list(x) };
         // One number, or a list of them.
         let each = |of: &dyn Fn(&Wanted) -> f64| {
             let list = self.list(&call.inputs.iter().map(of).collect::<Vec<_>>());
@@ -122,7 +128,7 @@ impl Numbers<'_> {
         };
         let mut fields = vec![
             format!(".t = {}", self.number(call.t)),
-            format!(".x = {{ {} }}", self.list(x)),
+            format!(".x = {{ {states} }}"),
             format!(".u = {}", each(&|wanted| wanted.u)),
             format!(".tolerance = {}", each(&|wanted| wanted.tolerance)),
             format!(".status = {}", call.status.c_name()),
@@ -132,12 +138,11 @@ impl Numbers<'_> {
             fields.push(format!(".axes = {{ {} }}", axes.join(", ")));
         }
         if !reference.is_empty() {
-            let rows = reference.chunks(spec.references()).map(|row| self.list(row));
-            let rows = match several {
-                true => rows.map(|row| format!("{{ {row} }}")).collect::<Vec<_>>().join(", "),
-                false => rows.collect(),
+            let reference = match several {
+                true => rows(reference, spec.references()),
+                false => self.list(reference),
             };
-            fields.push(format!(".r = {{ {rows} }}"));
+            fields.push(format!(".r = {{ {reference} }}"));
         }
         if has_gains {
             fields.push(format!(".axis = {}", call.axis.unwrap_or(call.status).c_name()));

@@ -236,6 +236,9 @@ impl<'a> Reader<'a> {
         self.fits_coupled(&spec, samples);
         self.fits_reference(&spec, samples);
         self.fits_units(&spec);
+        if let Some(chains) = Self::chains(&spec) {
+            spec.coupled = Some(Box::new(chains));
+        }
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);

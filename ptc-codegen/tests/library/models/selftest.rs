@@ -18,6 +18,12 @@ fn they_find_nothing_wrong() {
         ("bound", MIX.replace("eps = 1e-2\nu_max = inf", "")),
         ("barrier", example("barrier_arm.toml")),
         (
+            "axes",
+            "name = \"gantry\"\nn = 2\naxes = 3\nmu = \"tanh(a=1)\"\npi0 = \"extern\"\nreference = \"input\"\n\
+             g = [\"2\", \"1/mass\", \"1\"]\nlimits = [9, 20, 30]\n"
+                .to_owned(),
+        ),
+        (
             "all",
             MIX.replace("poles = [[-4, -5], [-3]]", "pi0 = \"extern\"\nreference = \"input\"")
                 .replace("eps = 1e-2", "eps = 0.25"),
