@@ -57,10 +57,8 @@ impl Choice {
         let given =
             [("clock", &self.clock), ("mu", &self.mu), ("poles", &poles), ("eps", &self.eps)];
         let entry = |(key, text): (&str, &Option<String>)| {
-            // No file holds it.
-            let place = Place(usize::MAX);
-            let value = parse(key, text.as_ref()?, &mut |_| place).ok()?;
-            Some(Entry { key: key.to_owned(), place, value })
+            let value = parse(key, text.as_ref()?, &mut |_| NOWHERE).ok()?;
+            Some(Entry { key: key.to_owned(), place: NOWHERE, value })
         };
         given.into_iter().filter_map(entry).collect()
     }
@@ -75,6 +73,13 @@ impl std::fmt::Display for Choice {
         let all: Vec<_> = [clock, mu, poles, eps].into_iter().flatten().collect();
         f.write_str(&if all.is_empty() { "nothing".to_owned() } else { all.join(", ") })
     }
+}
+
+/// The place of what no file holds.
+const NOWHERE: Place = Place(usize::MAX);
+
+fn node(value: Value) -> Node {
+    Node { value, place: NOWHERE }
 }
 
 fn gives(entries: &[Entry], keys: &[&str]) -> bool {
@@ -272,12 +277,13 @@ fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnosti
         return Ok(choice);
     }
     if entries.iter().any(|entry| entry.key.starts_with("model.")) && !in_samples {
-        // A law that has none tells how many there have to be.
-        let law = Entry {
-            key: "pi0".to_owned(),
-            place: Place(usize::MAX),
-            value: Node { value: Value::Word("extern".to_owned()), place: Place(usize::MAX) },
+        // A law that has no poles tells how many there have to be.
+        let several = gives(entries, &["model.inputs"]);
+        let value = match several {
+            true => Value::Word("extern".to_owned()),
+            false => Value::Negative(Box::new(node(Value::Word("xi1".to_owned())))),
         };
+        let law = Entry { key: "pi0".to_owned(), place: NOWHERE, value: node(value) };
         let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).chain([law]).collect();
         let orders = orders(&request::read(&all)?);
         choice.poles = Some(for_each(&orders, &|i| format!("-{}", request::MAX_ORDER + 1 + i)));
