@@ -77,6 +77,11 @@ impl Spec {
         if errors.is_empty() { self.coordinates().cloned().collect() } else { errors }
     }
 
+    /// How many laws a function of the user's program gives at once, where that is more than one.
+    pub fn laws_at_once(&self) -> Option<usize> {
+        self.coupled.as_ref().map(|coupled| coupled.outputs.len()).filter(|outputs| *outputs > 1)
+    }
+
     /// A law as it is written, in the names of the plant.
     pub fn law_named(&self, law: &Expression) -> Expression {
         match (&self.model, &self.coupled) {

@@ -198,7 +198,8 @@ pub fn own_law(n: usize) -> Expression {
 
 /// The same for each output of a plant with several, output j with j kappa'/16 on top, of xi of all chains.
 pub fn own_laws(spec: &Spec) -> Vec<Expression> {
-    let Some(coupled) = &spec.coupled else { return vec![own_law(spec.n)] };
+    let of_all = spec.coupled.as_ref().filter(|_| spec.laws_at_once().is_some());
+    let Some(coupled) = of_all else { return vec![own_law(spec.n)] };
     let orders = coupled.orders();
     let law = own_law(orders.iter().sum());
     let rate = Expression::from(Variable::KappaRate).div(Expression::integer(16));

@@ -93,8 +93,9 @@ impl Trial<'_> {
     pub(super) fn run(&self) -> Seen {
         let of_chains = |t: f64, xi: &[f64]| xi.iter().fold(t / 8.0, |sum, xi| sum - 1.5 * xi);
         let several = self.spec().coupled.is_some();
+        let of_all = self.spec().laws_at_once().is_some();
         let law = |arguments: &[f64]| match arguments {
-            [xi @ .., t, rate, place] if several => {
+            [xi @ .., t, rate, place] if of_all => {
                 of_chains(*t, xi) + (place + 1.0) * (rate / 16.0)
             }
             [xi @ .., t] => of_chains(*t, xi),

@@ -50,6 +50,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         eighth: numbers.number(0.125),
         three_halves: numbers.number(1.5),
         sixteenth: numbers.number(0.0625),
+        laws: spec.laws_at_once(),
         chains: spec.coupled.as_ref().map_or(spec.n, |coupled| coupled.orders().iter().sum()),
         poison: numbers.number(12345.0),
         largest: numbers.number(match spec.precision {
@@ -160,6 +161,8 @@ struct Source<'a> {
     eighth: String,
     three_halves: String,
     sixteenth: String,
+    /// How many laws stand in for the user's, where it is not one.
+    laws: Option<usize>,
     /// States of all chains in stretched time.
     chains: usize,
     /// What u is before a call, which must overwrite it.

@@ -17,6 +17,7 @@ fn they_find_nothing_wrong() {
         ("none", MIX.replace("name =", "guard = \"none\"\nname =")),
         ("bound", MIX.replace("eps = 1e-2\nu_max = inf", "")),
         ("barrier", example("barrier_arm.toml")),
+        ("axis", "name = \"axis\"\nn = 2\naxes = 1\nmu = \"exp\"\npi0 = \"extern\"\n".to_owned()),
         (
             "axes",
             "name = \"gantry\"\nn = 2\naxes = 3\nmu = \"tanh(a=1)\"\npi0 = \"extern\"\nreference = \"input\"\n\
