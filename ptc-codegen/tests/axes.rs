@@ -71,6 +71,12 @@ fn the_command_is_read_again() {
     .expect("a legal design");
     let wanted = "--n 2 --axes 2 --mu \"exp(a=1)\" --limits=5,6 --poles=\"[[-3,-4],[-5+2i,-5-2i]]\" --g=\"[1/m, 2]\" --reference input";
     assert_eq!(spec.command(), wanted);
+    let further = [("limits", "5, 6"), ("g", "[1/m, 2]"), ("reference", "input")];
+    let law = two(&[&[("pi0", "extern")][..], &further].concat()).expect("a legal design");
+    let wanted = "--n 2 --axes 2 --mu \"exp(a=1)\" --limits=5,6 --pi0 extern --g=\"[1/m, 2]\" --reference input";
+    assert_eq!(law.command(), wanted);
+    // What such a law is given is one plant of chains.
+    assert_eq!(law.state_names(), ["x1_1", "x2_1", "x1_2", "x2_2"]);
 }
 
 /// Each axis is judged by its own values, and the one that fails is named.

@@ -86,7 +86,7 @@ fn worst(spec: &Spec) -> f64 {
     let mut worst = 0.0_f64;
     for share in [0.0, 0.4, 0.97, 0.9997, 1.2] {
         let (t, x) = (settle(t0 + share * tau), state(share));
-        let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
+        let call = Call { parameter: &parameter, x0: &x0, t, x: &x, laws: &[], after: 0.0 };
         let input = call::inputs(&call, spec.states());
         let mut own = Interpreter::new(&program, &input);
         let expected = evaluate(spec, &call).and_then(|told| told.control).expect("a control");

@@ -79,10 +79,7 @@ pub(crate) fn verify<'py>(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Verdict<'py>> {
     let entries = design.with(py, &given)?;
-    let campaign = request::read(&entries).and_then(|spec| {
-        spec.needs_rest("a campaign")?;
-        read_with_plant(&entries, &spec)
-    });
+    let campaign = request::read(&entries).and_then(|spec| read_with_plant(&entries, &spec));
     let campaign = campaign.map_err(|found| design.wrong(py, found))?;
     let total = campaign.scenarios + campaign.searched();
     let (summary, kept) = watch::run(py, (progress, total), |watch| judge(&campaign, rows, watch))?

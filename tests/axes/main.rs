@@ -32,7 +32,7 @@ fn law(xi: &[f64], t: f64, small: bool) -> f64 {
         true => f64::from(value as f32),
         false => value,
     };
-    let [a, b, c, rate, place] = xi[..] else { panic!("the law is given {xi:?}") };
+    let [a, b, c, .., rate, place] = xi[..] else { panic!("the law is given {xi:?}") };
     if place == 0.0 {
         let left = settled(c - settled(2.0 * a));
         return settled(left - settled(t * b));

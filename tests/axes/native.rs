@@ -21,11 +21,16 @@ fn list(values: &[f64], nan: &str, suffix: &str, (open, close): (&str, &str)) ->
     format!("{open}{}{close}", values.join(", "))
 }
 
+/// Whether the states are those of one plant.
+fn is_plant(spec: &Spec) -> bool {
+    spec.coupled.as_ref().is_some_and(|coupled| !coupled.is_of_axes)
+}
+
 /// The states: a list of those of each axis, or those of one plant.
 fn states(spec: &Spec, x: &[f64], nan: &str, suffix: &str, ends: (&str, &str)) -> String {
-    match spec.coupled {
-        Some(_) => list(x, nan, suffix, ends),
-        None => lists(x, spec.n, nan, suffix, ends),
+    match is_plant(spec) {
+        true => list(x, nan, suffix, ends),
+        false => lists(x, spec.n, nan, suffix, ends),
     }
 }
 
@@ -74,8 +79,9 @@ pub(super) fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> 
     );
     if is_extern(spec) {
         let [first, second] = LAW.map(|law| law.replace('F', suffix));
+        let chains: usize = spec.coupled.as_ref().expect("chains").orders().iter().sum();
         let law = format!(
-            "static void law(void *context, const {real} xi[3], {real} t, {real} rate, {real} pi0[2])\n{{\n    (void)context;\n    pi0[0] = {first};\n    pi0[1] = {second};\n}}\n\nint main("
+            "static void law(void *context, const {real} xi[{chains}], {real} t, {real} rate, {real} pi0[2])\n{{\n    (void)context;\n    pi0[0] = {first};\n    pi0[1] = {second};\n}}\n\nint main("
         );
         text = text.replacen("int main(", &law, 1);
     }
@@ -83,9 +89,9 @@ pub(super) fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> 
     for call in calls {
         let reference = spec.references();
         let x = states(spec, &call.x, "NAN", suffix, ends);
-        let shape = match spec.coupled {
-            Some(_) => format!("[{}]", spec.states()),
-            None => format!("[{count}][{}]", spec.n),
+        let shape = match is_plant(spec) {
+            true => format!("[{}]", spec.states()),
+            false => format!("[{count}][{}]", spec.n),
         };
         let (declared, given) = match reference {
             0 => (String::new(), ""),

@@ -35,7 +35,7 @@ fn worst(spec: &Spec, random: &mut Random) -> f64 {
     let t = settle(0.75 * tau);
     let x0: Vec<f64> = (0..spec.n).map(|_| size()).collect();
     let x = vec![0.0; spec.n];
-    let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
+    let call = Call { parameter: &parameter, x0: &x0, t, x: &x, laws: &[], after: 0.0 };
     let expected = evaluate(spec, &call).and_then(|outcome| outcome.control).expect("a control");
     let u = Interpreter::new(&program, &call::inputs(&call, spec.states())).value(program.step);
     expected.error(u) / tolerance::of(spec)

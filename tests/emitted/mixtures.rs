@@ -63,7 +63,7 @@ fn worst(spec: &Spec, tau: f64, t0: f64, calls: &[(f64, &Spec)]) -> (f64, f64) {
     let mut worst = (0.0, 1.0);
     for (t, definition) in calls {
         let t = settle(*t);
-        let call = Call { parameter: &parameter, x0: x, t, x, law: None, after: 0.0 };
+        let call = Call { parameter: &parameter, x0: x, t, x, laws: &[], after: 0.0 };
         let found = evaluate(definition, &call);
         let found = found.unwrap_or_else(|| panic!("no digits at {t}: {}", definition.command()));
         let control = found.control.expect("a law");

@@ -22,7 +22,7 @@ fn of_family(vector: &Vector, precision: Precision) -> Spec {
     spec
 }
 
-fn outcome(spec: &Spec, vector: &Vector, law: Option<&Expression>) -> Outcome {
+fn outcome(spec: &Spec, vector: &Vector, laws: &[Expression]) -> Outcome {
     let values = vector.values(1e-13);
     let parameter = |p: Parameter| match p {
         Parameter::Named(name) => match name.text() {
@@ -35,14 +35,14 @@ fn outcome(spec: &Spec, vector: &Vector, law: Option<&Expression>) -> Outcome {
         },
         p => values.get(p),
     };
-    let call = Call { parameter: &parameter, x0: &[], t: vector.t, x: &vector.x, law, after: 0.0 };
+    let call = Call { parameter: &parameter, x0: &[], t: vector.t, x: &vector.x, laws, after: 0.0 };
     evaluate(spec, &call).expect("enough digits")
 }
 
 fn judge(file: &str, precision: Precision) {
     let vectors = lines(file);
     let errors = in_pairs(&vectors, |(vector, u)| {
-        let found = outcome(&of_family(vector, precision), vector, None);
+        let found = outcome(&of_family(vector, precision), vector, &[]);
         assert_eq!(found.status, Status::Ok, "{vector:?}");
         let control = found.control.expect("a law");
         let scale = (control.scale() - vector.scale).abs() / vector.scale;
@@ -95,7 +95,7 @@ fn expressions_are_evaluated_as_they_are_written() {
                 Expression::from(gain).mul(Variable::Xi(i + 1).into())
             };
             let law = vector.k.iter().enumerate().map(term).reduce(Expression::add);
-            let found = outcome(&spec, &vector, Some(&law.expect("a law").neg()));
+            let found = outcome(&spec, &vector, &[law.expect("a law").neg()]);
             let error = found.control.expect("a law").error_of_text(&u).expect("a number");
             let allowed = LAST_DIGIT * vector.u.abs() / vector.scale;
             assert!(error <= allowed, "{error:e} > {allowed:e} by {mapping:?} for {vector:?}");

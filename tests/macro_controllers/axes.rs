@@ -73,3 +73,53 @@ fn each_axis_follows_its_reference() {
         assert_eq!(*u, r[2]);
     }
 }
+
+ptc::ptc_controller!(
+    n = 2,
+    axes = 3,
+    mu = exp(a = 1),
+    name = by_law,
+    pi0 = extern,
+    g = [2, 3, 1],
+    params.tau = 1.5,
+    params.eps = 1e-3
+);
+ptc::ptc_controller!(
+    n = 2,
+    axes = 3,
+    mu = exp(a = 1),
+    name = by_gains,
+    poles = [-4, -5],
+    g = [2, 3, 1],
+    params.tau = 1.5,
+    params.eps = 1e-3
+);
+
+/// One closure gives the laws of all: those of gains, and one in which axis 2 follows axis 1.
+#[test]
+fn one_law_knows_all_axes() {
+    let law = ByLaw::new(ByLawParams { t0: 0.0, u_max: f64::INFINITY }).expect("a legal design");
+    let gains =
+        ByGains::new(ByGainsParams { t0: 0.0, u_max: f64::INFINITY }).expect("a legal design");
+    let x = [[0.4, -0.1], [-0.3, 0.2], [0.05, 0.0]];
+    let linear = |xi: &[f64; 6], j: usize| -20.0 * xi[2 * j] - 9.0 * xi[2 * j + 1];
+    for t in [0.0, 0.7, 1.4, 1.499] {
+        let wanted = gains.step(t, &x);
+        let found = law.step(t, &x, |xi, time, rate| {
+            // exp with a = 1: stretched time is -ln(T/tau), and kappa' is 1/T.
+            assert!((rate * (1.5 - t) - 1.0).abs() < 1e-9, "{rate}");
+            assert!((time + ((1.5 - t) / 1.5f64).ln()).abs() < 1e-9, "{time}");
+            [0, 1, 2].map(|j| linear(xi, j))
+        });
+        assert_eq!((found.status, found.axes), (wanted.status, wanted.axes));
+        for (u, wanted) in found.u.iter().zip(wanted.u) {
+            assert!((u - wanted).abs() < 1e-12 * wanted.abs(), "t = {t}: {u} and {wanted}");
+        }
+        let towards = law
+            .step(t, &x, |xi, _, _| [linear(xi, 0), linear(xi, 1) + 20.0 * xi[0], linear(xi, 2)]);
+        // The second axis is moved by the first alone: 20 xi1/(g T^2), xi1 = x1.
+        let added = 20.0 * x[0][0] / (3.0 * (1.5 - t) * (1.5 - t));
+        assert!((towards.u[1] - found.u[1] - added).abs() < 1e-9 * added, "t = {t}");
+        assert_eq!((towards.u[0], towards.u[2]), (found.u[0], found.u[2]));
+    }
+}

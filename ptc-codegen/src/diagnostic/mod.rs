@@ -160,6 +160,18 @@ pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> O
     ranked.min().map(|(_, name)| name)
 }
 
+/// So many of what `one` names: `1 output`, `2 outputs`.
+pub fn counted(count: &dyn fmt::Display, one: &str) -> String {
+    let count = count.to_string();
+    let noun = match (one.strip_suffix("is"), one.strip_suffix('y')) {
+        _ if count == "1" => one.to_owned(),
+        (Some(stem), _) => format!("{stem}es"),
+        (_, Some(stem)) => format!("{stem}ies"),
+        _ => format!("{one}s"),
+    };
+    format!("{count} {noun}")
+}
+
 /// A number to four significant digits.
 pub fn digits(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
@@ -174,6 +186,12 @@ pub fn digits(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    #[test]
+    fn what_is_counted_agrees_with_its_number() {
+        let all = [(0, "state"), (1, "state"), (2, "axis"), (1, "axis"), (3, "try"), (12, "pole")];
+        let all = all.map(|(count, one)| super::counted(&count, one));
+        assert_eq!(all, ["0 states", "1 state", "2 axes", "1 axis", "3 tries", "12 poles"]);
+    }
     use super::{near_miss, visible};
 
     #[test]

@@ -8,7 +8,11 @@ use crate::request::{Feedback, Guard, Spec, What};
 /// The types and members of a controller in C.
 pub(super) struct Outline {
     pub(super) n: usize,
-    /// Numbers of the reference that a call is given; 0 for none.
+    /// How many inputs the plant has, where `step` gives a list of them.
+    pub(super) inputs: Option<usize>,
+    /// The shape of the state: its length, or rows and their length.
+    pub(super) shape: String,
+    /// Numbers of the reference that a call is given, of each output; 0 for none.
     pub(super) references: usize,
     pub(super) real: &'static str,
     pub(super) zero: &'static str,
@@ -47,6 +51,11 @@ impl Outline {
         };
         Self {
             n: spec.states(),
+            shape: match spec.coupled.as_ref().filter(|coupled| coupled.is_of_axes) {
+                Some(coupled) => format!("[{}][{}]", coupled.inputs.len(), spec.n),
+                None => format!("[{}]", spec.states()),
+            },
+            inputs: spec.coupled.as_ref().map(|coupled| coupled.inputs.len()),
             references: spec.references(),
             real: c::real(spec),
             zero: if spec.precision == Precision::F32 { "0.0f" } else { "0.0" },

@@ -4,7 +4,7 @@ use super::existence::needs;
 use super::names::{self, Found};
 use super::{Expression, Function, Node, Subject, Variable, power_bits};
 use crate::algebra::integer;
-use crate::diagnostic::{Diagnostics, LARGE, Place, near_miss, shorten};
+use crate::diagnostic::{Diagnostics, LARGE, Place, counted, near_miss, shorten};
 use crate::family::{FAMILIES, FamilyInfo};
 use crate::limits::{ARGUMENTS, BITS, Limit, SIZE};
 use crate::parameter::{Fixed, Name, Parameter};
@@ -236,7 +236,7 @@ impl Resolver<'_, '_> {
                 self.wrong(place, message, &format!("write {name}(x)"))
             }
             ("min" | "max" | "mean", ..) => {
-                let message = format!("`{name}` is given {count} arguments");
+                let message = format!("`{name}` is given {}", counted(&count, "argument"));
                 self.wrong(place, message, "min and max take two or more, mean one or more")
             }
             (INTEGRAL, ..) => self.wrong(

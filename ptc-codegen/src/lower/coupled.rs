@@ -1,7 +1,7 @@
 //! The inputs of a plant with several of them, from what is wanted of each output.
 
 use super::builder::Builder;
-use super::{rows, state, without_drift};
+use super::{over_input_gain, rows, state, without_drift};
 use crate::expression::Expression;
 use crate::law::Law;
 use crate::model::coupled::{Coupled, Inverse};
@@ -35,6 +35,8 @@ pub(super) fn controls<'a>(
             None => state::step(b),
         };
         let u = without_drift(b, u);
+        // That of a plant is in its decoupling.
+        let u = over_input_gain(b, u);
         wanted.push(b.name(
             u,
             "wanted",

@@ -23,6 +23,9 @@ pub struct Coupled {
     pub outputs: Vec<Output>,
     /// How the inputs follow from what is wanted of the outputs.
     pub inverse: Inverse,
+    /// Whether it is what several axes are to a law of all of them: a chain of integrators for each, whose
+    /// states a call is given in rows.
+    pub is_of_axes: bool,
 }
 
 /// An output as a chain of integrators.
@@ -99,7 +102,7 @@ impl Coupled {
             }
             let (determinant, adjugate) = divided(determinant, adjugate);
             let inverse = Inverse::Adjugate { dynamics, determinant, adjugate };
-            Ok(Self { states, inputs, outputs, inverse })
+            Ok(Self { states, inputs, outputs, inverse, is_of_axes: false })
         })
     }
 
@@ -125,7 +128,37 @@ impl Coupled {
                 drift: Expression::integer(0),
             };
             let outputs = (1..=m).map(output).collect();
-            Ok(Self { states, inputs, outputs, inverse: Inverse::Inertia { inertia, bias } })
+            let inverse = Inverse::Inertia { inertia, bias };
+            Ok(Self { states, inputs, outputs, inverse, is_of_axes: false })
+        })
+    }
+
+    /// A chain of order `n` for each of these input gains, which divide the law of each.
+    pub fn of_axes(n: usize, gains: &[Expression]) -> Option<Self> {
+        let m = gains.len();
+        let names = (1..=m).flat_map(|j| (1..=n).map(move |i| Name::new(&format!("x{i}_{j}"))));
+        let inputs = (1..=m).map(|j| Name::new(&format!("u{j}")));
+        let state = |place: usize| Expression::from(Variable::State(place));
+        let output = |j: usize| Output {
+            coordinates: (1..=n).map(|i| state(j * n + i)).collect(),
+            drift: Expression::integer(0),
+        };
+        let rate = |place: usize| match place % n {
+            0 => gains[place / n - 1].clone().mul(state(m * n + place / n)),
+            _ => state(place + 1),
+        };
+        let entry = |i: usize, j: usize| Expression::integer(i64::from(i == j));
+        let inverse = Inverse::Adjugate {
+            dynamics: (1..=m * n).map(rate).collect(),
+            determinant: Expression::integer(1),
+            adjugate: (0..m).map(|i| (0..m).map(|j| entry(i, j)).collect()).collect(),
+        };
+        Some(Self {
+            states: names.collect::<Option<_>>()?,
+            inputs: inputs.collect::<Option<_>>()?,
+            outputs: (0..m).map(output).collect(),
+            inverse,
+            is_of_axes: true,
         })
     }
 

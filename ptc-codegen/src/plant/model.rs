@@ -11,7 +11,7 @@
 
 use super::read::{Given, value};
 use super::{Mechanics, Plant, TABLE};
-use crate::diagnostic::{Diagnostics, near_miss, shorten};
+use crate::diagnostic::{Diagnostics, counted, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::parameter::{Name, Parameter};
 use crate::request::{Spec, items, known};
@@ -117,7 +117,8 @@ fn equations(
         if items(node).len() != m {
             let count = items(node).len();
             let message = format!(
-                "`{key}` of the plant has {count} items, and {m} are needed, as many as inputs"
+                "`{key}` of the plant has {}, and {m} are needed, as many as inputs",
+                counted(&count, "item")
             );
             let help = "give `inertia` a row for each input, of an expression for each, and `bias` an expression for each";
             found.push("bad-value", format!("{TABLE}.{key}"), Some(node.place), message, help);
@@ -170,7 +171,8 @@ fn of_states<'a>(
         let all = items(node);
         let whole = all.len() == states.len();
         if !whole {
-            let message = format!("{} rates for {} states", all.len(), states.len());
+            let message =
+                format!("{} for {}", counted(&all.len(), "rate"), counted(&states.len(), "state"));
             let help = "give those that differ from the model, dynamics = { w = \"...\" }, or a rate for each state, in their order";
             found.push("bad-value", key, Some(node.place), message, help);
         }

@@ -10,25 +10,46 @@ use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
 use crate::request::{Feedback, Reference, Spec};
 
+/// A chain of integrators: its coordinates, less the reference where there is one, that with its derivatives,
+/// and xi.
+pub(super) struct Chain {
+    x: Vec<Term>,
+    reference: Vec<Term>,
+    pub(super) xi: Vec<Term>,
+}
+
 impl Arithmetic {
-    /// Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), with the mapping at the time of
-    /// the call and, where a state is latched, at the start. Where there is a reference, x is the
-    /// tracking error, and r^(n) is added to what the law gives.
-    pub(super) fn control(
+    /// The chain of a controller in the state of a call.
+    pub(super) fn chain(
         &mut self,
         spec: &Spec,
         call: &Call<'_>,
-        to_go: &BigFloat,
+        point: &Point,
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Chain {
+        let mut x = self.coordinates(spec, call.x, parameter);
+        let reference = self.followed(spec, call, parameter);
+        for (x, wanted) in x.iter_mut().zip(&reference) {
+            *x = self.less(x, wanted);
+        }
+        let xi = self.stretched_state(point, &x);
+        Chain { x, reference, xi }
+    }
+
+    /// Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), with the mapping at the time of
+    /// the call and, where a state is latched, at the start. Where there is a reference, x is the
+    /// tracking error, and r^(n) is added to what the law gives. The law knows `xi`, of all chains.
+    pub(super) fn control(
+        &mut self,
+        spec: &Spec,
+        (call, to_go): (&Call<'_>, &BigFloat),
         [point, at_start]: [&Point; 2],
+        (chain, xi): (&Chain, &[Term]),
         parameter: &dyn Fn(Parameter) -> f64,
     ) -> Option<Term> {
         let n = spec.n;
-        let mut chain = self.chain(spec, call.x, parameter);
-        let reference = self.followed(spec, call, parameter);
-        for (x, wanted) in chain.iter_mut().zip(&reference) {
-            *x = self.less(x, wanted);
-        }
-        let xi = self.stretched_state(point, &chain);
+        // Gains are those of one chain.
+        let xi = if spec.feedback == Feedback::Linear { &chain.xi } else { xi };
         let starts: Vec<_> = call.x0.iter().map(|x| Term::given(self.double(*x))).collect();
         let starts = self.stretched_state(at_start, &starts);
         let start = self.double(parameter(Parameter::StartTime));
@@ -56,21 +77,21 @@ impl Arithmetic {
             Variable::XiAtStart(j) => starts[j - 1].clone(),
         };
         let leaves = Leaves { parameter: &number, variable: &variable };
-        let law = match (&spec.feedback, call.law) {
-            (Feedback::Linear, _) => linear(n),
-            (Feedback::Expression(law), _) => law.clone(),
-            (Feedback::Extern, law) => law?.clone(),
+        let law = match &spec.feedback {
+            Feedback::Linear => linear(n),
+            Feedback::Expression(law) => law.clone(),
+            Feedback::Extern => call.laws.first()?.clone(),
         };
         let mut u = self.term(&law, &leaves);
         // A law that is a number alone is still a term of u.
         u.size = larger(&u.size, &u.value);
-        for (entry, x) in point.bell[n].iter().zip(&chain) {
+        for (entry, x) in point.bell[n].iter().zip(&chain.x) {
             u.value = self.sub(&u.value, &self.mul(entry, &x.value));
             u.size = self.add(&u.size, &self.mul(entry, &x.size).abs());
         }
         let factor = (0..n).fold(self.integer(1), |power, _| self.mul(&power, &point.slope));
         u = Term { value: self.mul(&factor, &u.value), size: self.mul(&factor, &u.size).abs() };
-        if let Some(rate) = reference.last() {
+        if let Some(rate) = chain.reference.last() {
             u = self.less(&u, &Term { value: rate.value.neg(), size: rate.size.clone() });
         }
         if let Some(drift) = &spec.drift {
@@ -79,16 +100,18 @@ impl Arithmetic {
         }
         if let Some(gain) = &spec.input_gain {
             let gain = self.term(gain, &leaves);
-            let value = self.div(&u.value, &gain.value);
-            let by_gain = self.mul(&value, &gain.size).abs();
-            let size = self.div(&self.add(&u.size, &by_gain), &gain.value.abs());
-            u = Term { value, size };
+            u = self.over(&u, &gain);
         }
         Some(u)
     }
 
     /// x_1..x_n: the state of the call, or what the model of the plant makes of it.
-    fn chain(&mut self, spec: &Spec, x: &[f64], parameter: &dyn Fn(Parameter) -> f64) -> Vec<Term> {
+    fn coordinates(
+        &mut self,
+        spec: &Spec,
+        x: &[f64],
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Vec<Term> {
         let bits = self.bits();
         let Some(model) = &spec.model else {
             return x[..spec.n].iter().map(|x| Term::given(double(*x, bits))).collect();
@@ -104,7 +127,7 @@ impl Arithmetic {
     }
 
     /// a - b; a b that is a number alone is still a term.
-    fn less(&self, a: &Term, b: &Term) -> Term {
+    pub(super) fn less(&self, a: &Term, b: &Term) -> Term {
         let size = larger(&b.size, &b.value);
         Term { value: self.sub(&a.value, &b.value), size: self.add(&a.size, &size) }
     }
@@ -118,7 +141,7 @@ impl Arithmetic {
     ) -> Vec<Term> {
         let bits = self.bits();
         let Some(Reference::Known(derivatives)) = &spec.reference else {
-            let given = call.x.iter().skip(spec.states());
+            let given = call.x.iter().skip(spec.states()).take(spec.n + 1);
             return given.map(|r| Term::given(double(*r, bits))).collect();
         };
         let time = double(call.t, bits);

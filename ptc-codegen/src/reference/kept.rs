@@ -30,15 +30,14 @@ impl Kept {
         Some(Self { arithmetic: Arithmetic::within(bits, work)?, points: VecDeque::new() })
     }
 
-    /// u at time-to-go `to_go`.
-    pub(super) fn control(
+    /// Every u at time-to-go `to_go`.
+    pub(super) fn controls(
         &mut self,
-        reference: (&Spec, &Mapping),
+        (spec, designs, mapping): (&Spec, &[Spec], &Mapping),
         call: &Call<'_>,
         to_go: &BigFloat,
         parameter: &dyn Fn(Parameter) -> f64,
-    ) -> Option<Term> {
-        let (spec, mapping) = reference;
+    ) -> Option<Vec<Term>> {
         let to_go = self.arithmetic.add(to_go, &self.arithmetic.integer(0));
         let point = self.point(mapping, &to_go, parameter)?;
         let at_start = if call.x0.is_empty() {
@@ -47,7 +46,8 @@ impl Kept {
             let tau = self.arithmetic.double(parameter(Parameter::Tau));
             self.point(mapping, &tau, parameter)?
         };
-        self.arithmetic.control(spec, call, &to_go, [&point, &at_start], parameter)
+        let points = [&*point, &*at_start];
+        self.arithmetic.controls((spec, designs), (call, &to_go), points)
     }
 
     /// The mapping at time-to-go `to_go`.

@@ -27,14 +27,15 @@ pub(super) struct Mapping {
 }
 
 impl Mapping {
-    pub(super) fn new(spec: &Spec) -> Self {
+    /// That of `spec`, for chains up to this order.
+    pub(super) fn new(spec: &Spec, order: usize) -> Self {
         let (subject, expression) = match &spec.time_mapping {
             TimeMapping::Family { family, rates } => (Subject::Mu, definition(*family, *rates)),
             TimeMapping::Custom(custom) => (custom.subject, custom.given.clone()),
         };
         let mut parameters = expression.parameters();
         parameters.insert(Parameter::Tau);
-        Self { expression, subject, n: spec.n, parameters }
+        Self { expression, subject, n: order, parameters }
     }
 }
 

@@ -7,6 +7,7 @@
 
 pub mod call;
 mod control;
+mod coupled;
 mod kept;
 mod law;
 mod long;
@@ -47,13 +48,15 @@ pub struct Call<'a> {
     pub t: f64,
     /// State `x_1..x_n`; behind it the reference and its derivatives, where each call is given them.
     pub x: &'a [f64],
-    /// The law of the infinite-time system where it is a function of the user's program.
-    pub law: Option<&'a Expression>,
+    /// The law of the infinite-time system where it is a function of the user's program: one, or that of each
+    /// output.
+    pub laws: &'a [Expression],
     /// What the user's own function gives after the deadline.
     pub after: f64,
 }
 
-/// What a call of the controller of `spec` should give; `None` where more digits than any decide.
+/// What a call of the controller of `spec`, of one input, should give; `None` where more digits than any
+/// decide.
 pub fn evaluate(spec: &Spec, call: &Call<'_>) -> Option<Outcome> {
     Reference::new(spec)?.evaluate(call)
 }
@@ -62,6 +65,8 @@ pub fn evaluate(spec: &Spec, call: &Call<'_>) -> Option<Outcome> {
 /// each precision, and the mapping at the last few times.
 pub struct Reference<'a> {
     spec: &'a Spec,
+    /// That of each chain.
+    designs: Vec<Spec>,
     /// What `init` checks of them counts for each call.
     run_time: Vec<Parameter>,
     mapping: Mapping,
@@ -80,28 +85,40 @@ impl<'a> Reference<'a> {
 
     /// The same with a bound of its work, beyond which no call is known.
     pub(crate) fn within(spec: &'a Spec, work: Work) -> Option<Self> {
+        let designs = match spec.coupled {
+            Some(_) => spec.designs(),
+            None => vec![spec.clone()],
+        };
+        let order = designs.iter().map(|own| own.n).max().unwrap_or(spec.n);
         Some(Self {
             spec,
             run_time: spec.run_time_parameters().collect(),
-            mapping: Mapping::new(spec),
+            mapping: Mapping::new(spec, order),
+            designs,
             exact: Arithmetic::new(4352)?,
             precisions: Vec::new(),
             work,
         })
     }
 
-    /// What a call should give; `None` where more digits than any decide.
+    /// What a call of a controller of one input should give; `None` where more digits than any decide.
     pub fn evaluate(&mut self, call: &Call<'_>) -> Option<Outcome> {
+        self.evaluate_each(call)?.into_iter().next()
+    }
+
+    /// What a call should give for each input; `None` where more digits than any decide.
+    pub fn evaluate_each(&mut self, call: &Call<'_>) -> Option<Vec<Outcome>> {
         let (spec, exact) = (self.spec, &self.exact);
         let parameter = |p| value_of(spec, p, call.parameter);
         if self.run_time.iter().any(|p| !admitted(spec, *p, &parameter)) {
-            return Some(Outcome::refused(Status::Param));
+            return Some(self.refused(Status::Param));
         }
         let [tau, start, eps] =
             [Parameter::Tau, Parameter::StartTime, Parameter::Eps].map(parameter);
-        let finite = call.t.is_finite() && call.x.iter().all(|x| x.is_finite());
+        let mut given = call.x.iter().enumerate();
+        let finite = call.t.is_finite() && given.all(|(at, x)| !spec.reads(at) || x.is_finite());
         if !finite || call.t < start {
-            return Some(Outcome::refused(Status::Input));
+            return Some(self.refused(Status::Input));
         }
         let deadline = exact.add(&exact.double(start), &exact.double(tau));
         let to_go = exact.sub(&deadline, &exact.double(call.t));
@@ -111,47 +128,65 @@ impl<'a> Reference<'a> {
         let time_to_go = nearest(&to_go);
         if over && spec.after != After::Hold {
             let u = if spec.after == After::Extern { call.after } else { 0.0 };
-            return Some(clipped(
-                spec,
-                Outcome { status: Status::After, u, control: None, time_to_go },
-                &parameter,
-            ));
+            let after = Outcome { status: Status::After, u, control: None, time_to_go };
+            return Some(vec![clipped(spec, after, parameter(Parameter::UMax))]);
         }
-        let control = self.agreed(call, &held, &parameter)?;
+        let controls = self.agreed(call, &held, &parameter)?;
         let status = if tracking { Status::Ok } else { Status::Hold };
-        let u = control.u();
-        let outcome = Outcome { status, u, control: Some(control), time_to_go };
-        Some(clipped(spec, outcome, &parameter))
+        let each = controls.into_iter().map(|control| {
+            let u = control.u();
+            Outcome { status, u, control: Some(control), time_to_go }
+        });
+        let mut all: Vec<_> = each.collect();
+        // Where one of several is no number none acts, whatever its limit is.
+        if spec.coupled.is_some() && all.iter().any(|one| is_beyond(spec, one.u)) {
+            for one in &mut all {
+                one.status = if is_beyond(spec, one.u) { Status::Range } else { status };
+                one.u = 0.0;
+            }
+            return Some(all);
+        }
+        let limits = self.designs.iter().map(|own| value_of(own, Parameter::UMax, call.parameter));
+        Some(all.into_iter().zip(limits).map(|(one, limit)| clipped(spec, one, limit)).collect())
     }
 
-    /// u at two precisions that agree.
+    fn refused(&self, status: Status) -> Vec<Outcome> {
+        let inputs = self.spec.coupled.as_ref().map_or(1, |coupled| coupled.inputs.len());
+        vec![Outcome::refused(status); inputs]
+    }
+
+    /// Every u at two precisions that agree.
     fn agreed(
         &mut self,
         call: &Call<'_>,
         to_go: &BigFloat,
         parameter: &dyn Fn(Parameter) -> f64,
-    ) -> Option<Control> {
-        let mut last: Option<Term> = None;
+    ) -> Option<Vec<Control>> {
+        let mut last: Option<Vec<Term>> = None;
         let bits = std::iter::successors(Some(FIRST_BITS), |bits| Some(2 * bits));
         for (index, bits) in bits.take_while(|bits| *bits <= MAX_BITS).enumerate() {
             if self.precisions.len() == index {
                 self.precisions.push(Kept::new(bits, self.work.clone())?);
             }
             let kept = &mut self.precisions[index];
-            let next = kept.control((self.spec, &self.mapping), call, to_go, parameter);
+            let how = (self.spec, self.designs.as_slice(), &self.mapping);
+            let next = kept.controls(how, call, to_go, parameter);
             if self.work.is_spent() {
                 return None;
             }
             let arithmetic = &kept.arithmetic;
-            if let (Some(last), Some(next)) = (&last, &next) {
+            let agree = |last: &Term, next: &Term| {
                 let off = arithmetic.sub(&last.value, &next.value).abs();
                 let allowed = arithmetic.mul(&next.size, &arithmetic.two_to(-AGREED));
                 let same = is_finite(&next.value) && !below(&allowed, &off);
                 // A division by 0 stays one with any number of digits.
-                let without = !is_finite(&next.value) && !is_finite(&last.value);
-                if same || without {
-                    return Some(Control { value: next.value.clone(), scale: next.size.clone() });
-                }
+                same || (!is_finite(&next.value) && !is_finite(&last.value))
+            };
+            if let (Some(last), Some(next)) = (&last, &next)
+                && last.iter().zip(next).all(|(last, next)| agree(last, next))
+            {
+                let one = |u: &Term| Control { value: u.value.clone(), scale: u.size.clone() };
+                return Some(next.iter().map(one).collect());
             }
             last = next;
         }
@@ -184,19 +219,21 @@ fn admitted(spec: &Spec, parameter: Parameter, value: &dyn Fn(Parameter) -> f64)
     }
 }
 
-/// The outcome within u_max and the range of the precision.
-fn clipped(spec: &Spec, outcome: Outcome, parameter: &dyn Fn(Parameter) -> f64) -> Outcome {
-    let u_max = parameter(Parameter::UMax);
+/// Whether a u is no finite number of the precision.
+fn is_beyond(spec: &Spec, u: f64) -> bool {
     let greatest = match spec.precision {
         Precision::F64 => f64::MAX,
         Precision::F32 => f64::from(f32::MAX),
     };
+    u.is_nan() || u.abs() > greatest
+}
+
+/// The outcome within u_max and the range of the precision.
+fn clipped(spec: &Spec, outcome: Outcome, u_max: f64) -> Outcome {
     match outcome.u {
         u if u > u_max => Outcome { status: Status::Saturated, u: u_max, ..outcome },
         u if u < -u_max => Outcome { status: Status::Saturated, u: -u_max, ..outcome },
-        u if u.is_nan() || u.abs() > greatest => {
-            Outcome { status: Status::Range, u: 0.0, ..outcome }
-        }
+        u if is_beyond(spec, u) => Outcome { status: Status::Range, u: 0.0, ..outcome },
         _ => outcome,
     }
 }
@@ -233,7 +270,7 @@ mod tests {
             };
             let (x0, x) = ([1.0 + tau, 0.5], [0.75, if index < 60 { 1.0 } else { -2.0 }]);
             let t = tau - to_go;
-            let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
+            let call = Call { parameter: &parameter, x0: &x0, t, x: &x, laws: &[], after: 0.0 };
             let [own, alone] = [kept.evaluate(&call), evaluate(&spec, &call)].map(|outcome| {
                 let outcome = outcome.expect("enough digits");
                 let scale = outcome.control.map(|control| control.scale().to_bits());

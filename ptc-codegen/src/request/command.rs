@@ -14,7 +14,7 @@ impl Spec {
     /// The command line (without the program's name and `--lang`) that gives this spec.
     pub fn command(&self) -> String {
         // The orders of several outputs follow from the model.
-        let alone = self.coupled.is_none();
+        let alone = self.coupled.as_ref().is_none_or(|coupled| coupled.is_of_axes);
         let mut words = Vec::new();
         words.extend(alone.then(|| format!("--n {}", self.n)));
         words.extend(
@@ -90,7 +90,7 @@ impl Spec {
             Feedback::Extern => words.push("--pi0 extern".to_owned()),
         }
         let list = |items: Vec<String>| items.join(", ");
-        if let Some(coupled) = &self.coupled {
+        if let Some(coupled) = self.coupled.as_ref().filter(|coupled| !coupled.is_of_axes) {
             words.extend(coupled_words(coupled));
         } else if let Some(model) = &self.model {
             let rates = model.dynamics.iter().map(|rate| model.text(rate)).collect();

@@ -256,9 +256,20 @@ impl Spec {
         own.chain(one)
     }
 
-    /// How many numbers a call is given beside time: the state, and the reference behind it.
+    /// How many numbers a call is given beside time: the state, and behind it the reference, or that of each
+    /// output.
     pub fn given(&self) -> usize {
-        self.states() + self.references()
+        let outputs = self.coupled.as_ref().map_or(1, |coupled| coupled.outputs.len());
+        self.states() + outputs * self.references()
+    }
+
+    /// Whether a call reads the one of these at `place`: all outputs are given as much of a reference as the
+    /// highest order takes.
+    pub fn reads(&self, place: usize) -> bool {
+        let behind = place.checked_sub(self.states());
+        let (Some(coupled), Some(behind)) = (&self.coupled, behind) else { return true };
+        let row = self.references();
+        coupled.orders().get(behind / row).is_some_and(|order| behind % row <= *order)
     }
 
     /// The derivative of this order, from 0, of the reference; none where it is not known or 0.

@@ -14,16 +14,6 @@ impl Spec {
         unless(self.sampled().is_some(), ("clock", "clock"), message, help)
     }
 
-    /// Refuses a model for what knows a chain of integrators alone.
-    ///
-    /// # Errors
-    /// That `what` does not know it.
-    pub fn needs_chain(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
-        let message = format!("{what} does not know the model of a plant yet");
-        let help = "give `mu` and `poles` yourself, and let `verify` judge them";
-        unless(self.model.is_some(), ("model", "dynamics"), message, help)
-    }
-
     /// Refuses a reference that each call is given for what makes the calls itself.
     ///
     /// # Errors
@@ -33,16 +23,6 @@ impl Spec {
         let help = "give `reference` as an expression in t: the same law follows it";
         let given = self.reference == Some(Reference::Input);
         unless(given, ("reference", "reference"), message, help)
-    }
-
-    /// Refuses a reference for what knows a law that brings the state to 0 alone.
-    ///
-    /// # Errors
-    /// That `what` does not know it.
-    pub fn needs_rest(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
-        let message = format!("{what} does not know a reference yet");
-        let help = "leave `reference` out: its states are then those of the tracking error";
-        unless(self.reference.is_some(), ("reference", "reference"), message, help)
     }
 
     /// Refuses several axes for what knows one chain alone.

@@ -1,7 +1,7 @@
 //! The plant of a request: its states, inputs and coordinates, with a model or without.
 
 use super::{Spec, What};
-use crate::expression::Expression;
+use crate::expression::{Expression, Variable};
 
 impl Spec {
     /// The length of the state that a call is given: that of the plant, or of the infinite-time system.
@@ -48,6 +48,38 @@ impl Spec {
         let coupled = self.coupled.iter().flat_map(|coupled| &coupled.outputs);
         let own = self.model.iter().flat_map(|model| &model.coordinates);
         own.chain(coupled.flat_map(|output| &output.coordinates))
+    }
+
+    /// The tracking error of each chain, its coordinates less the reference and its derivatives, one output
+    /// after the other, as functions of the plant's states and time; none without a reference in t.
+    pub fn errors(&self) -> Vec<Expression> {
+        // The last derivative is no part of the error.
+        let wanted = self.known_references().flat_map(|all| &all[..all.len() - 1]);
+        let chain: Vec<_> = match self.has_model() {
+            true => self.coordinates().cloned().collect(),
+            false => (1..=self.n).map(|j| Variable::State(j).into()).collect(),
+        };
+        chain.into_iter().zip(wanted).map(|(x, r)| x.sub(r.clone())).collect()
+    }
+
+    /// The names of the coordinates of the chains after their letter: `1`..`n`, or `1_2` for the first of output 2.
+    pub fn names_of_chains(&self) -> Vec<String> {
+        match &self.coupled {
+            None => (1..=self.n).map(|i| i.to_string()).collect(),
+            Some(coupled) => coupled.names_of_chains().collect(),
+        }
+    }
+
+    /// The coordinates of the chains, and where they follow a reference their errors in their place; none of a
+    /// chain whose states they are.
+    pub fn distances(&self) -> Vec<Expression> {
+        let errors = self.errors();
+        if errors.is_empty() { self.coordinates().cloned().collect() } else { errors }
+    }
+
+    /// How many laws a function of the user's program gives at once, where that is more than one.
+    pub fn laws_at_once(&self) -> Option<usize> {
+        self.coupled.as_ref().map(|coupled| coupled.outputs.len()).filter(|outputs| *outputs > 1)
     }
 
     /// A law as it is written, in the names of the plant.

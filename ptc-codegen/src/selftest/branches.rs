@@ -1,7 +1,7 @@
 //! The branches of the program: calls that take those that no other call took, and which are left.
 
 use super::maker::Maker;
-use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable};
+use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable, Wanted};
 use crate::code::Solve;
 use crate::parameter::Parameter;
 use crate::program::Op;
@@ -21,7 +21,7 @@ impl Maker<'_> {
             let reason = format!("{what} in {tried} random calls, nor at the ends of the range");
             never.push(Unreachable { condition: Always::Written(condition), reason });
         };
-        for value in program.needed(&[program.step]) {
+        for value in program.needed(&program.controls()) {
             let missing = |way| !self.taken.contains(&(value, way));
             match &program.get(value).op {
                 Op::Root(root) => {
@@ -111,18 +111,13 @@ impl Maker<'_> {
             if seen.decisions.is_subset(&self.taken) || !self.is_taken(&session) {
                 continue;
             }
-            let zero_gain = seen.step.1.is_nan() && seen.step.0 == Status::Range;
+            let nan = seen.each.iter().any(|(_, u)| u.is_nan());
+            let zero_gain = nan && seen.step == Status::Range;
             if zero_gain {
                 // A division by g = 0, which is no number.
-                let axis = None;
-                session.calls.push(Call {
-                    t,
-                    x,
-                    status: Status::Range,
-                    u: 0.0,
-                    tolerance: 0.0,
-                    axis,
-                });
+                let inputs = seen.each.iter().map(|(status, _)| Wanted::none(*status));
+                let (status, inputs) = (Status::Range, inputs.collect());
+                session.calls.push(Call { t, x, status, inputs, axis: None });
                 self.taken.extend(seen.decisions);
             } else {
                 self.ask(&mut session, t, &x);

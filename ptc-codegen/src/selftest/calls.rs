@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::maker::{Maker, state};
 use super::parameters::Chosen;
-use super::{CANDIDATES, Call, Draw, Session, Trials, Unreachable};
+use super::{CANDIDATES, Call, Draw, Session, Trials, Unreachable, Wanted};
 use crate::controller::{Controller, checked};
 use crate::parameter::Parameter;
 use crate::program::digits::Condition;
@@ -85,11 +85,16 @@ impl Maker<'_> {
             Guard::None => return,
         };
         let has_axis = self.controller.program.axis.is_some();
+        let inputs = vec![Wanted::none(status); self.inputs()];
         let mut refuse = |t: f64, x: Vec<f64>, axis: bool| {
             let axis = (has_axis && axis).then_some(status);
-            session.calls.push(Call { t, x, status, u: 0.0, tolerance: 0.0, axis });
+            session.calls.push(Call { t, x, status, inputs: inputs.clone(), axis });
         };
         let full = guard == Guard::Full;
+        // Which of several inputs a state makes no number is no matter of the definition.
+        let several = self.inputs() > 1 && !full;
+        let spec = self.spec();
+        let wrong_places = (0..if several { 0 } else { n }).filter(|j| spec.reads(*j));
         // Behind the result alone, an infinite state is clipped and a tick without time is held.
         let wrong: &[f64] =
             if full { &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY] } else { &[f64::NAN] };
@@ -97,7 +102,7 @@ impl Maker<'_> {
             refuse(value, x.clone(), full);
         }
         for value in wrong {
-            for j in 0..n {
+            for j in wrong_places.clone() {
                 let mut x = x.clone();
                 x[j] = *value;
                 refuse(t, x, true);
@@ -110,8 +115,7 @@ impl Maker<'_> {
                 t: early,
                 x,
                 status,
-                u: 0.0,
-                tolerance: 0.0,
+                inputs,
                 axis: has_axis.then_some(status),
             });
         }
@@ -180,28 +184,39 @@ impl Maker<'_> {
         let middle = self.time(&session, 0.5 * tau);
         let x = state(n, 1.0);
         if let Some(at) = self.chosen.place(Parameter::UMax) {
-            let control = self.expected(&session, middle, &x)?.control?;
-            let wanted = if control.u() == 0.0 { 1.0 } else { control.u().abs() };
+            let controls = self.controls(&session, middle, &x)?;
+            let largest = controls.iter().fold(0.0f64, |most, u| most.max(u.abs()));
+            let wanted = if largest == 0.0 { 1.0 } else { largest };
             session.parameters[at] = self.chosen.legal(Parameter::UMax, wanted);
         }
-        if self.parameter(&session, Parameter::UMax).is_infinite() {
+        let limits = self.limits(&session);
+        let bounded = limits.iter().enumerate().filter(|(_, limit)| limit.is_finite());
+        let kinds: Vec<_> = bounded.flat_map(|(k, _)| [(k, true), (k, false)]).collect();
+        if kinds.is_empty() {
             return None;
         }
-        let u_max = self.parameter(&session, Parameter::UMax);
+        let met = |call: &Call| -> Vec<(usize, bool)> {
+            let each = call.inputs.iter().enumerate();
+            let clipped = each.filter(|(_, one)| one.status == Status::Saturated);
+            clipped.map(|(k, one)| (k, one.u > 0.0)).collect()
+        };
         for t in [middle, self.time(&session, 0.0), self.time(&session, -0.5 * tau)] {
-            let mut missing = vec![(Status::Saturated, true), (Status::Saturated, false)];
+            let mut missing = kinds.clone();
             // Just beyond it first: a bound that is taken too late must show.
             for factor in [0.25, 1.5, -1.5, 4.0, -4.0, 1e2, -1e2, 1e4, -1e4, 1e8, -1e8] {
-                let unit = self.expected(&session, t, &x).and_then(|outcome| outcome.control);
-                let unit = unit.map_or(u_max, |control| control.u().abs()).max(u_max * 1e-6);
-                let scale =
-                    factor * if u_max < unit { u_max / unit } else { unit.max(u_max) / unit };
+                let units = self.controls(&session, t, &x);
+                let units = units.unwrap_or_else(|| limits.clone());
+                // The input that is nearest to its bound.
+                let pairs = units.iter().zip(&limits).map(|(u, limit)| (u.abs(), *limit));
+                let share = |(unit, limit): &(f64, f64)| unit / limit;
+                let nearest = pairs.reduce(|a, b| if share(&b) > share(&a) { b } else { a });
+                let (unit, limit) = nearest.unwrap_or((1.0, 1.0));
+                let scale = factor * (limit / unit.max(limit * 1e-6));
                 let x: Vec<_> = x.iter().map(|x| settle(scale * x, spec.precision)).collect();
                 let Some(call) = self.call(&session, t, &x) else { continue };
-                let kind = (call.status, call.u > 0.0);
                 let inside = call.status != Status::Saturated && factor < 1.0 && factor > 0.0;
-                if inside || missing.contains(&kind) {
-                    missing.retain(|other| *other != kind);
+                if inside || met(&call).iter().any(|kind| missing.contains(kind)) {
+                    missing.retain(|other| !met(&call).contains(other));
                     self.ask(&mut session, t, &x);
                 }
             }
@@ -213,9 +228,8 @@ impl Maker<'_> {
                 let x: Vec<_> =
                     (0..n).map(|_| settle(draw.between(-size, size), spec.precision)).collect();
                 let Some(call) = self.call(&session, t, &x) else { continue };
-                let kind = (call.status, call.u > 0.0);
-                if missing.contains(&kind) {
-                    missing.retain(|other| *other != kind);
+                if met(&call).iter().any(|kind| missing.contains(kind)) {
+                    missing.retain(|other| !met(&call).contains(other));
                     self.ask(&mut session, t, &x);
                 }
             }

@@ -6,14 +6,15 @@ use std::collections::BTreeSet;
 
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
-use super::{Call, Session, Trials, greatest, own_law, own_rest};
+use super::{Call, Session, Trials, Wanted, greatest, own_laws, own_rest};
+use crate::algebra::BigRational;
 use crate::controller::Controller;
 use crate::parameter::{Parameter, Precision};
 use crate::program::digits::Condition;
 use crate::program::interpret::Decision;
 use crate::program::machine::Machine;
-use crate::program::number::settle;
-use crate::reference::{self, Reference, Status, tolerance};
+use crate::program::number::{round, settle};
+use crate::reference::{self, Outcome, Reference, Status, tolerance};
 use crate::request::{After, Spec};
 
 /// What the sessions are made from.
@@ -58,29 +59,70 @@ impl<'a> Maker<'a> {
     }
 
     /// What the definition says of a call; `None` if it does not say it for certain.
-    pub(super) fn expected(
-        &self,
-        session: &Session,
-        t: f64,
-        x: &[f64],
-    ) -> Option<reference::Outcome> {
+    pub(super) fn expected(&self, session: &Session, t: f64, x: &[f64]) -> Option<Vec<Outcome>> {
         let spec = self.spec();
-        let law = own_law(spec.n);
+        let laws = own_laws(spec);
         let call = reference::Call {
             parameter: &|p| self.parameter(session, p),
             x0: &session.x0,
             t,
             x,
-            law: Some(&law),
+            laws: &laws,
             after: settle(own_rest(t, x), spec.precision),
         };
-        self.reference.borrow_mut().evaluate(&call)
+        self.reference.borrow_mut().evaluate_each(&call)
+    }
+
+    /// Every u before it is clipped, where the law is asked and says it for certain.
+    pub(super) fn controls(&self, session: &Session, t: f64, x: &[f64]) -> Option<Vec<f64>> {
+        let expected = self.expected(session, t, x)?;
+        expected.iter().map(|one| Some(one.control.as_ref()?.u())).collect()
+    }
+
+    /// Number of inputs.
+    pub(super) fn inputs(&self) -> usize {
+        self.spec().coupled.as_ref().map_or(1, |coupled| coupled.inputs.len())
+    }
+
+    /// The bound of each |u|.
+    pub(super) fn limits(&self, session: &Session) -> Vec<f64> {
+        let shared = self.parameter(session, Parameter::UMax);
+        let own = self.spec().axes.iter().flat_map(|axes| &axes.limits);
+        let own: Vec<_> = own
+            .map(|limit| limit.number().map_or(f64::INFINITY, |limit| self.rounded(limit)))
+            .collect();
+        if own.is_empty() { vec![shared; self.inputs()] } else { own }
+    }
+
+    fn rounded(&self, number: &BigRational) -> f64 {
+        round(number, self.spec().precision)
     }
 
     /// The call, with what it must give.
     pub(super) fn call(&self, session: &Session, t: f64, x: &[f64]) -> Option<Call> {
-        let spec = self.spec();
         let expected = self.expected(session, t, x)?;
+        // Of several inputs the one that is clipped, or no number, tells of all.
+        let rank = |one: &&Outcome| {
+            [Status::Saturated, Status::Range].iter().position(|s| *s == one.status)
+        };
+        let status = expected.iter().max_by_key(rank)?.status;
+        let limits = self.limits(session);
+        let both = expected.iter().zip(limits);
+        let inputs = both.map(|(one, limit)| self.wanted(session, (t, x), one, limit));
+        let inputs = inputs.collect::<Option<Vec<_>>>()?;
+        let axis = self.controller.program.axis.map(|_| status);
+        Some(Call { t, x: x.to_vec(), status, inputs, axis })
+    }
+
+    /// What an input must be; `None` where rounding decides what it is.
+    fn wanted(
+        &self,
+        session: &Session,
+        (t, x): (f64, &[f64]),
+        expected: &Outcome,
+        limit: f64,
+    ) -> Option<Wanted> {
+        let spec = self.spec();
         let relative = tolerance::of(spec);
         let last_place = match spec.precision {
             Precision::F64 => f64::EPSILON,
@@ -104,20 +146,15 @@ impl<'a> Maker<'a> {
             _ => 0.0,
         };
         // A u on the edge of the bound may be clipped or not.
-        let u_max = self.parameter(session, Parameter::UMax);
         let edge = expected.control.as_ref().map_or(0.0, |c| 4.0 * relative * c.scale());
         let u = expected.control.as_ref().map_or(expected.u, reference::Control::u);
-        if (u.abs() - u_max).abs() <= edge {
+        if (u.abs() - limit).abs() <= edge {
             return None;
         }
-        let has_axis = self.controller.program.axis.is_some();
-        Some(Call {
-            t,
-            x: x.to_vec(),
+        Some(Wanted {
             status: expected.status,
             u: settle(expected.u, spec.precision),
             tolerance: up(allowed, spec.precision),
-            axis: has_axis.then_some(expected.status),
         })
     }
 
@@ -130,8 +167,9 @@ impl<'a> Maker<'a> {
         }
         let lift = |x: &f64| if largest == 0.0 { 1.0 } else { x / largest };
         let unit: Vec<_> = x.iter().map(|x| settle(lift(x), self.spec().precision)).collect();
-        let control = self.expected(session, t, &unit).and_then(|outcome| outcome.control);
-        control.map_or(f64::INFINITY, |control| control.scale())
+        let expected = self.expected(session, t, &unit);
+        let scale = |one: &Outcome| one.control.as_ref().map_or(f64::INFINITY, |c| c.scale());
+        expected.map_or(f64::INFINITY, |all| all.iter().map(scale).fold(0.0, f64::max))
     }
 
     /// Adds a call where the definition says what it gives; notes the branches that it takes.
@@ -176,18 +214,20 @@ impl<'a> Maker<'a> {
     /// A state along `x` with which u is half its bound at most, as far as u is affine in the state: a
     /// law of stretched time gives a u to the state 0 too, which the state then makes up for.
     pub(super) fn within(&self, session: &Session, t: f64, x: &[f64]) -> Vec<f64> {
-        let half = 0.5 * self.parameter(session, Parameter::UMax);
-        let control = |x: &[f64]| {
-            let control = self.expected(session, t, x).and_then(|outcome| outcome.control);
-            control.map_or(0.0, |control| control.u())
-        };
-        let u = control(x);
-        if u.abs() <= half {
+        let halves: Vec<_> = self.limits(session).iter().map(|limit| 0.5 * limit).collect();
+        let controls =
+            |x: &[f64]| self.controls(session, t, x).unwrap_or_else(|| vec![0.0; halves.len()]);
+        let u = controls(x);
+        if u.iter().zip(&halves).all(|(u, half)| u.abs() <= *half) {
             return x.to_vec();
         }
-        let at_rest = control(&vec![0.0; x.len()]);
-        let at_rest = if at_rest.is_finite() { at_rest } else { 0.0 };
-        let share = (half.copysign(u) - at_rest) / (u - at_rest);
+        let at_rest = controls(&vec![0.0; x.len()]);
+        let each = u.iter().zip(at_rest).zip(&halves).filter(|((u, _), half)| u.abs() > **half);
+        let shares = each.map(|((u, at_rest), half)| {
+            let at_rest = if at_rest.is_finite() { at_rest } else { 0.0 };
+            (half.copysign(*u) - at_rest) / (u - at_rest)
+        });
+        let share = shares.min_by(f64::total_cmp).unwrap_or(1.0);
         if !share.is_finite() {
             return x.to_vec();
         }

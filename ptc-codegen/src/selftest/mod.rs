@@ -31,16 +31,32 @@ const CANDIDATES: usize = 400;
 pub struct Call {
     /// Time, s.
     pub t: f64,
-    /// State; behind it the reference and its derivatives, where each call is given them.
+    /// State; behind it the reference and its derivatives, of each output, where each call is given them.
     pub x: Vec<f64>,
     /// The status that it must give.
     pub status: Status,
-    /// The u that it must give.
+    /// What it must give for each input.
+    pub inputs: Vec<Wanted>,
+    /// The status of `axis` after `tick`; `None` if they are not called.
+    pub axis: Option<Status>,
+}
+
+/// What a call must give for an input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// Its status, of several inputs.
+    pub status: Status,
+    /// u.
     pub u: f64,
     /// What u may be wrong by.
     pub tolerance: f64,
-    /// The status of `axis` after `tick`; `None` if they are not called.
-    pub axis: Option<Status>,
+}
+
+impl Wanted {
+    /// No u, with a status.
+    fn none(status: Status) -> Self {
+        Self { status, u: 0.0, tolerance: 0.0 }
+    }
 }
 
 /// Parameters that `init` takes, and calls with them.
@@ -107,7 +123,7 @@ impl SelfTest {
                 "leave out `--selftest`, or `what = associated`",
             ));
         }
-        spec.needs_one_axis("a self-test")?;
+        spec.needs_one_plant("a self-test")?;
         let chosen = parameters::Chosen::new(controller);
         let machine = Machine::new(controller.program, &[]);
         let trials = Trials::new(controller);
@@ -178,6 +194,17 @@ pub fn own_law(n: usize) -> Expression {
     let weight = Expression::integer(3).div(Expression::integer(2));
     let time = Expression::from(Variable::StretchedTime).div(Expression::integer(8));
     (1..=n).fold(time, |sum, i| sum.sub(weight.clone().mul(Variable::Xi(i).into())))
+}
+
+/// The same for each output of a plant with several, output j with j kappa'/16 on top, of xi of all chains.
+pub fn own_laws(spec: &Spec) -> Vec<Expression> {
+    let of_all = spec.coupled.as_ref().filter(|_| spec.laws_at_once().is_some());
+    let Some(coupled) = of_all else { return vec![own_law(spec.n)] };
+    let orders = coupled.orders();
+    let law = own_law(orders.iter().sum());
+    let rate = Expression::from(Variable::KappaRate).div(Expression::integer(16));
+    let law = |j: i64| law.clone().add(Expression::integer(j).mul(rate.clone()));
+    (1..).take(orders.len()).map(law).collect()
 }
 
 /// What it substitutes after the deadline: t/8 - x_1.

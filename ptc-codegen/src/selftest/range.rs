@@ -1,9 +1,11 @@
 //! The calls of which u overflows or is no number.
 
+use std::collections::BTreeSet;
+
 use super::CANDIDATES;
 use super::maker::{Maker, after};
 use super::overflow::{extreme, least};
-use super::{Call, Draw, Session, greatest};
+use super::{Call, Draw, Session, Wanted, greatest};
 use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::reference::Status;
@@ -19,6 +21,7 @@ impl Maker<'_> {
         let all = self.chosen.at_run_time();
         let mut found = Vec::new();
         let mut kinds = vec![(true, true), (true, false)];
+        let mut patterns = BTreeSet::new();
         for round in self.trials.rounds(2 * CANDIDATES) {
             let mut session = self.session(if round % 2 == 0 { 0.0625 } else { 1e-4 });
             if round < CANDIDATES {
@@ -40,20 +43,26 @@ impl Maker<'_> {
                 (0..spec.given()).map(|_| settle(draw.of(&sizes), spec.precision)).collect();
             let seen = self.trial(&session, t, &x);
             let range = |status: Status| status == Status::Range;
-            let kind = (range(seen.step.0), seen.axis.is_some_and(range));
+            let kind = (range(seen.step), seen.axis.is_some_and(range));
             // A bound says nothing of the digits: what stays in range is asked elsewhere.
             // A branch counts as taken where `tick`, which has its own code, takes it too.
             let whole = kind.1 || seen.axis.is_none();
-            let is_new = kinds.contains(&kind) || (whole && !seen.decisions.is_subset(&self.taken));
+            // Which of several inputs are no numbers, where one is not.
+            let statuses: Vec<_> = seen.each.iter().map(|(status, _)| *status).collect();
+            let is_new = kinds.contains(&kind)
+                || (whole && !seen.decisions.is_subset(&self.taken))
+                || (statuses.len() > 1 && !patterns.contains(&statuses));
             if !kind.0 || !is_new || !self.is_taken(&session) {
                 continue;
             }
             let axis = seen.axis.filter(|status| range(*status));
             kinds.retain(|other| *other != kind);
+            patterns.insert(statuses);
             if whole {
                 self.taken.extend(seen.decisions);
             }
-            session.calls.push(Call { t, x, status: Status::Range, u: 0.0, tolerance: 0.0, axis });
+            let inputs = seen.each.iter().map(|(status, _)| Wanted::none(*status)).collect();
+            session.calls.push(Call { t, x, status: Status::Range, inputs, axis });
             found.push(session);
         }
         found

@@ -8,6 +8,7 @@ use crate::parameter::Parameter;
 use crate::program::digits::Condition;
 use crate::program::interpret::{Decision, Interpreter};
 use crate::program::machine::Machine;
+use crate::program::number::round;
 use crate::program::{Input, Program, Value};
 use crate::reference::Status;
 use crate::request::{Guard, Spec};
@@ -29,8 +30,10 @@ pub(super) struct Trial<'a> {
 
 /// What came of it: as the emitted code behind a guard that lets everything pass.
 pub(super) struct Seen {
-    /// Status of `step`, and its u before it is clipped.
-    pub(super) step: (Status, f64),
+    /// Status of `step`.
+    pub(super) step: Status,
+    /// That of each input, and its u before it is clipped.
+    pub(super) each: Vec<(Status, f64)>,
     /// Status of `axis`, where there is one.
     pub(super) axis: Option<Status>,
     pub(super) decisions: BTreeSet<Decision>,
@@ -55,7 +58,11 @@ impl Trial<'_> {
             Input::StateAtStart(j) => self.x0[j - 1],
             Input::Gain(j) => gains[j - 1],
             Input::Divisor => gains[self.spec().n],
-            Input::ReferenceOf(..) | Input::Drift | Input::Control => f64::NAN,
+            Input::ReferenceOf(output, order) => {
+                let spec = self.spec();
+                self.x[spec.states() + (output - 1) * spec.references() + order]
+            }
+            Input::Drift | Input::Control => f64::NAN,
         }
     }
 
@@ -84,38 +91,54 @@ impl Trial<'_> {
 
     /// Runs `step`, and `tick` with `axis` where there are gains.
     pub(super) fn run(&self) -> Seen {
-        let law = |arguments: &[f64]| {
-            let (t, xi) = arguments.split_last().unwrap_or((&0.0, &[]));
-            xi.iter().fold(t / 8.0, |sum, xi| sum - 1.5 * xi)
+        let of_chains = |t: f64, xi: &[f64]| xi.iter().fold(t / 8.0, |sum, xi| sum - 1.5 * xi);
+        let several = self.spec().coupled.is_some();
+        let of_all = self.spec().laws_at_once().is_some();
+        let law = |arguments: &[f64]| match arguments {
+            [xi @ .., t, rate, place] if of_all => {
+                of_chains(*t, xi) + (place + 1.0) * (rate / 16.0)
+            }
+            [xi @ .., t] => of_chains(*t, xi),
+            [] => 0.0,
         };
         let input = |input| self.input(input, &[]);
         let program = self.program();
         let mut step = Interpreter::on(program, self.machine.clone(), &input).with_law(&law);
         let limits = program.limits;
         let over = limits.past.is_some_and(|past| step.value(past) >= 0.0);
-        let mut u = step.value(program.step);
-        if over {
-            u = 0.0;
-        }
-        if self.spec().guard == Guard::Result && !self.t.is_finite() {
-            u = f64::NAN;
-        }
+        let unknown = self.spec().guard == Guard::Result && !self.t.is_finite();
+        let (lost, instead) = (over || unknown, if unknown { f64::NAN } else { 0.0 });
+        let controls = step.values(&program.controls());
+        let controls = controls.iter().map(|u| if lost { instead } else { *u });
+        let controls: Vec<_> = controls.collect();
         let held = step.value(limits.late) >= step.value(limits.hold_from);
         let u_max = limits.u_max.map_or(f64::INFINITY, |limit| step.value(limit));
-        let status = |u: f64| match () {
+        let status = |u: f64, u_max: f64| match () {
             () if u > u_max || u < -u_max => Status::Saturated,
             () if !u.is_finite() => Status::Range,
             () if over => Status::After,
             () if held => Status::Hold,
             () => Status::Ok,
         };
+        // Where one of several is no number none acts.
+        let bounded = !several || controls.iter().all(|u| u.is_finite());
+        let own = |k: usize| {
+            let limit = self.spec().axes.as_ref()?.limits.get(k)?.number();
+            Some(limit.map_or(f64::INFINITY, |limit| round(limit, self.spec().precision)))
+        };
+        let limit = |k: usize| if bounded { own(k).unwrap_or(u_max) } else { f64::INFINITY };
+        let each = controls.iter().enumerate();
+        let each: Vec<_> = each.map(|(k, u)| (status(*u, limit(k)), *u)).collect();
+        let first = |wanted: Status| each.iter().find(|(status, _)| *status == wanted);
+        let told = first(Status::Range).or(first(Status::Saturated)).or(each.first());
+        let told = told.map_or(Status::Range, |(status, _)| *status);
         let axis = program.axis.map(|axis| {
             let handed: Vec<_> = program.handed_over().copied().collect();
             let gains = step.values(&handed);
             let input = |input| self.input(input, &gains);
             let mut own = Interpreter::on(program, self.machine.clone(), &input);
-            status(own.value(axis))
+            status(own.value(axis), u_max)
         });
-        Seen { step: (status(u), u), axis, decisions: step.decisions().clone() }
+        Seen { step: told, each, axis, decisions: step.decisions().clone() }
     }
 }

@@ -1,6 +1,6 @@
 //! The candidates: mappings in the order in which they are tried, poles, and how fast these may be.
 
-use super::wish::{Choice, SAMPLES, Wish};
+use super::wish::{Choice, SAMPLES, Wish, for_each};
 use crate::diagnostic::digits;
 
 /// A mapping that is tried.
@@ -78,8 +78,8 @@ const SPACINGS: [f64; 2] = [0.25, 1.0];
 pub(super) struct Candidate {
     /// The clock, where it is not the one that the wish has.
     clock: Option<&'static str>,
-    /// Number of poles.
-    order: usize,
+    /// Number of poles of each output.
+    orders: Vec<usize>,
     /// The mapping, where the wish leaves it open.
     plan: Option<&'static Plan>,
     /// The distance of the poles, where the wish leaves the law open.
@@ -103,19 +103,19 @@ pub(super) fn candidates(wish: &Wish<'_>) -> Vec<Candidate> {
             .collect(),
         false => vec![None],
     };
-    let given = (None, wish.order());
-    let mut all: Vec<_> = plans.iter().map(|plan| (*plan, given)).collect();
+    let given = (None, wish.orders());
+    let mut all: Vec<_> = plans.iter().map(|plan| (*plan, given.clone())).collect();
     // In samples where `exp` does not do in time: its loop ends at rest, whatever the period is.
     if let Some(order) = wish.order_in_samples() {
-        all.insert(1, (plans[0], (Some(SAMPLES), order)));
+        all.insert(1, (plans[0], (Some(SAMPLES), vec![order])));
     }
-    let each = |(plan, clock): (_, (_, usize))| {
+    let each = |(plan, clock): (_, (_, Vec<usize>))| {
         let spacings = match wish.leaves_law() {
-            true if clock.1 == 1 => vec![Some(SPACINGS[0])],
+            true if clock.1.iter().all(|order| *order == 1) => vec![Some(SPACINGS[0])],
             true => SPACINGS.map(Some).to_vec(),
             false => vec![None],
         };
-        spacings.into_iter().map(move |spacing| Candidate::new(wish, clock, plan, spacing))
+        spacings.into_iter().map(move |spacing| Candidate::new(wish, clock.clone(), plan, spacing))
     };
     all.into_iter().flat_map(each).collect()
 }
@@ -123,7 +123,7 @@ pub(super) fn candidates(wish: &Wish<'_>) -> Vec<Candidate> {
 impl Candidate {
     fn new(
         wish: &Wish<'_>,
-        (clock, order): (Option<&'static str>, usize),
+        (clock, orders): (Option<&'static str>, Vec<usize>),
         plan: Option<&'static Plan>,
         spacing: Option<f64>,
     ) -> Self {
@@ -133,7 +133,7 @@ impl Candidate {
             None => wish.rate(),
         };
         #[allow(clippy::cast_precision_loss)]
-        let poles = order as f64;
+        let poles = orders.iter().copied().max().unwrap_or(1) as f64;
         // Left of -n rho u goes to 0, and x with it. Where rho = 0 each stable pole does that.
         let (range, first) = match () {
             () if plan.is_none() && spacing.is_none() => ((1.0, 1.0), 1.0),
@@ -143,7 +143,7 @@ impl Candidate {
             }
             () => ((poles / 16.0, 32.0 * poles), poles),
         };
-        Self { clock, order, plan, spacing, unit, range, first }
+        Self { clock, orders, plan, spacing, unit, range, first }
     }
 
     /// What it is at a speed, all numbers to four digits.
@@ -153,7 +153,7 @@ impl Candidate {
             let place = 1.0 + i as f64 * spacing;
             digits(-speed * self.unit * place)
         };
-        let poles = |spacing| (0..self.order).map(|i| pole(i, spacing)).collect();
+        let poles = |spacing| for_each(&self.orders, &|i| pole(i, spacing));
         let rate = if self.spacing.is_some() { 1.0 } else { self.unit / speed };
         Choice {
             clock: self.clock.map(str::to_owned),

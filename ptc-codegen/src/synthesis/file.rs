@@ -22,8 +22,8 @@ pub fn complete(text: &str, choice: &Choice, head: &str) -> Result<String, TomlE
     if let Some(mu) = &choice.mu {
         insert(&mut document, "mu", Value::from(mu.as_str()), reason(mu));
     }
-    if let Some(poles) = &choice.poles {
-        let list = format!("[{}]", poles.join(", ")).parse()?;
+    if let Some(poles) = choice.poles_text() {
+        let list = format!("[{poles}]").parse()?;
         let why = "left of -n rho, so that x and u go to 0 at the deadline; real and distinct, as a proof needs them";
         insert(&mut document, "poles", list, why);
     }

@@ -12,7 +12,7 @@ use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant;
 use crate::request::{self, Entry, Feedback, Spec};
-use crate::syntax::{Value, number, parse};
+use crate::syntax::{Node, Value, number, parse};
 use crate::verify::{self, Campaign};
 
 /// The clock in samples, as a design spells it.
@@ -36,22 +36,29 @@ pub struct Choice {
     pub clock: Option<String>,
     /// The mapping with its rate.
     pub mu: Option<String>,
-    /// The poles.
-    pub poles: Option<Vec<String>>,
+    /// The poles: one list, or one for each output of a plant whose outputs differ in order.
+    pub poles: Option<Vec<Vec<String>>>,
     /// The guard that the sample period or the wanted error requires.
     pub eps: Option<String>,
 }
 
 impl Choice {
+    /// The poles as the items of a list.
+    pub(super) fn poles_text(&self) -> Option<String> {
+        let each = self.poles.as_ref()?.iter().map(|own| own.join(", "));
+        Some(match each.collect::<Vec<_>>().as_slice() {
+            [one] => one.clone(),
+            several => format!("[{}]", several.join("], [")),
+        })
+    }
+
     fn entries(&self) -> Vec<Entry> {
-        let poles = self.poles.as_ref().map(|poles| poles.join(","));
+        let poles = self.poles_text();
         let given =
             [("clock", &self.clock), ("mu", &self.mu), ("poles", &poles), ("eps", &self.eps)];
         let entry = |(key, text): (&str, &Option<String>)| {
-            // No file holds it.
-            let place = Place(usize::MAX);
-            let value = parse(key, text.as_ref()?, &mut |_| place).ok()?;
-            Some(Entry { key: key.to_owned(), place, value })
+            let value = parse(key, text.as_ref()?, &mut |_| NOWHERE).ok()?;
+            Some(Entry { key: key.to_owned(), place: NOWHERE, value })
         };
         given.into_iter().filter_map(entry).collect()
     }
@@ -61,11 +68,18 @@ impl std::fmt::Display for Choice {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let clock = self.clock.as_ref().map(|clock| format!("clock = \"{clock}\""));
         let mu = self.mu.as_ref().map(|mu| format!("mu = \"{mu}\""));
-        let poles = self.poles.as_ref().map(|poles| format!("poles = [{}]", poles.join(", ")));
+        let poles = self.poles_text().map(|poles| format!("poles = [{poles}]"));
         let eps = self.eps.as_ref().map(|eps| format!("eps = {eps}"));
         let all: Vec<_> = [clock, mu, poles, eps].into_iter().flatten().collect();
         f.write_str(&if all.is_empty() { "nothing".to_owned() } else { all.join(", ") })
     }
+}
+
+/// The place of what no file holds.
+const NOWHERE: Place = Place(usize::MAX);
+
+fn node(value: Value) -> Node {
+    Node { value, place: NOWHERE }
 }
 
 fn gives(entries: &[Entry], keys: &[&str]) -> bool {
@@ -82,14 +96,17 @@ impl<'a> Wish<'a> {
         let in_samples = clock.is_some_and(
             |entry| matches!(&entry.value.value, Value::Word(word) if word == SAMPLES),
         );
-        let (spec, campaign) = read(entries, &stand_in(entries, in_samples))?;
-        spec.needs_rest("design")?;
+        let first = stand_in(entries, in_samples)?;
+        let (spec, campaign) = read(entries, &first)?;
         let mut wish = Self { entries, spec, campaign, order_in_samples: None };
         wish.needs_what_it_draws()?;
         // A clock is chosen with its law, for a loop whose samples are known.
         if clock.is_none() && wish.leaves_law() && wish.campaign.around.is_some() {
-            let choice = Choice { clock: Some(SAMPLES.to_owned()), ..stand_in(entries, true) };
-            let legal = read(entries, &choice).ok();
+            let first = stand_in(entries, true).ok();
+            let legal = first.and_then(|first| {
+                let choice = Choice { clock: Some(SAMPLES.to_owned()), ..first };
+                read(entries, &choice).ok()
+            });
             wish.order_in_samples = legal.map(|(spec, _)| spec.loop_order());
         }
         Ok(wish)
@@ -124,9 +141,9 @@ impl<'a> Wish<'a> {
         &self.campaign
     }
 
-    /// Number of poles: the order n, and in samples the inputs that are under way.
-    pub fn order(&self) -> usize {
-        self.spec.loop_order()
+    /// Number of poles of each output: the order n, and in samples the inputs that are under way.
+    pub(super) fn orders(&self) -> Vec<usize> {
+        orders(&self.spec)
     }
 
     /// Number of poles in samples, where the clock is to be chosen and may be in samples.
@@ -151,12 +168,15 @@ impl<'a> Wish<'a> {
 
     /// The distance of the slowest pole of the given law from 0; 1 where that is not known.
     pub(super) fn slowest_pole(&self) -> f64 {
-        let gain = |i| self.spec.fixed.get(&Parameter::Gain(i)).and_then(Fixed::number).cloned();
-        let gains: Option<Vec<_>> = (1..=self.order()).map(gain).collect();
-        let gains = gains.filter(|_| self.spec.feedback == Feedback::Linear);
-        let poles = gains.and_then(|gains| roots(&Polynomial::characteristic(&gains)));
-        let poles = poles.unwrap_or_default();
-        let slowest = poles.iter().map(|pole| -pole.re).fold(f64::INFINITY, f64::min);
+        let of = |spec: &Spec| -> f64 {
+            let gain = |i| spec.fixed.get(&Parameter::Gain(i)).and_then(Fixed::number).cloned();
+            let gains: Option<Vec<_>> = (1..=spec.loop_order()).map(gain).collect();
+            let gains = gains.filter(|_| spec.feedback == Feedback::Linear);
+            let poles = gains.and_then(|gains| roots(&Polynomial::characteristic(&gains)));
+            let poles = poles.unwrap_or_default();
+            poles.iter().map(|pole| -pole.re).fold(f64::INFINITY, f64::min)
+        };
+        let slowest = self.spec.designs().iter().map(of).fold(f64::INFINITY, f64::min);
         if slowest > 0.0 && slowest.is_finite() { slowest } else { 1.0 }
     }
 
@@ -231,8 +251,44 @@ impl<'a> Wish<'a> {
     }
 }
 
+/// Number of poles of each output.
+fn orders(spec: &Spec) -> Vec<usize> {
+    let several = spec.coupled.as_ref().map(|coupled| coupled.orders());
+    several.unwrap_or_else(|| vec![spec.loop_order()])
+}
+
+/// So many of `poles` for each output; outputs of one order share them.
+pub(super) fn for_each(orders: &[usize], pole: &dyn Fn(usize) -> String) -> Vec<Vec<String>> {
+    let list = |order: &usize| (0..*order).map(pole).collect();
+    match orders {
+        [first, others @ ..] if others.iter().all(|order| order == first) => vec![list(first)],
+        all => all.iter().map(list).collect(),
+    }
+}
+
 /// A mapping and poles in place of what is missing.
-fn stand_in(entries: &[Entry], in_samples: bool) -> Choice {
+///
+/// # Errors
+/// A model of which no orders follow.
+fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnostic>> {
+    let mu = (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned());
+    let mut choice = Choice { mu, ..Choice::default() };
+    if gives(entries, &["gains", "poles", "pi0"]) {
+        return Ok(choice);
+    }
+    if entries.iter().any(|entry| entry.key.starts_with("model.")) && !in_samples {
+        // A law that has no poles tells how many there have to be.
+        let several = gives(entries, &["model.inputs"]);
+        let value = match several {
+            true => Value::Word("extern".to_owned()),
+            false => Value::Negative(Box::new(node(Value::Word("xi1".to_owned())))),
+        };
+        let law = Entry { key: "pi0".to_owned(), place: NOWHERE, value: node(value) };
+        let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).chain([law]).collect();
+        let orders = orders(&request::read(&all)?);
+        choice.poles = Some(for_each(&orders, &|i| format!("-{}", request::MAX_ORDER + 1 + i)));
+        return Ok(choice);
+    }
     let count = |key: &str| {
         let entry = entries.iter().find(|entry| entry.key == key)?;
         match &entry.value.value {
@@ -243,12 +299,8 @@ fn stand_in(entries: &[Entry], in_samples: bool) -> Choice {
     // A law in samples places a pole for each input under way too.
     let late = if in_samples { count("delay").unwrap_or(0).min(request::MAX_ORDER) } else { 0 };
     let order = count("n").unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
-    let law = !gives(entries, &["gains", "poles", "pi0"]);
-    Choice {
-        mu: (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned()),
-        poles: law.then(|| (0..order).map(|i| format!("-{}", order + 1 + i)).collect()),
-        ..Choice::default()
-    }
+    choice.poles = Some(for_each(&[order], &|i| format!("-{}", order + 1 + i)));
+    Ok(choice)
 }
 
 fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), Vec<Diagnostic>> {
@@ -258,8 +310,6 @@ fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), V
 
 fn read(entries: &[Entry], choice: &Choice) -> Result<(Spec, Campaign), Vec<Diagnostic>> {
     let (spec, all) = read_spec(entries, choice)?;
-    spec.needs_chain("design")?;
-    spec.needs_one_axis("design")?;
     let campaign = verify::read_with_plant(&all, &spec)?;
     Ok((spec, campaign))
 }

@@ -5,7 +5,8 @@ use std::slice::from_ref;
 use rayon::prelude::*;
 
 use super::observer::{LaneObserver, Observer};
-use super::trial::{ACCURACY, Track, compared, is_blurred};
+use super::track::Track;
+use super::trial::{ACCURACY, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};
 use crate::simulate::lanes::{DirectLanes, Instants, Job, LaneSide, StretchedLanes, run};
 use crate::simulate::{Continuous, Direct, Run};

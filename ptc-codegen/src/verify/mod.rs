@@ -28,6 +28,7 @@ mod start;
 mod summary;
 mod survey;
 mod tally;
+mod track;
 mod trajectory;
 mod trial;
 mod verdict;

@@ -15,6 +15,8 @@ pub struct Objective {
     pub written: Kind,
     /// It in one line.
     pub text: String,
+    /// What |x| of it is of: `x`, the chains, or `e`, their tracking errors.
+    pub letter: &'static str,
     /// Whether an integral over the run is in it, a variable behind those of the plant.
     pub integrates: bool,
 }
@@ -73,6 +75,24 @@ impl Kind {
         if matches!(self, Self::Within { .. }) { excess } else { 1.0 + excess }
     }
 
+    /// It in one line, with the letter of what |x| is of.
+    pub fn text(&self, x: &str) -> String {
+        match self {
+            Self::State { sigma, zeta } => format!("|{x}| <= {sigma} |{x}0| ({zeta})"),
+            Self::Input { upsilon } => format!("|u| <= {upsilon}"),
+            Self::Inputs { upsilon } => {
+                let each = upsilon.iter().map(|(name, bound)| format!("|{name}| <= {bound}"));
+                each.collect::<Vec<_>>().join(", ")
+            }
+            Self::Attractive { error } => format!("|{x}| <= {error} at the end"),
+            Self::Within { h, low, high } => {
+                let low = low.as_ref().map(|low| format!("{low} <= ")).unwrap_or_default();
+                let high = high.as_ref().map(|high| format!(" <= {high}")).unwrap_or_default();
+                format!("{low}{h}{high}")
+            }
+        }
+    }
+
     /// The same with other expressions.
     #[must_use]
     pub(super) fn map(&self, to: &dyn Fn(&Expression) -> Expression) -> Self {
@@ -116,7 +136,7 @@ impl Kind {
 impl From<Kind> for Objective {
     /// An objective of a plant whose states have no other names.
     fn from(kind: Kind) -> Self {
-        Self { text: kind.to_string(), written: kind.clone(), kind, integrates: false }
+        Self { text: kind.text("x"), written: kind.clone(), kind, letter: "x", integrates: false }
     }
 }
 
@@ -139,25 +159,6 @@ impl Objective {
 impl fmt::Display for Objective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
-    }
-}
-
-impl fmt::Display for Kind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::State { sigma, zeta } => write!(f, "|x| <= {sigma} |x0| ({zeta})"),
-            Self::Input { upsilon } => write!(f, "|u| <= {upsilon}"),
-            Self::Inputs { upsilon } => {
-                let each = upsilon.iter().map(|(name, bound)| format!("|{name}| <= {bound}"));
-                f.write_str(&each.collect::<Vec<_>>().join(", "))
-            }
-            Self::Attractive { error } => write!(f, "|x| <= {error} at the end"),
-            Self::Within { h, low, high } => {
-                low.iter().try_for_each(|low| write!(f, "{low} <= "))?;
-                write!(f, "{h}")?;
-                high.iter().try_for_each(|high| write!(f, " <= {high}"))
-            }
-        }
     }
 }
 

@@ -7,7 +7,7 @@ use super::objective::{Kind, Level, Objective, larger, norm, over};
 use crate::expression::existence::Condition;
 use crate::lower;
 use crate::parameter::{Parameter, Precision};
-use crate::program::lanes::LANES;
+use crate::program::lanes::{LANES, Pack};
 use crate::program::{Program, Value, passes};
 use crate::request::{MAX_ORDER, Spec};
 use crate::simulate::lanes::{Abreast, Instants};
@@ -19,8 +19,10 @@ pub(super) struct Observer {
     watched: Watched,
     program: Arc<Program>,
     along: Along,
-    /// The x of the chains as functions of the states of a model.
-    coordinates: Vec<Value>,
+    /// What |x| is of, where it is not the state itself: the coordinates of a model, or the tracking errors.
+    distances: Vec<Value>,
+    /// How many of these are errors: all, or none.
+    errors: usize,
     size_at_start: f64,
 }
 
@@ -54,8 +56,8 @@ impl Observer {
         let needs: Vec<_> = kinds.iter().map(Kind::needs).collect();
         let parts = needs.iter().flatten().map(|(part, _)| part);
         let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
-        let of_model = spec.coordinates();
-        let expressions: Vec<_> = own.chain(parts).chain(of_model).collect();
+        let distances = spec.distances();
+        let expressions: Vec<_> = own.chain(parts).chain(&distances).collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
         let along = Along::new(&program, &program.watched, spec.variables());
         let mut all = program.watched.iter().copied();
@@ -65,34 +67,44 @@ impl Observer {
             all.by_ref().zip(own.iter().map(|(_, condition)| *condition)).take(own.len()).collect()
         });
         let conditions = conditions.collect();
-        let coordinates = all.collect();
+        let distances = all.collect();
         let watched = Watched { kinds, values, conditions };
-        Self { along, watched, coordinates, program: Arc::new(program), size_at_start: f64::NAN }
+        let (errors, program) = (spec.errors().len(), Arc::new(program));
+        Self { along, watched, program, distances, errors, size_at_start: f64::NAN }
     }
 
     /// The same for many scenarios of a chain at once.
     pub(super) fn in_lanes(&self) -> Option<LaneObserver> {
-        LaneObserver::of(self.watched.clone(), &self.program)
+        LaneObserver::of(self, &self.program)
     }
 
     pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         values.give(&mut self.along.machine)?;
         self.along.start(x0);
         self.along.settle();
-        if !self.coordinates.is_empty() {
+        if !self.distances.is_empty() {
             self.along.at(values.get(Parameter::Tau), x0, &[]);
         }
         self.size_at_start = self.size(x0);
         Ok(())
     }
 
-    /// |x| of the chains, in the state that was looked at last.
+    /// The tracking errors where it was looked at last; none without a reference.
+    pub(super) fn errors(&self) -> impl Iterator<Item = f64> {
+        self.distances().take(self.errors)
+    }
+
+    /// |x| of the chains, or of their errors, in the state that was looked at last.
     fn size(&self, x: &[f64]) -> f64 {
-        if self.coordinates.is_empty() {
+        if self.distances.is_empty() {
             return norm(x.iter().copied());
         }
-        let chain = self.coordinates.iter().map(|value| self.along.machine.get(*value));
-        norm(chain)
+        norm(self.distances())
+    }
+
+    /// The coordinates of a model, or the tracking errors, where it was looked at last.
+    fn distances(&self) -> impl Iterator<Item = f64> {
+        self.distances.iter().map(|value| self.along.machine.get(*value))
     }
 
     /// By how much each objective is exceeded here: above 0 it fails. Bounds of x and u are exceeded
@@ -159,15 +171,18 @@ impl Watched {
 pub(super) struct LaneObserver {
     watched: Watched,
     along: Abreast,
+    /// As of one run.
+    distances: Vec<Value>,
     /// The job of each lane, with |x| at its start.
     jobs: [Option<(usize, f64)>; LANES],
 }
 
 impl LaneObserver {
     /// `None` where they do not run in lanes.
-    fn of(watched: Watched, program: &Program) -> Option<Self> {
+    fn of(Observer { watched, distances, .. }: &Observer, program: &Program) -> Option<Self> {
         let along = Abreast::new(program, &program.watched, MAX_ORDER)?;
-        Some(Self { watched, along, jobs: [None; LANES] })
+        let (watched, distances) = (watched.clone(), distances.clone());
+        Some(Self { watched, along, distances, jobs: [None; LANES] })
     }
 
     /// Number of objectives.
@@ -180,13 +195,22 @@ impl LaneObserver {
         self.jobs = [None; LANES];
     }
 
+    /// |x| of a lane in the state that was looked at last.
+    fn size(&self, lane: usize, x: &[Pack]) -> f64 {
+        match self.distances.is_empty() {
+            true => norm(x.iter().map(|x| x.0[lane])),
+            false => norm(self.distances.iter().map(|value| self.along.lanes.get(*value).0[lane])),
+        }
+    }
+
     /// Gives lanes the values of the jobs that they begin; the one of these that lacks one.
     pub(super) fn meet(
         &mut self,
         settings: &[Setting],
         jobs: &[Option<usize>; LANES],
     ) -> Option<usize> {
-        let (mut met, mut failed) = (false, None);
+        let (mut met, mut failed) = (Vec::new(), None);
+        let mut start = (Pack::all(0.0), vec![Pack::all(0.0); MAX_ORDER]);
         for (lane, job) in jobs.iter().enumerate() {
             let Some(job) = *job else { continue };
             if self.jobs[lane].is_some_and(|(own, _)| own == job) {
@@ -196,11 +220,16 @@ impl LaneObserver {
             if self.along.start(lane, values, x0).is_err() {
                 failed = Some(job);
             }
-            self.jobs[lane] = Some((job, norm(x0.iter().copied())));
-            met = true;
+            start.0.0[lane] = values.get(Parameter::Tau);
+            start.1.iter_mut().zip(x0).for_each(|(start, x)| start.0[lane] = *x);
+            met.push((lane, job));
         }
-        if met {
+        if !met.is_empty() {
             self.along.settle();
+            self.along.at(&start.0, &start.1);
+        }
+        for (lane, job) in met {
+            self.jobs[lane] = Some((job, self.size(lane, &start.1)));
         }
         failed
     }
@@ -215,7 +244,7 @@ impl LaneObserver {
         self.along.under(time_to_go, x, u);
         for lane in 0..LANES {
             let (Some(job), Some((_, at_start))) = (jobs[lane], self.jobs[lane]) else { continue };
-            let sizes = (norm(x.iter().map(|x| x.0[lane])), at_start);
+            let sizes = (self.size(lane, x), at_start);
             let get = |value| self.along.lanes.get(value).0[lane];
             let u = [u.0[lane]];
             let here = (sizes, u.as_slice());

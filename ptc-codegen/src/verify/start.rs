@@ -39,6 +39,7 @@ pub fn possible(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
         return Ok(());
     };
     let at = campaign.text_of(&scenario);
+    let x = campaign.objectives[objective].letter;
     let which = format!("objective {}, {}", objective + 1, campaign.objectives[objective]);
     Err(match at_start {
         true => Failure::input(
@@ -46,8 +47,10 @@ pub fn possible(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
             "whatever the control does: widen the bound at dt = 0, or narrow the box of initial states under [verify]",
         ),
         false => Failure::input(
-            format!("{which}, is impossible at {at}: |x0| is 0, and x does not stay there"),
-            "whatever the control does: keep x0 = 0 out of the box under [verify], or bound |x| by `within` and `attractive`",
+            format!("{which}, is impossible at {at}: |{x}0| is 0, and {x} does not stay there"),
+            format!(
+                "whatever the control does: keep {x}0 = 0 out of the box under [verify], or bound |{x}| by `within` and `attractive`"
+            ),
         ),
     })
 }

@@ -7,6 +7,7 @@ use super::{
     Campaign, Corners, Doubt, Evidence, Kind, Scenario, Signal, Tally, Trial, Verdict, Worst,
     confidence,
 };
+use crate::diagnostic::counted;
 use crate::parameter::Precision;
 use crate::simulate;
 
@@ -113,10 +114,11 @@ pub fn summary(campaign: &Campaign, trial: &mut Trial, known: &Known<'_>) -> Sum
     let Known { drawn, corners, found, proofs } = known;
     let runs: usize = found.iter().map(|found| found.runs).sum();
     let run = format!(
-        "{} draws of seed {}, {} corners and {runs} runs of the search, {}",
-        drawn.scenarios,
+        "{} of seed {}, {} and {} of the search, {}",
+        counted(&drawn.scenarios, "draw"),
         campaign.seed,
-        corners.scenarios.len(),
+        counted(&corners.scenarios.len(), "corner"),
+        counted(&runs, "run"),
         extent(campaign)
     );
     let mut objectives = Vec::new();
@@ -211,11 +213,11 @@ fn reasons(
     let (draws, corners) = (known.drawn, &known.corners.tally);
     let of = |count: &dyn Fn(&Tally) -> u64| {
         format!(
-            "{} of {} draws and {} of {} corners",
+            "{} of {} and {} of {}",
             count(draws),
-            draws.scenarios,
+            counted(&draws.scenarios, "draw"),
             count(corners),
-            corners.scenarios
+            counted(&corners.scenarios, "corner")
         )
     };
     let failed = || format!("{} fail it", of(&|tally| tally.failed[objective]));
@@ -223,10 +225,11 @@ fn reasons(
         Verdict::Proved => Vec::new(),
         Verdict::Sampled { draws } => vec![match confidence(draws) {
             Some((most, beta)) => format!(
-                "{draws} independent draws without a failure: the probability of failure under the stated distribution is at most ln(1/{beta})/{draws} = {most:.2e} with confidence {}",
+                "{} without a failure: the probability of failure under the stated distribution is at most ln(1/{beta})/{draws} = {most:.2e} with confidence {}",
+                counted(&draws, "independent draw"),
                 1.0 - beta
             ),
-            None => format!("{draws} independent draws without a failure: too few to bound its probability"),
+            None => format!("{} without a failure: too few to bound its probability", counted(&draws, "independent draw")),
         }],
         Verdict::Fails => vec![failed()],
         Verdict::Undecided(Doubt::Contradiction) => vec![
@@ -265,6 +268,9 @@ fn rerun(campaign: &Campaign, trial: &mut Trial, scenario: &Scenario) -> Option<
     trial.run(&campaign.setting(scenario)).ended
 }
 
+/// Whose state the initial one is, where there are two.
+const FOLLOWS: &str = "of the plant, and not of its tracking error e";
+
 /// What the draws are drawn from.
 fn distribution(campaign: &Campaign) -> String {
     let drawn = campaign.uncertain().filter(|(_, (low, high))| low < high);
@@ -292,7 +298,13 @@ fn distribution(campaign: &Campaign) -> String {
             parts.push("samples early or late, evenly within jitter".to_owned());
         }
     }
-    if parts.is_empty() { "nothing is drawn".to_owned() } else { parts.join("; ") }
+    if parts.is_empty() {
+        parts.push("nothing is drawn".to_owned());
+    }
+    if campaign.spec.reference.is_some() {
+        parts.push(format!("{} at t0 {FOLLOWS}", listed(&campaign.spec.state_names())));
+    }
+    parts.join("; ")
 }
 
 fn listed(words: &[String]) -> String {

@@ -45,17 +45,23 @@ pub fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
 }
 
 pub(super) fn table(spec: &Spec, instants: &[Instant]) -> String {
-    let heads = spec.state_names().into_iter().chain(spec.input_names());
+    let heads = spec.state_names().into_iter().chain(spec.input_names()).chain(errors(spec));
     let mut text = format!("  {:>11}", "t");
     heads.for_each(|head| text.push_str(&format!(" {head:>12}")));
     text.push('\n');
     for (instant, worst) in shown(instants) {
         text.push_str(&format!("  {:>11.6}", instant.t));
-        let numbers = instant.x.iter().chain(&instant.u);
+        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.errors);
         numbers.for_each(|number| text.push_str(&format!(" {number:>12.4e}")));
         text.push_str(if worst { "  <- worst\n" } else { "\n" });
     }
     text
+}
+
+/// The names of the tracking errors, where there is a reference.
+fn errors(spec: &Spec) -> impl Iterator<Item = String> {
+    let count = spec.errors().len();
+    spec.names_of_chains().into_iter().take(count).map(|name| format!("e{name}"))
 }
 
 /// A trajectory as CSV, and why it is not whole, if it is not.
@@ -66,15 +72,16 @@ pub fn csv(
 ) -> (String, Option<simulate::Failure>) {
     let states = campaign.spec.state_names().join(",");
     let inputs = campaign.spec.input_names().join(",");
+    let errors: String = errors(&campaign.spec).map(|name| format!(",{name}")).collect();
     let excess: String = (1..=campaign.objectives.len()).map(|i| format!(",excess{i}")).collect();
     let integrals: String =
         (1..=campaign.integrals.len()).map(|k| format!(",integral{k}")).collect();
-    let mut text = format!("t,time_to_go,{states},{inputs}{integrals}{excess}\n");
+    let mut text = format!("t,time_to_go,{states},{inputs}{errors}{integrals}{excess}\n");
     let (instants, ended) = trajectory(campaign, trial, scenario);
     for instant in instants {
         text.push_str(&format!("{:?},{:?}", instant.t, instant.time_to_go));
-        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.integrals);
-        let numbers = numbers.chain(&instant.excess);
+        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.errors);
+        let numbers = numbers.chain(&instant.integrals).chain(&instant.excess);
         numbers.for_each(|number| text.push_str(&format!(",{number:?}")));
         text.push('\n');
     }

@@ -373,3 +373,31 @@ fn intervals_of_what_is_chosen_are_refused() {
         assert!(wrong.contains(&format!("| {key}")), "the line: {wrong}");
     }
 }
+
+/// Poles of each output, of orders that differ, and of a model of one input.
+#[test]
+fn models_get_poles_for_each_output() {
+    let campaign = "scenarios = 20\nsearch = 10\nseed = 3\n[[objective]]\nbound = \"attractive\"\nerror = 1e-2\n\
+        [[objective]]\nbound = \"state\"\nsigma = 8\n";
+    let two = format!(
+        "name = \"mix\"\n[params]\ntau = 1\n[model]\nstates = [\"p\", \"v\", \"h\"]\ninputs = [\"a\", \"b\"]\n\
+         outputs = [\"p\", \"h\"]\ndynamics = {{ p = \"v\", v = \"-v + 2*a + h*b\", h = \"v*h + (2 + h^2)*b\" }}\n\
+         [verify]\np = [0.1, 0.5]\nv = [-0.5, 0.5]\nh = [-0.5, 0.5]\n{campaign}"
+    );
+    let path = folder("coupled", &two);
+    let (design, _) = designed(&path);
+    let poles = design.lines().find(|line| line.starts_with("poles = [[")).expect("poles");
+    let counts: Vec<_> = poles.split("], [").map(|own| own.matches('-').count()).collect();
+    assert_eq!(counts, [2, 1], "{poles}");
+    is_taken(&path);
+    let one = format!(
+        "name = \"pendulum\"\nmu = \"exp(a=1)\"\nreference = \"0.2*sin(t)\"\n[params]\ntau = 1\n[model]\nstates = [\"q\", \"w\"]\n\
+         input = \"M\"\noutput = \"q\"\ndynamics = {{ q = \"w\", w = \"M - 9.81*sin(q)\" }}\n\
+         [verify]\nq = [0.1, 0.5]\nw = [-0.5, 0.5]\n{campaign}"
+    );
+    let path = folder("model", &one);
+    let (design, told) = designed(&path);
+    assert_eq!(numbers(&design, "poles").len(), 2, "{design}");
+    assert!(told.contains("|e| <= 0.01 at the end"), "{told}");
+    is_taken(&path);
+}

@@ -19,5 +19,6 @@ mod verify_integrals;
 mod verify_lanes;
 mod verify_parameters;
 mod verify_proofs;
+mod verify_references;
 mod verify_running;
 mod verify_scenarios;

@@ -224,7 +224,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         .expect("writable");
     for (arguments, parts) in [
         (&["stage.toml"][..], &["--x0"][..]),
-        (&["stage.toml", "--x0=1"], &["1 of the 2 states", "| --x0 \"1\"", "^ not legal"]),
+        (&["stage.toml", "--x0=1"], &["1 number for 2 states", "| --x0 \"1\"", "^ not legal"]),
         (&["stage.toml", "--x0=1,b"], &["`b`, which is not a number", "| --x0 \"1,b\""]),
         (&["stage.toml", "--x0=1,nan"], &["`nan`, which is not a number"]),
         (

@@ -140,7 +140,7 @@ fn integrals_that_are_illegal_are_refused() {
     };
     assert_eq!(with(&sum(15)), "");
     let wrong = with(&sum(16));
-    assert!(wrong.contains("more than 15 integrals of a plant with 1 states"), "{wrong}");
+    assert!(wrong.contains("more than 15 integrals of a plant with 1 state"), "{wrong}");
     let deep = format!("{}u{}", "integral(".repeat(15), ")".repeat(15));
     let read = campaign(&OWN.replace("x1 + 0*t", &deep));
     assert!(read.objectives[0].to_string().contains(&deep) && read.integrals.len() == 15);

@@ -78,7 +78,7 @@ fn judge(spec: &Spec, wanted: usize) -> Seen {
             let t = round(tau - share * tau);
             let x: Vec<_> = (0..spec.n).map(|_| round(draw.size(4.0))).collect();
             let parameter = |p| values.get(p);
-            let call = Call { parameter: &parameter, x0: &[], t, x: &x, law: None, after: 0.0 };
+            let call = Call { parameter: &parameter, x0: &[], t, x: &x, laws: &[], after: 0.0 };
             // Where the long arithmetic itself has no exponent left nothing is known.
             let Some(expected) = evaluate(spec, &call) else { continue };
             if expected.control.as_ref().is_some_and(|control| control.u().is_nan()) {

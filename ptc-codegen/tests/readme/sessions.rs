@@ -34,10 +34,11 @@ fn pages_show_what_is_printed() {
     let folder = folder("pages");
     let [stage] = &blocks_of(SIMULATE, "toml")[..] else { panic!("one design") };
     fs::write(folder.join("stage.toml"), stage).expect("writable");
-    let [uncertain, energy, axis] = &blocks_of(VERIFY, "toml")[..] else { panic!("designs") };
+    let [uncertain, energy, axis, belt] = &blocks_of(VERIFY, "toml")[..] else { panic!("designs") };
     fs::write(folder.join("uncertain.toml"), uncertain).expect("writable");
     fs::write(folder.join("energy.toml"), energy).expect("writable");
     fs::write(folder.join("axis.toml"), axis).expect("writable");
+    fs::write(folder.join("belt.toml"), belt).expect("writable");
     let [wish] = &blocks_of(DESIGN, "toml")[..] else { panic!("one wish") };
     fs::write(folder.join("wish.toml"), wish).expect("writable");
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");

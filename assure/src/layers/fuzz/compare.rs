@@ -248,7 +248,7 @@ fn expected_with(
             x0: &record.x0,
             t: record.t,
             x: &record.x,
-            law: (spec.feedback == Feedback::Extern).then_some(&law),
+            laws: if spec.feedback == Feedback::Extern { std::slice::from_ref(&law) } else { &[] },
             after: -record.x[0],
         },
     )

@@ -1,5 +1,6 @@
 //! The report of a choice that was found, or of a wish for which there is none.
 
+use ptc_codegen::diagnostic::counted;
 use ptc_codegen::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
 use ptc_codegen::verify::bound::limits;
 use ptc_codegen::verify::{Verdict, against, confidence};
@@ -13,7 +14,7 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
     let mut text = if probe.choice == Choice::default() {
         format!("{name}: nothing is left to choose\n")
     } else {
-        format!("{name}: {}, after {}\n", probe.choice, counted(tries))
+        format!("{name}: {}, after {}\n", probe.choice, counted(&tries, "try"))
     };
     let all = campaign.objectives.iter().zip(&found.worst).zip(&found.verdicts);
     let mut draws = None;
@@ -35,15 +36,12 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
             format!(", which bounds its probability by {most:.2e} with confidence {}", 1.0 - beta)
         });
         text.push_str(&format!(
-            "by sampling: {draws} draws of a fresh seed without a failure{most}, and {} % of the bound left\n",
+            "by sampling: {} of a fresh seed without a failure{most}, and {} % of the bound left\n",
+            counted(&draws, "draw"),
             100.0 * ROOM
         ));
     }
     text
-}
-
-fn counted(tries: usize) -> String {
-    if tries == 1 { "1 try".to_owned() } else { format!("{tries} tries") }
 }
 
 /// No choice was found: what blocks the best one.
@@ -59,7 +57,7 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
         .collect();
     let mut notes = Vec::new();
     if open {
-        notes.push(format!("the best of {}: {}", counted(outcome.tries), best.choice));
+        notes.push(format!("the best of {}: {}", counted(&outcome.tries, "try"), best.choice));
     }
     let title = match (best.refused(), worst) {
         (Some(Refused::Check(check)), _) => {

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use num_traits::{Signed, ToPrimitive};
 use ptc_codegen::algebra::BigRational;
+use ptc_codegen::diagnostic::counted;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::record::{Asked, instant};
 use ptc_codegen::simulate::{Loop, MAX_SAMPLES};
@@ -21,7 +22,11 @@ pub(super) fn read(
     let states = spec.state_names();
     let x0 = List::new("--x0", x0)?;
     if x0.items.len() != states.len() {
-        let message = format!("--x0 has {} of the {} states", x0.items.len(), states.len());
+        let message = format!(
+            "--x0 has {} for {}",
+            counted(&x0.items.len(), "number"),
+            counted(&states.len(), "state")
+        );
         let help =
             format!("give one number for each of {}, separated by commas", states.join(", "));
         return Err(x0.wrong(None, message, &help));

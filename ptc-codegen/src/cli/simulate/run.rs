@@ -44,11 +44,8 @@ impl Run {
         let error = last.transpose().map_err(|failure| ended(failure, tau))?.flatten();
         let (states, inputs) = (spec.state_names(), spec.input_names());
         let limits = values.limits(spec);
-        let names: Vec<_> = match &spec.coupled {
-            None => (1..=spec.n).map(|i| format!("e{i}")).collect(),
-            Some(coupled) => coupled.names_of_chains().map(|name| format!("e{name}")).collect(),
-        };
-        let error = error.map(|error| names.into_iter().zip(error).collect());
+        let names = spec.names_of_chains().into_iter().map(|name| format!("e{name}"));
+        let error = error.map(|error| names.zip(error).collect());
         let (label, mapping) = (format!("tau = {tau} s"), spec.mapping_name().to_owned());
         Ok(Self { label, mapping, tau, states, inputs, t0, limits, report, held, rows, error })
     }

@@ -107,10 +107,8 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
         }
     }
     let parsed = source.parse();
-    let read = request::read(&parsed.entries).and_then(|spec| {
-        spec.needs_rest("a campaign")?;
-        verify::read_with_plant(&parsed.entries, &spec)
-    });
+    let read = request::read(&parsed.entries)
+        .and_then(|spec| verify::read_with_plant(&parsed.entries, &spec));
     match read {
         Ok(campaign) => parsed.finish(Some(campaign), Vec::new()),
         Err(found) => parsed.finish(None, found),

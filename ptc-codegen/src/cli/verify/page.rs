@@ -146,13 +146,13 @@ fn formula(objective: &Objective) -> Math {
     }
     match &objective.written {
         Kind::State { sigma, zeta } => {
-            let start = size(sub(name("x"), number(0)));
+            let start = size(sub(name(objective.letter), number(0)));
             let whole = product(bound(*sigma), start);
             let right = match zeta.small_integer() {
                 Some(1) => whole,
                 _ => product(whole, fenced("(", of_expression(zeta), ")")),
             };
-            below(size(name("x")), right)
+            below(size(name(objective.letter)), right)
         }
         Kind::Input { upsilon } => below(size(name("u")), of_expression(upsilon)),
         Kind::Inputs { upsilon } => {
@@ -162,7 +162,7 @@ fn formula(objective: &Objective) -> Math {
             listed(each)
         }
         Kind::Attractive { error } => {
-            row([below(size(name("x")), bound(*error)), words(" at the end")])
+            row([below(size(name(objective.letter)), bound(*error)), words(" at the end")])
         }
         Kind::Within { h, low, high } => {
             let mut math = of_expression(h);
@@ -217,7 +217,7 @@ fn figure(
 
 fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
     let what = match &objective.written {
-        Kind::State { .. } | Kind::Attractive { .. } => "|x|".to_owned(),
+        Kind::State { .. } | Kind::Attractive { .. } => format!("|{}|", objective.letter),
         Kind::Input { .. } => "|u|".to_owned(),
         Kind::Inputs { .. } => "largest |u_k| in parts of its bound".to_owned(),
         Kind::Within { h, .. } => h.to_string(),

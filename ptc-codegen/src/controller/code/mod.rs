@@ -133,7 +133,13 @@ impl Builder<'_> {
             Input::State(j) if self.spec.what == What::Associated => {
                 Expr::Element("xi".to_owned(), j - 1)
             }
-            Input::State(j) => Expr::Element("x".to_owned(), j - 1),
+            Input::State(j) => match self.row() {
+                Some(columns) => {
+                    let (row, column) = ((j - 1) / columns, (j - 1) % columns);
+                    Expr::Entry("x".to_owned(), Cell { row, column, columns })
+                }
+                None => Expr::Element("x".to_owned(), j - 1),
+            },
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
             Input::ReferenceOf(output, order) => {
@@ -218,8 +224,18 @@ impl Builder<'_> {
         (count > 0).then(|| Variable::new("r", Shape::Reals(count), about))
     }
 
+    /// Number of states of an axis, where a call is given those of each in a row.
+    fn row(&self) -> Option<usize> {
+        self.spec.coupled.as_ref().filter(|coupled| coupled.is_of_axes).map(|_| self.spec.n)
+    }
+
     /// The array of states of the argument `name`.
     fn array(&self, name: &str, about: &str) -> Variable {
-        Variable::new(name, Shape::Reals(self.spec.states()), about)
+        let states = self.spec.states();
+        let shape = match self.row() {
+            Some(columns) => Shape::Lists(states / columns, columns),
+            None => Shape::Reals(states),
+        };
+        Variable::new(name, shape, about)
     }
 }

@@ -25,7 +25,7 @@ const fn file(
 /// The command of most examples with a design file.
 const CHECK: &str = "ptc-codegen check design.toml";
 
-pub(super) static ERRORS: [Explanation; 30] = [
+pub(super) static ERRORS: [Explanation; 29] = [
     flags(
         "axes",
         "The command handles one chain of integrators, not several axes.",
@@ -92,15 +92,6 @@ pub(super) static ERRORS: [Explanation; 30] = [
         ),
         "give it under [params] or [plant]: a number, or [lower, upper] if it is uncertain",
     ),
-    file(
-        "model",
-        "The command handles a chain of integrators, not a model of the plant.",
-        (
-            "mu = \"exp(a=1)\"\npoles = [-2, -3]\n\n[params]\ntau = 1\n\n[model]\nstates = [\"q\", \"w\"]\ninput = \"M\"\noutput = \"q\"\ndynamics = { q = \"w\", w = \"M\" }\n\n[verify]\nq = 1\nw = 0\n\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n",
-            "ptc-codegen design design.toml",
-        ),
-        "choose mapping and poles yourself, and let `verify` judge them",
-    ),
     flags(
         "more",
         "There are more errors than are shown.",
@@ -127,12 +118,12 @@ pub(super) static ERRORS: [Explanation; 30] = [
     ),
     file(
         "reference",
-        "The command does not support a reference, or has no values to pass to each call.",
+        "The command has no values of a reference to pass to each call.",
         (
-            "n = 1\nmu = \"exp(a=1)\"\npoles = [-3]\nreference = \"sin(t)\"\n\n[verify]\nx1 = 1\ntau = 1\n\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n",
+            "n = 1\nmu = \"exp(a=1)\"\npoles = [-3]\nreference = \"input\"\n\n[verify]\nx1 = 1\ntau = 1\n\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n",
             "ptc-codegen verify design.toml",
         ),
-        "leave `reference` out: the states are then those of the tracking error; where it is `input`, give it as an expression in t",
+        "give the reference as an expression in t, or leave it out: the states are then those of the tracking error",
     ),
     file(
         "repeated-key",

@@ -10,7 +10,7 @@ use crate::emit::{File, Language, code, program};
 use crate::parameter::Precision;
 use crate::reference::tolerance;
 use crate::request::{After, Feedback, Guard, Spec};
-use crate::selftest::{Always, Call, SelfTest, Session};
+use crate::selftest::{Always, Call, SelfTest, Session, Wanted};
 
 /// The header and the source.
 pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
@@ -49,6 +49,9 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         abs: format!("fabs{}", suffix(spec)),
         eighth: numbers.number(0.125),
         three_halves: numbers.number(1.5),
+        sixteenth: numbers.number(0.0625),
+        laws: spec.laws_at_once(),
+        chains: spec.coupled.as_ref().map_or(spec.n, |coupled| coupled.orders().iter().sum()),
         poison: numbers.number(12345.0),
         largest: numbers.number(match spec.precision {
             Precision::F64 => f64::MAX,
@@ -56,15 +59,13 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         }),
         pi0: format!("{name}_selftest_pi0"),
         after: format!("{name}_selftest_after"),
+        result: if spec.coupled.is_some() { "u" } else { "&u" },
         is_after: spec.after == After::Extern,
         has_context: spec.after == After::Extern || spec.feedback == Feedback::Extern,
         has_gains,
         tau_is_kept: test.tau_is_kept,
         sessions: &sessions,
-        calls: &calls
-            .iter()
-            .map(|call| numbers.call(call, spec.references(), has_gains))
-            .collect::<Vec<_>>(),
+        calls: &calls.iter().map(|call| numbers.call(call, spec, has_gains)).collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
         states: &test
             .refused_states
@@ -112,17 +113,37 @@ impl Numbers<'_> {
         fields.join(", ")
     }
 
-    fn call(&self, call: &Call, references: usize, has_gains: bool) -> String {
-        let (x, reference) = call.x.split_at(call.x.len() - references);
+    fn call(&self, call: &Call, spec: &Spec, has_gains: bool) -> String {
+        let (x, reference) = call.x.split_at(spec.states());
+        let several = spec.coupled.is_some();
+        let rows = |all: &[f64], length: usize| {
+            let each = all.chunks(length).map(|row| format!("{{ {} }}", self.list(row)));
+            each.collect::<Vec<_>>().join(", ")
+        };
+        let is_of_axes = spec.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);
+        let states = if is_of_axes { rows(x, spec.n) } else { self.list(x) };
+        // One number, or a list of them.
+        let each = |of: &dyn Fn(&Wanted) -> f64| {
+            let list = self.list(&call.inputs.iter().map(of).collect::<Vec<_>>());
+            if several { format!("{{ {list} }}") } else { list }
+        };
         let mut fields = vec![
             format!(".t = {}", self.number(call.t)),
-            format!(".x = {{ {} }}", self.list(x)),
-            format!(".u = {}", self.number(call.u)),
-            format!(".tolerance = {}", self.number(call.tolerance)),
+            format!(".x = {{ {states} }}"),
+            format!(".u = {}", each(&|wanted| wanted.u)),
+            format!(".tolerance = {}", each(&|wanted| wanted.tolerance)),
             format!(".status = {}", call.status.c_name()),
         ];
+        if several {
+            let axes: Vec<_> = call.inputs.iter().map(|wanted| wanted.status.c_name()).collect();
+            fields.push(format!(".axes = {{ {} }}", axes.join(", ")));
+        }
         if !reference.is_empty() {
-            fields.push(format!(".r = {{ {} }}", self.list(reference)));
+            let reference = match several {
+                true => rows(reference, spec.references()),
+                false => self.list(reference),
+            };
+            fields.push(format!(".r = {{ {reference} }}"));
         }
         if has_gains {
             fields.push(format!(".axis = {}", call.axis.unwrap_or(call.status).c_name()));
@@ -139,6 +160,11 @@ struct Source<'a> {
     abs: String,
     eighth: String,
     three_halves: String,
+    sixteenth: String,
+    /// How many laws stand in for the user's, where it is not one.
+    laws: Option<usize>,
+    /// States of all chains in stretched time.
+    chains: usize,
     /// What u is before a call, which must overwrite it.
     poison: String,
     /// The greatest finite number.
@@ -146,6 +172,8 @@ struct Source<'a> {
     /// The functions that stand for the user's.
     pi0: String,
     after: String,
+    /// What u is, where a call gives it.
+    result: &'static str,
     is_after: bool,
     has_context: bool,
     has_gains: bool,

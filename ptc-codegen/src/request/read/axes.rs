@@ -1,8 +1,10 @@
 //! Several axes: how many, and what each has of its own.
 
 use super::{Reader, count, items, shown};
+use crate::diagnostic::counted;
 use crate::expression::{self, Expression};
 use crate::limits::AXES;
+use crate::model::Coupled;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Axes, Feedback, Reference, Spec, What};
 use crate::syntax::{Node, Value};
@@ -47,7 +49,8 @@ impl<'a> Reader<'a> {
             return all;
         }
         let place = self.keys.get(key).map(|node| node.place);
-        let message = format!("{} values of `{key}` for {number} axes", all.len());
+        let message =
+            format!("{} of `{key}` for {}", counted(&all.len(), "value"), counted(&number, "axis"));
         let help = format!("give one for each of the {number} axes, or one that all share");
         self.wrong(key, place, message, help);
         &[]
@@ -106,6 +109,18 @@ impl<'a> Reader<'a> {
         spec.axes = Some(axes);
     }
 
+    /// The chains of the axes as one plant, where one law of the user's program knows all of them.
+    pub(super) fn chains(spec: &Spec) -> Option<Coupled> {
+        let axes = spec.axes.as_ref().filter(|_| spec.coupled.is_none())?;
+        if spec.feedback != Feedback::Extern {
+            return None;
+        }
+        let one = || spec.input_gain.clone().unwrap_or(Expression::integer(1));
+        let own = axes.input_gains.iter().cloned();
+        let gains: Vec<_> = own.chain(std::iter::repeat_with(one)).take(axes.count).collect();
+        Coupled::of_axes(spec.n, &gains)
+    }
+
     /// Refuses what has no meaning for several axes, or beside none.
     pub(super) fn fits_axes(&mut self, spec: &Spec, samples: bool) {
         if spec.coupled.is_some() {
@@ -155,9 +170,9 @@ impl<'a> Reader<'a> {
             ),
             (
                 "pi0",
-                spec.feedback != Feedback::Linear,
-                "axes need a linear law",
-                "give gains or poles, make a controller for each axis, or write the chains as one plant with `inputs` and `outputs`, whose law may be extern",
+                matches!(spec.feedback, Feedback::Expression(_)),
+                "axes need a linear law, or one that is extern",
+                "give gains or poles, `pi0` = extern, make a controller for each axis, or write the chains as one plant with `inputs` and `outputs`, whose laws may be expressions",
             ),
             (
                 "after",

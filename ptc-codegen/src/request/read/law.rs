@@ -6,6 +6,7 @@ use num_traits::Zero;
 
 use super::{FixedValues, Reader, items, shown};
 use crate::algebra::BigRational;
+use crate::diagnostic::counted;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
@@ -162,13 +163,19 @@ impl<'a> Reader<'a> {
             && items.len() != n
         {
             let wanted = match key {
-                "observer_poles" | "after_observer" => format!("{n} values that are estimated"),
+                "observer_poles" | "after_observer" => format!(
+                    "{} that {} estimated",
+                    counted(&n, "value"),
+                    if n == 1 { "is" } else { "are" }
+                ),
                 _ if late > 0 => format!("n + delay = {n}"),
                 _ => format!("order n = {n}"),
             };
-            let message = format!("{} poles for {wanted}", items.len());
-            let help =
-                format!("give {n} poles; a complex one counts with its conjugate: -1+2i, -1-2i");
+            let message = format!("{} for {wanted}", counted(&items.len(), "pole"));
+            let help = format!(
+                "give {}; a complex one counts with its conjugate: -1+2i, -1-2i",
+                counted(&n, "pole")
+            );
             self.wrong(key, Some(node.place), message, help);
             return nothing;
         }
@@ -206,7 +213,7 @@ impl<'a> Reader<'a> {
         if let Some(n) = n
             && items.len() != n
         {
-            let message = format!("{} gains for order n = {n}", items.len());
+            let message = format!("{} for order n = {n}", counted(&items.len(), "gain"));
             let help = format!("give k_1..k_{n}, one for each of xi_1..xi_{n}");
             self.wrong("gains", Some(node.place), message, help);
             return Vec::new();

@@ -4,7 +4,7 @@ use num_traits::Zero;
 
 use super::{Reader, items, shown};
 use crate::algebra::{BigRational, integer};
-use crate::diagnostic::digits;
+use crate::diagnostic::{counted, digits};
 use crate::linear::{self, Complex, Delay, Ill, Linear};
 use crate::parameter::Fixed;
 use crate::request::{Pole, Spec, What, gains};
@@ -57,7 +57,7 @@ impl Reader<'_> {
         }
         let given = rows(a).len();
         if given > MAX_LINEAR {
-            let message = format!("A has {given} rows");
+            let message = format!("A has {}", counted(&given, "row"));
             let help = format!("the order of a linear plant is at most {MAX_LINEAR}");
             self.wrong("A", Some(a.place), message, help);
             return None;
@@ -67,7 +67,7 @@ impl Reader<'_> {
             Some(b) => self.row("B", b, n),
             None => {
                 let message = "`B` is missing".to_owned();
-                let help = format!("give {n} numbers: x' = A x + B u");
+                let help = format!("give {}: x' = A x + B u", counted(&n, "number"));
                 self.found.push("missing-key", "B", None, message, help);
                 None
             }
@@ -155,14 +155,20 @@ impl Reader<'_> {
     ) -> Option<Vec<Vec<BigRational>>> {
         let nodes = rows(node);
         if let Some(count) = count.filter(|count| *count != nodes.len()) {
-            let message = format!("{key} has {} rows for order n = {count}", nodes.len());
-            let help = format!("give {count} rows of {columns} numbers");
+            let message =
+                format!("{key} has {} for order n = {count}", counted(&nodes.len(), "row"));
+            let help =
+                format!("give {} of {}", counted(&count, "row"), counted(&columns, "number"));
             self.wrong(key, Some(node.place), message, help);
             return None;
         }
         if nodes.is_empty() || nodes.len() > columns {
-            let message = format!("{key} has {} rows", nodes.len());
-            let help = format!("give 1 to {columns} rows of {columns} numbers");
+            let message = format!("{key} has {}", counted(&nodes.len(), "row"));
+            let help = format!(
+                "give 1 to {} of {}",
+                counted(&columns, "row"),
+                counted(&columns, "number")
+            );
             self.wrong(key, Some(node.place), message, help);
             return None;
         }
@@ -173,8 +179,9 @@ impl Reader<'_> {
     fn row(&mut self, key: &'static str, node: &Node, columns: usize) -> Option<Vec<BigRational>> {
         let entries = items(node);
         if entries.len() != columns {
-            let message = format!("a row of {key} has {} numbers", entries.len());
-            let help = format!("give {columns} numbers, one for each of x1..x{columns}");
+            let message = format!("a row of {key} has {}", counted(&entries.len(), "number"));
+            let help =
+                format!("give {}, one for each of x1..x{columns}", counted(&columns, "number"));
             self.wrong(key, Some(node.place), message, help);
             return None;
         }

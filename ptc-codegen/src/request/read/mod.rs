@@ -21,7 +21,7 @@ pub(crate) use values::items;
 use values::{count, shown, suggestion, whole};
 
 use super::{After, Clock, Guard, MAX_ORDER, Spec, What};
-use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, counted, near_miss, shorten};
 use crate::expression::Expression;
 use crate::family::Family;
 use crate::keys::{KEYS, KeyInfo};
@@ -236,6 +236,9 @@ impl<'a> Reader<'a> {
         self.fits_coupled(&spec, samples);
         self.fits_reference(&spec, samples);
         self.fits_units(&spec);
+        if let Some(chains) = Self::chains(&spec) {
+            spec.coupled = Some(Box::new(chains));
+        }
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
@@ -311,7 +314,7 @@ impl<'a> Reader<'a> {
             (n, degree.filter(|degree| n.is_some_and(|n| n != *degree)))
         {
             let message = match samples {
-                true => format!("n = {n}, but the model has {degree} states"),
+                true => format!("n = {n}, but the model has {}", counted(&degree, "state")),
                 false => format!("n = {n}, but the relative degree of the output is {degree}"),
             };
             let help = format!("leave n out, or give {degree}: it follows from the model");

@@ -4,7 +4,7 @@ use num_traits::Signed;
 
 use super::{Reader, items, shown, suggestion};
 use crate::algebra::BigRational;
-use crate::diagnostic::near_miss;
+use crate::diagnostic::{counted, near_miss};
 use crate::keys::{CHECKS, KeyInfo};
 use crate::linear::Delay;
 use crate::parameter::Fixed;
@@ -114,7 +114,8 @@ impl Reader<'_> {
         let items = items(node);
         if items.len() != 1 && n.is_some_and(|n| n != items.len()) {
             let n = n.unwrap_or_default();
-            let message = format!("{key}: {} numbers for {n} states", items.len());
+            let message =
+                format!("{key}: {} for {}", counted(&items.len(), "number"), counted(&n, "state"));
             let help = format!("give one number for all states, or one for each of x1..x{n}");
             self.wrong(key, Some(node.place), message, help);
             return Vec::new();
@@ -139,10 +140,10 @@ impl Reader<'_> {
         if n.is_some_and(|n| n != items.len()) {
             let n = n.unwrap_or_default();
             let (of, each) = match key == "x_max" && self.has_model() {
-                true => (format!("{n} states of the model"), "its states".to_owned()),
+                true => (format!("{} of the model", counted(&n, "state")), "its states".to_owned()),
                 false => (format!("order n = {n}"), format!("x1..x{n}")),
             };
-            let message = format!("{} bounds for {of}", items.len());
+            let message = format!("{} for {of}", counted(&items.len(), "bound"));
             let help = format!("give one bound for each of {each}");
             self.wrong(key, Some(node.place), message, help);
             return Vec::new();

@@ -175,6 +175,10 @@ impl Prover {
         if spec.feedback != Feedback::Linear {
             return Err("pi0 is not a sum of gains, so that the loop is not linear".to_owned());
         }
+        if spec.reference.is_some() {
+            return Err("the law follows a reference, and the proof is of one that brings x to 0"
+                .to_owned());
+        }
         if let Some(f) = &spec.drift {
             return Err(format!("the law cancels f = {f}, which the proof does not know"));
         }

@@ -2,6 +2,7 @@
 
 use super::Reader;
 use super::objective::{in_names, in_states};
+use crate::diagnostic::counted;
 use crate::expression::{Expression, INTEGRAL, Scope, Subject, Variable, resolve};
 use crate::parameter::Name;
 use crate::request::MAX_ORDER;
@@ -84,8 +85,9 @@ impl Reader<'_> {
         let states = self.spec.states();
         if states + self.integrals.len() >= MAX_ORDER {
             let message = format!(
-                "the objectives have more than {} integrals of a plant with {states} states",
-                self.integrals.len()
+                "the objectives have more than {} of a plant with {}",
+                counted(&self.integrals.len(), "integral"),
+                counted(&states, "state")
             );
             let help = format!(
                 "states and different integrals together are at most {MAX_ORDER}: verify some of the objectives in a campaign of their own"

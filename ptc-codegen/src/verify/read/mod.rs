@@ -33,6 +33,7 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
     spec.needs_law("a campaign")?;
     spec.needs_one_plant("a campaign")?;
+    spec.needs_known_reference("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let mut spec = spec.clone();
     let twice = plant::promised(&mut spec, plant.as_ref(), entries);

@@ -1,6 +1,7 @@
 //! A table `[[objective]]`.
 
 use super::{Given, Reader, number};
+use crate::diagnostic::counted;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::verify::OBJECTIVE_KEYS;
 use crate::parameter::{Name, Parameter};
@@ -124,16 +125,23 @@ impl Reader<'_> {
             }
         };
         let written = kind.map(&|e| in_names(e, &names));
-        let text = self.spelt(written.to_string());
+        let letter = if self.spec.reference.is_some() { "e" } else { "x" };
+        let text = self.spelt(written.text(letter));
         let kind = kind.map(&|e| in_states(e, self.spec));
         let is_integral = |e: &Expression| matches!(e.variable(), Some(Variable::State(j)) if j > self.spec.variables());
         let integrates = matches!(&kind, Kind::Within { h, .. } if h.any(&is_integral));
-        Some(Objective { kind, written, text, integrates })
+        Some(Objective { kind, written, text, letter, integrates })
     }
 
     /// The names of the plant and of the integrals.
     pub(super) fn names(&self) -> Vec<(Name, Variable)> {
-        names(self.spec).into_iter().chain(self.accumulated()).collect()
+        let own = |name: &Name| {
+            let parameter = Parameter::Named(*name);
+            self.spec.parameters().contains(&parameter) || self.plant.gives(parameter)
+        };
+        // What the design calls so is meant first.
+        let errors = errors(self.spec).filter(|(name, _)| !own(name));
+        names(self.spec).into_iter().chain(errors).chain(self.accumulated()).collect()
     }
 
     /// The bounds of the inputs of a plant: one, which all share, or one for each.
@@ -142,7 +150,7 @@ impl Reader<'_> {
         if all.len() == 1 || all.len() == inputs {
             return Some(all);
         }
-        let message = format!("{} bounds of {inputs} inputs", all.len());
+        let message = format!("{} of {}", counted(&all.len(), "bound"), counted(&inputs, "input"));
         let help = "give one bound for all inputs, or a list of one for each";
         self.wrong(&format!("{table}.upsilon"), Some(node.place), message, help);
         None
@@ -191,16 +199,31 @@ fn names(spec: &Spec) -> Vec<(Name, Variable)> {
     of_plant.chain(chains).collect()
 }
 
+/// The tracking errors, `e{i}`, or `e{i}_{j}` of output j: variables of no plant.
+fn errors(spec: &Spec) -> impl Iterator<Item = (Name, Variable)> {
+    let behind = spec.variables();
+    let names = spec.names_of_chains().into_iter().take(spec.errors().len());
+    (behind + 1..)
+        .zip(names)
+        .filter_map(|(place, name)| Some((Name::new(&format!("e{name}"))?, Variable::Xi(place))))
+}
+
 /// The same as it was written.
 pub(super) fn in_names(expression: &Expression, names: &[(Name, Variable)]) -> Expression {
     let of = |variable: Variable| names.iter().find(|(_, own)| *own == variable);
     expression.substitute(&|e| Some(Parameter::Named(of(e.variable()?)?.0).into()))
 }
 
-/// The same in the states of a model, in which a chain is what the law takes it to be.
+/// The same in the states of the plant, in which a chain is what the law takes it to be, and an error what it
+/// follows.
 pub(super) fn in_states(expression: &Expression, spec: &Spec) -> Expression {
+    let (behind, errors) = (spec.variables(), spec.errors());
+    let error = |place: usize| errors.get(place.checked_sub(behind + 1)?).cloned();
     if !spec.has_model() {
-        return expression.clone();
+        return expression.substitute(&|e| match e.variable()? {
+            Variable::Xi(place) => error(place),
+            _ => None,
+        });
     }
     let coordinates: Vec<_> = spec.coordinates().collect();
     let coordinate = |place: usize| Some((*coordinates.get(place - 1)?).clone());
@@ -213,6 +236,7 @@ pub(super) fn in_states(expression: &Expression, spec: &Spec) -> Expression {
     };
     let several = spec.coupled.is_some();
     expression.substitute(&|e| match e.variable()? {
+        Variable::Xi(place) if place > behind => error(place),
         Variable::Xi(place) if several => coordinate(place),
         Variable::XiAtStart(place) if several => at_start(place),
         Variable::Xi(j) => Some(Variable::State(j).into()),

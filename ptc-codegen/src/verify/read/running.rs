@@ -54,8 +54,9 @@ impl Reader<'_> {
             return Some(spec);
         }
         let mut asked = spec.clone();
-        // The box of a model is of its states, and x0_max of the chain.
-        if asked.promises.x0_max.is_empty() && !spec.has_model() {
+        // The box is of the states of the plant, and x0_max of the chain, or of its error.
+        let same = !spec.has_model() && spec.reference.is_none();
+        if asked.promises.x0_max.is_empty() && same {
             let largest = x0.iter().map(|(low, high)| low.abs().max(high.abs()));
             asked.promises.x0_max =
                 largest.map(|x| exact(&format!("{x:e}"))).collect::<Option<_>>()?;

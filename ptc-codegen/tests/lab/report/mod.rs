@@ -288,7 +288,7 @@ fn an_objective_that_fails_is_reported_too() {
     let page = parse(&page);
     let told = text(section(&page, "run"));
     assert!(
-        told.contains("Not verified") && told.contains("2 of 2 draws and 1 of 1 corners fail it"),
+        told.contains("Not verified") && told.contains("2 of 2 draws and 1 of 1 corner fail it"),
         "{told}"
     );
     let verdicts: Vec<_> = named(section(&page, "run"), "td")

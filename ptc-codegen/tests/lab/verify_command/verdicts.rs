@@ -143,7 +143,7 @@ fn a_run_that_cannot_be_finished_is_undecided() {
     assert_eq!((code, wrong.as_str()), (Some(3), ""), "{told}");
     for part in [
         "objective 1, |u| <= 100: undecided",
-        "2 of 2 draws and 1 of 1 corners could not be finished",
+        "2 of 2 draws and 1 of 1 corner could not be finished",
         "scenario 0: ",
         "at t = 0.",
         "it ends early: ",

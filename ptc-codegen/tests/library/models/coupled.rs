@@ -12,7 +12,7 @@ use support::{UNICYCLE, folder_with, run_in};
 /// What `tools/coupled.py` computes: a plant, t, its state and u.
 const DIGITS: &str = include_str!("coupled.txt");
 
-const MIX: &str = "name = \"mix\"
+pub(super) const MIX: &str = "name = \"mix\"
 mu = \"exp(a=1)\"
 poles = [[-4, -5], [-3]]
 [params]
@@ -45,14 +45,14 @@ fn robot() -> String {
 }
 
 /// The plants by their names.
-fn plants() -> BTreeMap<&'static str, Spec> {
+pub(super) fn plants() -> BTreeMap<&'static str, Spec> {
     let all = [MIX.to_owned(), UNICYCLE.to_owned(), THREE.to_owned(), robot()];
     ["mix", "unicycle", "three", "two_link"].into_iter().zip(all.map(|text| spec(&text))).collect()
 }
 
 /// The same with references, one output follows and one does not, and what each call is given; and with a
 /// law that it is given.
-fn following() -> BTreeMap<&'static str, Spec> {
+pub(super) fn following() -> BTreeMap<&'static str, Spec> {
     let own =
         |reference: &str| spec(&MIX.replace("mu =", &format!("reference = {reference}\nmu =")));
     let law = spec(&MIX.replace("poles = [[-4, -5], [-3]]", "pi0 = \"extern\""));
@@ -177,7 +177,7 @@ fn mistakes_are_shown_at_their_lines() {
     let arm = "mu = \"exp(a=1)\"\npoles = [-4, -5]\n[model]\nstates = [\"p\", \"q\", \"v\", \"w\"]\n\
         inputs = [\"a\", \"b\"]\ninertia = [[\"2\", \"q\"], [\"q\", \"3\"]]\nbias = [\"v\", \"w\"]\n";
     for (text, from, to, line, message, help) in [
-        (MIX, "[\"p\", \"h\"]", "[\"p\"]", 11, "`outputs` has 1 items, and 2 are needed", "give 2"),
+        (MIX, "[\"p\", \"h\"]", "[\"p\"]", 11, "`outputs` has 1 item, and 2 are needed", "give 2"),
         (
             MIX,
             "[\"p\", \"h\"]",
@@ -214,7 +214,7 @@ fn mistakes_are_shown_at_their_lines() {
         (MIX, "[[-4, -5], [-3]]", "[-4, -5]", 3, "one list of poles", "of 2 and 1 numbers"),
         (MIX, "poles = [[-4, -5], [-3]]\n", "", 0, "`poles` are missing", "a list for each output"),
         (MIX, "mu =", "axes = 2\nmu =", 2, "`axes` beside `inputs`", "leave it out"),
-        (MIX, "mu =", "reference = \"sin(t)\"\nmu =", 2, "1 references for 2 outputs", "and 0 for"),
+        (MIX, "mu =", "reference = \"sin(t)\"\nmu =", 2, "1 reference for 2 outputs", "and 0 for"),
         (MIX, "mu =", "reference = [\"t\", \"abs(t)\"]\nmu =", 2, "abs(t) has a kink", "tanh"),
         (MIX, "mu =", "reference = [\"t\", \"1/t\"]\nmu =", 2, "not shown to have", "give t0"),
         (MIX, "mu =", "reference = [\"h\", \"0\"]\nmu =", 2, "`h` is a state or", "in t, dt and"),

@@ -56,6 +56,12 @@ pub(crate) fn advance(n: usize) -> String {
 /// definition in long arithmetic.
 #[track_caller]
 pub(crate) fn selftest(test: &str, spec: &Spec) -> f64 {
+    selftest_of(test, spec, spec)
+}
+
+/// What the self-test of `spec` finds wrong of another controller with the same name and parameters.
+#[track_caller]
+pub(crate) fn selftest_of(test: &str, spec: &Spec, other: &Spec) -> f64 {
     let name = spec.name();
     let folder = support::folder(&format!("selftest_{test}"));
     let own = ptc_codegen::generate_selftest(spec).expect("a self-test");
@@ -66,5 +72,5 @@ pub(crate) fn selftest(test: &str, spec: &Spec) -> f64 {
         "#include \"{}\"\n{}\nint main(void)\n{{\n    printf(\"%u\\n\", (unsigned){name}_selftest());\n    return 0;\n}}\n",
         header.name, source.text
     );
-    run_in(folder, spec, &main)[0][0]
+    run_in(folder, other, &main)[0][0]
 }

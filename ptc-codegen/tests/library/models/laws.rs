@@ -180,7 +180,7 @@ fn the_command_is_in_the_names_of_the_plant() {
 #[test]
 fn mistakes_are_shown_at_their_lines() {
     for (laws, message, help) in [
-        ("\"-xi1_1\"", "1 expressions of pi0 for 2 outputs", "one for each output"),
+        ("\"-xi1_1\"", "1 expression of pi0 for 2 outputs", "one for each output"),
         (
             "[\"-xi1\", \"-xi1_2\"]",
             "`xi1` does not exist where there are several",

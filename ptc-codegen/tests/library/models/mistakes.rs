@@ -77,7 +77,7 @@ fn mistakes_are_shown_at_their_lines() {
             "nothing uses the parameter `zeta`",
             "R, b, k",
         ),
-        ("dynamics = {", "dynamics = [\"w\"]\n#", 7, "1 rates for 3 states", "in their order"),
+        ("dynamics = {", "dynamics = [\"w\"]\n#", 7, "1 rate for 3 states", "in their order"),
         (
             "[model]",
             "[envelope]\nx_max = [1, 2]\n[model]",
@@ -105,12 +105,6 @@ fn what_is_not_decided_is_shown() {
 #[test]
 fn commands_that_know_chains_alone_say_so() {
     let folder = folder_with("models_chains", "drive.toml", DRIVE);
-    #[cfg(feature = "lab")]
-    {
-        let (code, _, stderr) = run_in(&folder, &["design", "drive.toml"]);
-        assert_eq!(code, Some(2), "{stderr}");
-        assert!(stderr.contains("design does not know the model of a plant yet"), "{stderr}");
-    }
     let (_, _, stderr) =
         run_in(&folder, &["emit", "--lang", "c", "drive.toml", "--project", "cmake"]);
     assert!(!stderr.is_empty(), "a project has a plant of its own");

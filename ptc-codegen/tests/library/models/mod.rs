@@ -11,6 +11,7 @@ mod mistakes;
 #[cfg(feature = "lab")]
 mod plants;
 mod sampled;
+mod selftest;
 #[cfg(feature = "lab")]
 mod simulated;
 use crate::support;

@@ -126,7 +126,7 @@ dynamics = { q = \"w\", w = \"u - k*q\" }
             "the states are q, w",
         ),
         ("poles", "n = 3\npoles", 4, "n = 3, but the model has 2 states", "or give 2"),
-        ("poles = [-4, -5]", "poles = [-4]", 4, "1 poles for order n = 2", ""),
+        ("poles = [-4, -5]", "poles = [-4]", 4, "1 pole for order n = 2", ""),
         ("k = 4", "k = 4\nzeta = 1", 8, "nothing uses the parameter `zeta`", ""),
         ("poles", "f = 1\npoles", 4, "`f` beside a model", ""),
     ] {

@@ -228,7 +228,7 @@ fn mistakes_of_a_plant_with_a_model_say_the_way_out() {
         (&without, &["--x0", "1,0"], "eps has no value in the design"),
         (PENDULUM, &["--x0", "1,0", "--plant", "f=0"], "nothing of the plant is called `f`"),
         (PENDULUM, &["--x0", "1,0", "--plant", "drg=0"], "did you mean `drag`?"),
-        (PENDULUM, &["--x0", "1,0", "--plant", "dynamics=w"], "1 rates for 2 states"),
+        (PENDULUM, &["--x0", "1,0", "--plant", "dynamics=w"], "1 rate for 2 states"),
         (PENDULUM, &["--x0", "1,0", "--plant", "drag=[0, 1]"], "give --plant drag=VALUE"),
     ] {
         let folder = folder_with("models_simulated_mistakes", "plant.toml", design);

@@ -97,12 +97,19 @@ fn what_does_not_know_a_reference_says_so() {
     assert!(told.contains("the FMU has an input r0, the reference"), "{told}");
     let campaign = format!(
         "{DESIGN}eps = 1e-2\n[plant]\nf = 0\n[verify]\nx1 = [-1, 1]\nx2 = [-1, 1]\n\
-        scenarios = 10\n[[objective]]\nbound = \"attractive\"\nerror = 1\n"
+        scenarios = 10\n[[objective]]\nbound = \"within\"\nh = \"e1*e3\"\nhigh = 1\n"
     );
+    let given = campaign.replace("\"0.1*sin(2*t)\"", "\"input\"");
+    assert_ne!(given, campaign);
+    std::fs::write(folder.join("given.toml"), given).expect("a file");
     std::fs::write(folder.join("campaign.toml"), campaign).expect("a file");
-    for (command, what) in [("verify", "a campaign"), ("design", "design")] {
-        let (code, _, stderr) = run_in(&folder, &[command, "campaign.toml"]);
-        assert_eq!(code, Some(2), "{stderr}");
-        assert!(stderr.contains(&format!("{what} does not know a reference yet")), "{stderr}");
+    for command in ["verify", "design"] {
+        let refused = |file: &str, wanted: &str| {
+            let (code, _, stderr) = run_in(&folder, &[command, file]);
+            assert_eq!(code, Some(2), "{stderr}");
+            assert!(stderr.contains(wanted), "{stderr}");
+        };
+        refused("given.toml", "a campaign has no reference to give to each call");
+        refused("campaign.toml", "e3 without a value in the design");
     }
 }

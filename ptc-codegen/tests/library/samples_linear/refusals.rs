@@ -62,7 +62,7 @@ fn mistakes_are_named() {
         ("", "[plant]\nB = [0,1]\n", "`B` without `A`"),
         ("", "[plant]\nA = [[0,1],[-1,0]]\n", "`B` is missing"),
         ("n = 3\n", plant, "A has 2 rows for order n = 3"),
-        ("", "[plant]\nA = [[0,1],[-1]]\nB = [0,1]\n", "a row of A has 1 numbers"),
+        ("", "[plant]\nA = [[0,1],[-1]]\nB = [0,1]\n", "a row of A has 1 number"),
         ("", "[plant]\nA = [[0,1],[-1,inf]]\nB = [0,1]\n", "A holds `inf`"),
         ("", "[plant]\nA = [[0,1],[-1,0]]\nB = [0,\"x1\"]\n", "B holds `x1`"),
         ("", "[plant]\nA = [[0,1],[-1,0]]\nB = [0,1,2]\n", "a row of B has 3 numbers"),
@@ -87,7 +87,7 @@ fn mistakes_are_named() {
         (
             "measured = [\"x1\"]\nobserver_poles = [-3,-4]\nafter_observer = [-3]\n",
             plant,
-            "1 poles for 2",
+            "1 pole for 2",
         ),
         (
             "measured = [\"x1\"]\nobserver_poles = [-3,-4]\nafter_observer = [-3,1]\n",

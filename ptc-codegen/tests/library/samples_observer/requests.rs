@@ -35,7 +35,7 @@ fn with(changes: &[(&str, &str)]) -> String {
 fn mistakes_are_named() {
     let cases: [Mistake; 20] = [
         (&[("observer_poles", "")], &["`observer_poles` is missing", "give 2 poles"]),
-        (&[("observer_poles", "[-4]")], &["1 poles for 2 values that are estimated"]),
+        (&[("observer_poles", "[-4]")], &["1 pole for 2 values that are estimated"]),
         (&[("observer_samples", "")], &["`observer_samples` is missing", "integer 2..=2147483648"]),
         (&[("observer_samples", "1")], &["observer_samples = `1`", "integer 2..=2147483648"]),
         (&[("observer_samples", "2.5")], &["observer_samples = `2.5`"]),
@@ -52,7 +52,7 @@ fn mistakes_are_named() {
         (&[("after", "\"zero\"")], &["`after` is of a law", "`after_observer`"]),
         (&[("deadbeat", "9")], &["`deadbeat` is of a law"]),
         (&[("error", "0.1"), ("x0_max", "[1, 1]")], &["`error` is of a law"]),
-        (&[("poles", "[-4]")], &["1 poles for order n = 2"]),
+        (&[("poles", "[-4]")], &["1 pole for order n = 2"]),
         (&[("delay", "5")], &["at most 4 samples of delay"]),
         (&[("pi0", "\"-xi1^3\"")], &["needs a linear law"]),
         (

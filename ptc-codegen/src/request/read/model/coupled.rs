@@ -1,6 +1,7 @@
 //! A plant with several inputs and outputs.
 
 use super::super::{Reader, items};
+use crate::diagnostic::counted;
 use crate::expression::{Expression, Variable};
 use crate::keys::KeyInfo;
 use crate::limits::OUTPUTS;
@@ -99,7 +100,11 @@ impl Reader<'_> {
         let m = inputs.len();
         if states.len() != 2 * m {
             let place = self.keys.get("states").map(|node| node.place);
-            let message = format!("{} states for {m} inputs of a mechanical plant", states.len());
+            let message = format!(
+                "{} for {} of a mechanical plant",
+                counted(&states.len(), "state"),
+                counted(&m, "input")
+            );
             let help =
                 "give a coordinate for each input, and then the rate of each: q1, q2, w1, w2";
             self.wrong("states", place, message, help.to_owned());
@@ -143,8 +148,10 @@ impl Reader<'_> {
         if found == wanted {
             return Some(());
         }
-        let message =
-            format!("`{key}` has {found} items, and {wanted} are needed, as many as {of}");
+        let message = format!(
+            "`{key}` has {}, and {wanted} are needed, as many as {of}",
+            counted(&found, "item")
+        );
         self.wrong(key, Some(node.place), message, format!("give {wanted}"));
         None
     }

@@ -2,6 +2,7 @@
 
 use super::super::law::{Law, fixed, gains_of};
 use super::super::{Reader, items};
+use crate::diagnostic::counted;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::model::Coupled;
 use crate::parameter::{Name, Parameter};
@@ -23,7 +24,11 @@ impl Reader<'_> {
         let (given, m) = (items(node), coupled.outputs.len());
         let mut law = Law::open();
         if given.len() != m {
-            let message = format!("{} expressions of pi0 for {m} outputs", given.len());
+            let message = format!(
+                "{} of pi0 for {}",
+                counted(&given.len(), "expression"),
+                counted(&m, "output")
+            );
             let help = "give one for each output, in their order: xi1_2 is xi_1 of output 2";
             self.wrong("pi0", Some(node.place), message, help.to_owned());
             return law;

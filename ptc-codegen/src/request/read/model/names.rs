@@ -1,7 +1,7 @@
 //! The names of a model, and which rate is whose.
 
 use super::super::{Reader, items, shown, suggestion};
-use crate::diagnostic::{near_miss, shorten};
+use crate::diagnostic::{counted, near_miss, shorten};
 use crate::expression::Function;
 use crate::limits::STATES;
 use crate::parameter::Name;
@@ -17,13 +17,17 @@ impl Reader<'_> {
         let given = items(states);
         let several = if inputs.len() > 1 { inputs.len() } else { 0 };
         if !given.is_empty() && several > 0 && !STATES.admits(given.len() + several) {
-            let message = format!("{} states and {several} inputs of a model", given.len());
+            let message = format!(
+                "{} and {} of a model",
+                counted(&given.len(), "state"),
+                counted(&several, "input")
+            );
             let help = format!("give at most {} of both; {}", STATES.most, STATES.fix);
             self.wrong("states", Some(states.place), message, help);
             return None;
         }
         if given.is_empty() || !STATES.admits(given.len()) {
-            let message = format!("{} states of a model", given.len());
+            let message = format!("{} of a model", counted(&given.len(), "state"));
             let help = format!("give 1 to {} names; {}", STATES.most, STATES.fix);
             self.wrong("states", Some(states.place), message, help);
             return None;
@@ -64,7 +68,11 @@ impl Reader<'_> {
             if rates.len() == states.len() {
                 return Some(rates.iter().collect());
             }
-            let message = format!("{} rates for {} states", rates.len(), states.len());
+            let message = format!(
+                "{} for {}",
+                counted(&rates.len(), "rate"),
+                counted(&states.len(), "state")
+            );
             let help = "give an expression for each state, in their order".to_owned();
             self.wrong("dynamics", Some(node.place), message, help);
             return None;

@@ -2,6 +2,7 @@
 
 use super::super::{Reader, items};
 use super::names::word;
+use crate::diagnostic::counted;
 use crate::expression::Expression;
 use crate::model::Coupled;
 use crate::parameter::Parameter;
@@ -22,7 +23,8 @@ impl Reader<'_> {
         }
         let (given, m) = (items(node), coupled.outputs.len());
         if given.len() != m {
-            let message = format!("{} references for {m} outputs", given.len());
+            let message =
+                format!("{} for {}", counted(&given.len(), "reference"), counted(&m, "output"));
             let help = "give an expression in t for each output, in their order, and 0 for one that is brought to 0; or `reference` = input, and r and its derivatives with each call";
             self.wrong("reference", Some(node.place), message, help.to_owned());
             return nothing;

@@ -8,6 +8,7 @@ use super::{Reader, items, shown, whole};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::is_hurwitz;
 use crate::algebra::{BigRational, integer};
+use crate::diagnostic::counted;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Node};
 use crate::family::Family;
@@ -79,7 +80,12 @@ impl Reader<'_> {
             let place = self.keys.get("delay").map(|node| node.place);
             let message = format!("delay = {late}: the controller keeps the inputs under way");
             let most = MAX_KEPT.min(MAX_ORDER.saturating_sub(spec.n));
-            self.wrong("delay", place, message, format!("at most {most} samples of delay here"));
+            self.wrong(
+                "delay",
+                place,
+                message,
+                format!("at most {} of delay here", counted(&most, "sample")),
+            );
         }
         let disturbance = self.disturbed();
         let linear = self.linear(spec, &late, disturbance);
@@ -118,7 +124,8 @@ impl Reader<'_> {
         let samples = samples.filter(|_| spec.what != What::Observer);
         if let Some(samples) = samples.filter(|samples| **samples < integer(i64::from(least))) {
             let place = self.keys.get("tau").map(|node| node.place);
-            let message = format!("tau is {samples} samples, too few to come to rest");
+            let message =
+                format!("tau is {}, too few to come to rest", counted(&samples, "sample"));
             let help = format!(
                 "the loop needs {least} of them: give a longer tau or a shorter sample_time"
             );
@@ -234,9 +241,9 @@ impl Reader<'_> {
         if off > BigRational::new(1.into(), 1_000_000_000.into()) || nearest.is_zero() {
             let text = |count: BigRational| constant::text(&(count.max(integer(1)) * h));
             let message = format!(
-                "tau = {} is {} sample periods of {}",
+                "tau = {} is {} of {}",
                 constant::text(tau),
-                constant::text(&ratio),
+                counted(&constant::text(&ratio), "sample period"),
                 constant::text(h)
             );
             let (below, above) = (text(ratio.floor()), text(ratio.ceil()));

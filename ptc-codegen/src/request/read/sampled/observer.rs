@@ -4,6 +4,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::MAX_SAMPLES;
 use crate::algebra::{BigInt, BigRational};
+use crate::diagnostic::counted;
 use crate::linear::{self, Delay};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::promises::finite_positive;
@@ -38,7 +39,10 @@ impl Reader<'_> {
             (self.observer_samples(spec, estimates), self.observer_eps(spec, estimates));
         let Some(node) = self.keys.get("observer_poles").copied() else {
             let message = "`observer_poles` is missing".to_owned();
-            let help = format!("give {estimates} poles, one for each state that is estimated");
+            let help = format!(
+                "give {}, one for each state that is estimated",
+                counted(&estimates, "pole")
+            );
             self.found.push("missing-key", "observer_poles", None, message, help);
             return None;
         };
@@ -103,7 +107,8 @@ impl Reader<'_> {
             _ => {
                 let message = format!("observer_samples = {}", shown(&node.value));
                 let help = format!(
-                    "give an integer {estimates}..={most}: the controller needs {order} samples of exact estimates to end at rest"
+                    "give an integer {estimates}..={most}: the controller needs {} of exact estimates to end at rest",
+                    counted(&order, "sample")
                 );
                 self.wrong("observer_samples", Some(node.place), message, help);
                 None
@@ -122,7 +127,8 @@ impl Reader<'_> {
         let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
         let least = h.map(|h| BigRational::from_integer(BigInt::from(estimates)) * h);
         if let Some(least) = least.filter(|least| value.number().is_some_and(|eps| eps < least)) {
-            let message = format!("observer_eps = {value} is less than {estimates} samples");
+            let message =
+                format!("observer_eps = {value} is less than {}", counted(&estimates, "sample"));
             let help = format!("with less than {} its gains do not exist", constant::text(&least));
             self.wrong("observer_eps", Some(node.place), message, help);
         }

@@ -1,0 +1,58 @@
+//! Self-tests of plants with several inputs: they find nothing wrong of the controller, and what is wrong of another.
+
+use super::coupled::{MIX, following, plants};
+use super::in_c::{selftest, selftest_of};
+use super::{example, spec};
+
+#[test]
+fn they_find_nothing_wrong() {
+    for (name, spec) in plants().into_iter().chain(following()) {
+        assert_eq!(selftest(&format!("coupled_{name}"), &spec), 0.0, "{name}");
+    }
+    let limited = example("two_link.toml");
+    for (name, text) in [
+        ("limited", limited.clone()),
+        ("f32", limited.replace("name =", "precision = \"f32\"\nname =")),
+        ("result", limited.replace("name =", "guard = \"result\"\nname =")),
+        ("none", MIX.replace("name =", "guard = \"none\"\nname =")),
+        ("bound", MIX.replace("eps = 1e-2\nu_max = inf", "")),
+        ("barrier", example("barrier_arm.toml")),
+        ("axis", "name = \"axis\"\nn = 2\naxes = 1\nmu = \"exp\"\npi0 = \"extern\"\n".to_owned()),
+        (
+            "axes",
+            "name = \"gantry\"\nn = 2\naxes = 3\nmu = \"tanh(a=1)\"\npi0 = \"extern\"\nreference = \"input\"\n\
+             g = [\"2\", \"1/mass\", \"1\"]\nlimits = [9, 20, 30]\n"
+                .to_owned(),
+        ),
+        (
+            "all",
+            MIX.replace("poles = [[-4, -5], [-3]]", "pi0 = \"extern\"\nreference = \"input\"")
+                .replace("eps = 1e-2", "eps = 0.25"),
+        ),
+    ] {
+        assert_eq!(selftest(&format!("coupled_{name}"), &spec(&text)), 0.0, "{name}");
+    }
+}
+
+/// Gains of one output, the drift of one, an entry of the decoupling, a bound and the reference of one.
+#[test]
+fn they_find_what_is_wrong() {
+    let arm = example("two_link.toml");
+    let follows = MIX.replace("mu =", "reference = [\"sin(t)\", \"cos(t)\"]\nmu =");
+    for (index, (text, from, to)) in [
+        (MIX, "[-3]", "[-3.000001]"),
+        (MIX, "v = \"-v", "v = \"-1.000001*v"),
+        (MIX, "h*b\", h", "1.000001*h*b\", h"),
+        (&arm, "[120, 60]", "[120, 60.001]"),
+        (&arm, "(m1 + m2)*grav", "(m1 + 1.000001*m2)*grav"),
+        (&follows, "cos(t)", "1.000001*cos(t)"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert!(text.contains(from), "{from}");
+        let other = text.replace(from, to);
+        let found = selftest_of(&format!("coupled_wrong{index}"), &spec(text), &spec(&other));
+        assert!(found > 0.0, "{to}");
+    }
+}
