@@ -281,7 +281,7 @@ impl Sampled {
     ) -> Result<State, Failure> {
         let Self { n, moved, integrals, .. } = self;
         let exact = match moved {
-            Moved::Rates(motion) => motion.after(&x, acts, to - from),
+            Moved::Rates(motion) => motion.after(&x, acts, (from, to)),
             Moved::Linear(plant) => Some(plant.after(x, acts[0], to - from)?),
         };
         if exact.is_some_and(|next| next.iter().any(|x| !x.is_finite())) {

@@ -4,6 +4,7 @@ use std::slice::from_ref;
 
 use rayon::prelude::*;
 
+use super::exact::Exact;
 use super::observer::{LaneObserver, Observer};
 use super::trial::{ACCURACY, Track, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};
@@ -19,6 +20,8 @@ pub(super) struct InLanes {
     stretched: StretchedLanes,
     direct: DirectLanes,
     observer: LaneObserver,
+    /// The same without an integration, where the loop is linear in stretched time.
+    pub(super) exact: Option<Exact>,
 }
 
 impl InLanes {
@@ -26,8 +29,10 @@ impl InLanes {
     pub(super) fn of(
         (infinite, direct): (&Run<Continuous>, &Run<Direct>),
         observer: &Observer,
+        campaign: &Campaign,
     ) -> Option<Self> {
         Some(Self {
+            exact: Exact::of(campaign),
             stretched: infinite.in_lanes()?,
             direct: direct.in_lanes()?,
             observer: observer.in_lanes()?,
@@ -36,24 +41,39 @@ impl InLanes {
 
     /// The outcomes of the scenarios that go smoothly to their end on both sides.
     fn run(&mut self, settings: &[Setting]) -> Vec<Option<Outcome>> {
-        let Self { stretched, direct, observer } = self;
-        let first = tracks(stretched, observer, settings);
-        let second = tracks(direct, observer, settings);
-        let both = first.into_iter().zip(second);
-        both.map(|(first, second)| Some(compared((&first?, &Ok(())), (&second?, Ok(()))))).collect()
+        let Self { stretched, direct, observer, exact } = self;
+        let mut found = match exact {
+            Some(exact) => exact.run((stretched, direct), observer, settings),
+            None => vec![None; settings.len()],
+        };
+        let left: Vec<_> = (0..settings.len()).filter(|index| found[*index].is_none()).collect();
+        let others: Vec<_> = left.iter().map(|index| &settings[*index]).collect();
+        let first = tracks(stretched, observer, &others);
+        let second = tracks(direct, observer, &others);
+        for (index, (first, second)) in left.into_iter().zip(first.into_iter().zip(second)) {
+            let both = first.zip(second);
+            found[index] = both.map(|(a, b)| compared((&a, &Ok(())), (&b, Ok(()))));
+        }
+        found
     }
 }
 
 /// What one side gives in each scenario that it takes to its end.
-fn tracks<S: LaneSide>(
+fn tracks<'a, S: LaneSide>(
     side: &mut S,
     observer: &mut LaneObserver,
-    settings: &[Setting],
+    settings: &[&'a Setting],
 ) -> Vec<Option<Track>> {
-    let jobs = settings.iter();
-    let jobs = jobs.map(|Setting { values, x0, pieces, .. }| Job { values, x0, pieces });
-    let jobs: Vec<_> = jobs.collect();
-    let of_setting = |setting: &Setting| Track::new(setting, observer.objectives(), 0);
+    if settings.is_empty() {
+        return Vec::new();
+    }
+    let job = |setting: &&'a Setting| Job {
+        values: &setting.values,
+        x0: &setting.x0,
+        pieces: &setting.pieces,
+    };
+    let jobs: Vec<_> = settings.iter().map(job).collect();
+    let of_setting = |setting: &&Setting| Track::new(setting, observer.objectives(), 0);
     let mut tracks: Vec<_> = settings.iter().map(of_setting).collect();
     let mut known = vec![true; settings.len()];
     observer.forget();

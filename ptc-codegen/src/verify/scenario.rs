@@ -86,8 +86,13 @@ impl Campaign {
         self.names().zip(self.sides())
     }
 
+    /// The size of the wave of each disturbance, 0 of all signals but a sine.
+    pub(super) fn waves(&self) -> impl Iterator<Item = Parameter> {
+        (0..self.disturbances.len()).map(|d| wave(d)[1])
+    }
+
     /// T/tau of the instants at which objectives are looked at.
-    fn grid(&self) -> Vec<f64> {
+    pub(super) fn grid(&self) -> Vec<f64> {
         let until = self.span();
         let last = 0.1f64.max(until.sqrt());
         let even = (0..40).map(|i| 1.0 - (1.0 - last) * f64::from(i) / 40.0);

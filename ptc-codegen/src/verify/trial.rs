@@ -99,7 +99,7 @@ impl Trial {
         let lanes = match &closed {
             // A lane integrates components that decay alike; what is accumulated does not decay.
             Closed::Theorem(sides) if integrals.is_empty() => {
-                InLanes::of((&sides.0, &sides.1), &observer)
+                InLanes::of((&sides.0, &sides.1), &observer, campaign)
             }
             _ => None,
         };
@@ -108,6 +108,11 @@ impl Trial {
         let (objectives, inputs) = (campaign.objectives.len(), spec.input_names().len());
         let none = vec![0.0; integrals.len()];
         Ok(Self { closed, lanes, observer, objectives, inputs, none, blur })
+    }
+
+    /// Whether scenarios with an f that is constant from instant to instant are run without an integration.
+    pub(super) fn propagates(&self) -> bool {
+        self.lanes.as_ref().is_some_and(|lanes| lanes.exact.is_some())
     }
 
     /// Runs a scenario.
