@@ -18,28 +18,30 @@ pub(crate) fn flow(a: &Rows, length: f64) -> Option<(Rows, Rows)> {
     let norm = norm(a) * length;
     let doublings = (0..=DOUBLINGS).find(|k| norm * 0.5_f64.powi(*k) <= SMALL)?;
     let part = length * 0.5_f64.powi(doublings);
-    let times = |matrix: &Rows, factor: f64| {
-        let mut product = product(a, matrix);
-        product.iter_mut().flatten().for_each(|value| *value *= factor);
-        product
-    };
     let add_unit =
         |matrix: &mut Rows| matrix.iter_mut().enumerate().for_each(|(i, row)| row[i] += 1.0);
     // F = s (I + A s/2 (I + A s/3 (...))).
-    let mut sum = vec![vec![0.0; n]; n];
+    let (mut sum, mut next) = (vec![vec![0.0; n]; n], vec![vec![0.0; n]; n]);
     add_unit(&mut sum);
-    for term in (2..=TERMS).rev() {
-        sum = times(&sum, part / f64::from(term));
-        add_unit(&mut sum);
+    for term in (1..=TERMS).rev() {
+        product(a, &sum, &mut next);
+        let factor = part / f64::from(term);
+        next.iter_mut().flatten().for_each(|value| *value *= factor);
+        if term == 1 {
+            break;
+        }
+        add_unit(&mut next);
+        std::mem::swap(&mut sum, &mut next);
     }
-    let mut whole = times(&sum, part);
-    let mut integral = sum;
+    let (mut whole, mut integral) = (next, sum);
     integral.iter_mut().flatten().for_each(|value| *value *= part);
     add_unit(&mut whole);
+    let mut more = vec![vec![0.0; n]; n];
     for _ in 0..doublings {
-        let more = product(&whole, &integral);
-        integral.iter_mut().flatten().zip(more.into_iter().flatten()).for_each(|(a, b)| *a += b);
-        whole = product(&whole, &whole);
+        product(&whole, &integral, &mut more);
+        integral.iter_mut().flatten().zip(more.iter().flatten()).for_each(|(a, b)| *a += b);
+        product(&whole, &whole, &mut more);
+        std::mem::swap(&mut whole, &mut more);
     }
     Some((whole, integral))
 }
@@ -51,7 +53,10 @@ pub(crate) fn norm(a: &Rows) -> f64 {
 }
 
 /// The product with a matrix; columns of the left one beyond its rows do not count.
-fn product(left: &Rows, right: &Rows) -> Rows {
-    let column = |row: &Vec<f64>, j: usize| row.iter().zip(right).map(|(a, b)| a * b[j]).sum();
-    left.iter().map(|row| (0..right.len()).map(|j| column(row, j)).collect()).collect()
+fn product(left: &Rows, right: &Rows, into: &mut Rows) {
+    for (row, own) in left.iter().zip(into) {
+        for (j, own) in own.iter_mut().enumerate() {
+            *own = row.iter().zip(right).map(|(a, b)| a * b[j]).sum();
+        }
+    }
 }

@@ -156,12 +156,15 @@ impl Held {
                 waves.push(Wave { angle, rate, is_cosine, column });
             }
         }
-        self.plant = Numbers {
+        let plant = Numbers {
             rates: own().map(|terms| terms.slopes.clone()).collect(),
             constant: own().map(|terms| terms.constant).collect(),
             waves,
         };
-        self.over.clear();
+        if !plant.moves_as(&self.plant) {
+            self.over.clear();
+        }
+        self.plant = plant;
     }
 
     fn terms(&self, terms: &[Terms], sum: &Sum, along: &Along, size: (usize, usize)) -> Terms {
@@ -254,6 +257,17 @@ impl Terms {
 }
 
 impl Numbers {
+    /// Whether any length comes to the same as of another plant.
+    fn moves_as(&self, other: &Self) -> bool {
+        let n = self.rates.len();
+        let own =
+            |plant: &Self| plant.rates.iter().map(|row| row[..n].to_vec()).collect::<Vec<_>>();
+        let moves = |(a, b): (&Wave, &Wave)| a.rate == b.rate && a.column == b.column;
+        own(self) == own(other)
+            && self.waves.len() == other.waves.len()
+            && self.waves.iter().zip(&other.waves).all(moves)
+    }
+
     /// What the plant comes to over a length.
     fn over(&self, length: f64) -> Option<Over> {
         let (whole, integral) = flow(&self.rates, length)?;

@@ -7,7 +7,7 @@ use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
 use crate::simulate::{
-    Accuracy, Cause, Continuous, Direct, Failure, Run, SAME, Sample, Sampled, Side,
+    Accuracy, Cause, Continuous, Direct, Failure, Run, SAME, Sample, Sampled, Side, Values,
 };
 
 /// The closed loops of a campaign, to be run with many scenarios.
@@ -99,7 +99,10 @@ impl Trial {
         let lanes = match &closed {
             // A lane integrates components that decay alike; what is accumulated does not decay.
             Closed::Theorem(sides) if integrals.is_empty() => {
-                InLanes::of((&sides.0, &sides.1), &observer, campaign)
+                InLanes::of_theorem((&sides.0, &sides.1), &observer, campaign)
+            }
+            Closed::Running(sampled) if !campaign.spec.has_model() => {
+                InLanes::of_running(sampled, &observer)
             }
             _ => None,
         };
@@ -112,7 +115,7 @@ impl Trial {
 
     /// Whether scenarios with an f that is constant from instant to instant are run without an integration.
     pub(super) fn propagates(&self) -> bool {
-        self.lanes.as_ref().is_some_and(|lanes| lanes.exact.is_some())
+        self.lanes.as_ref().is_some_and(|lanes| lanes.propagates())
     }
 
     /// Runs a scenario.
@@ -307,26 +310,47 @@ fn running(
     setting: &Setting,
     visit: &mut dyn FnMut(Instant),
 ) -> Result<(), Failure> {
-    let Setting { values, x0, pieces, around } = setting;
+    let Setting { values, x0, around, .. } = setting;
     let around = around.clone().unwrap_or_default();
     let mut watch = Watch::new(observer, setting, objectives)?;
     let tau = values.get(Parameter::Tau);
-    // From where the piece before ends on.
-    let ends = pieces.iter().filter_map(|(shares, _)| shares.last());
-    let mut next = ends.zip(pieces.iter().skip(1).map(|(_, values)| values)).peekable();
-    let mut change = |since: f64| {
-        let mut values = None;
-        while let Some((_, own)) = next.next_if(|(share, _)| since >= tau * (1.0 - *share)) {
-            values = Some(own);
-        }
-        values
-    };
-    sampled.run_along(values, &mut change, x0, &around, &mut |sample| {
-        // The deadline sample is T = 0, and not what rounding makes of it.
-        let is_deadline = sample.time_to_go.abs() <= SAME * tau;
-        let time_to_go = if is_deadline { 0.0 } else { sample.time_to_go };
+    let mut changes = Changes::of(setting);
+    sampled.run_along(values, &mut |since| changes.next(since), x0, &around, &mut |sample| {
+        let time_to_go = of_sample(sample.time_to_go, tau);
         visit(watch.instant(Sample { time_to_go, ..sample }, time_to_go <= 0.0));
     })
+}
+
+/// Time-to-go at a sample: that of the deadline is 0, and not what rounding makes of it.
+pub(super) fn of_sample(time_to_go: f64, tau: f64) -> f64 {
+    if time_to_go.abs() <= SAME * tau { 0.0 } else { time_to_go }
+}
+
+/// The pieces of a run in samples.
+pub(super) struct Changes<'a> {
+    pieces: &'a [(Vec<f64>, Values)],
+    tau: f64,
+    /// The piece that holds.
+    piece: usize,
+}
+
+impl<'a> Changes<'a> {
+    pub(super) fn of(setting: &'a Setting) -> Self {
+        let tau = setting.values.get(Parameter::Tau);
+        Self { pieces: &setting.pieces, tau, piece: 0 }
+    }
+
+    /// The values of the piece that begins at a sample, if one does: from where the piece before ends on.
+    pub(super) fn next(&mut self, since: f64) -> Option<&'a Values> {
+        let before = self.piece;
+        let ended = |(shares, _): &(Vec<f64>, Values)| {
+            shares.last().is_some_and(|share| since >= self.tau * (1.0 - share))
+        };
+        while self.piece + 1 < self.pieces.len() && ended(&self.pieces[self.piece]) {
+            self.piece += 1;
+        }
+        (self.piece != before).then(|| &self.pieces[self.piece].1)
+    }
 }
 
 /// The objectives along one run.

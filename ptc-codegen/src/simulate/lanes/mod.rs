@@ -13,12 +13,14 @@ mod direct;
 mod explicit;
 mod flow;
 mod nodes;
+mod running;
 mod stretched;
 mod system;
 mod tableau;
 
 pub use along::Abreast;
 pub use direct::DirectLanes;
+pub use running::{Change, RunningLanes, Sampling};
 pub use stretched::StretchedLanes;
 
 use super::{Accuracy, Failure, Values};

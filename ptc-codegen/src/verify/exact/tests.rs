@@ -93,7 +93,7 @@ fn only_linear_loops_are_run_here() {
         assert!(!with("f = \"d\"", &format!("f = \"{f}\"")), "{f}");
     }
     for (from, to) in [
-        ("poles = [-3, -4]", "pi0 = \"-12*xi1 - 7*xi2\""),
+        ("poles = [-3, -4]", "pi0 = \"-12*xi1 - 7*xi2 - xi1^3\""),
         ("poles = [-3, -4]\n", ""),
         ("(a=1)", ""),
         ("[plant]", "g = 2\n[plant]\ng = 2.01"),
