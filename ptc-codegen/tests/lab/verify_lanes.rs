@@ -229,9 +229,9 @@ fn sampled_loops_have_the_same_bits_in_lanes() {
     let loops = [
         "",
         "noise = [1e-3, 1e-2]\nsensor_step = [1e-3, 0]\nu_step = 1e-2\njitter = 1e-3\n",
-        "noise_rms = [1e-3, 1e-2]\ndelay = 0.025\ng_error = [0.9, 1.1]\n",
-        "delay = 0.02\n",
-        "delay = 0.004\nafter = \"zero\"\n",
+        "noise_rms = [1e-3, 1e-2]\ndelay = 3\ng_error = [0.9, 1.1]\n",
+        "delay = 2\n",
+        "delay = 1\nafter = \"zero\"\n",
     ];
     for plant in plants {
         for around in loops {
