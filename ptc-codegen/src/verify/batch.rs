@@ -6,7 +6,8 @@ use rayon::prelude::*;
 
 use super::exact::Exact;
 use super::observer::{LaneObserver, Observer};
-use super::trial::{ACCURACY, Changes, Track, compared, is_blurred, of_sample};
+use super::samples::{Changes, of_sample};
+use super::trial::{ACCURACY, Track, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};
 use crate::parameter::Parameter;
 use crate::program::lanes::Pack;
@@ -29,7 +30,7 @@ pub(super) struct InLanes {
 #[derive(Clone, Debug)]
 enum Closed {
     /// Both sides of Theorem 1; the same without an integration, where the loop is linear in stretched time.
-    Theorem(StretchedLanes, DirectLanes, Option<Exact>),
+    Theorem(Box<(StretchedLanes, DirectLanes, Option<Exact>)>),
     /// The loop that runs.
     Running(RunningLanes),
 }
@@ -42,8 +43,8 @@ impl InLanes {
         campaign: &Campaign,
     ) -> Option<Self> {
         let exact = Exact::of(campaign);
-        let closed = Closed::Theorem(infinite.in_lanes()?, direct.in_lanes()?, exact);
-        Some(Self { closed, observer: observer.in_lanes()? })
+        let closed = Box::new((infinite.in_lanes()?, direct.in_lanes()?, exact));
+        Some(Self { closed: Closed::Theorem(closed), observer: observer.in_lanes()? })
     }
 
     /// `None` where the plant is not linear between samples.
@@ -54,14 +55,14 @@ impl InLanes {
 
     /// Whether there is a way without an integration on both sides of Theorem 1.
     pub(super) fn propagates(&self) -> bool {
-        matches!(self.closed, Closed::Theorem(_, _, Some(_)))
+        matches!(&self.closed, Closed::Theorem(closed) if closed.2.is_some())
     }
 
     /// The outcomes of the scenarios that go smoothly to their end.
     fn run(&mut self, settings: &[Setting]) -> Vec<Option<Outcome>> {
         let Self { closed, observer } = self;
         let (stretched, direct, exact) = match closed {
-            Closed::Theorem(stretched, direct, exact) => (stretched, direct, exact),
+            Closed::Theorem(closed) => &mut **closed,
             Closed::Running(lanes) => return running(lanes, observer, settings),
         };
         let mut found = match exact {

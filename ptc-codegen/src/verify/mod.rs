@@ -24,6 +24,7 @@ mod read;
 pub mod record;
 mod replay;
 mod run;
+mod samples;
 mod scenario;
 pub mod search;
 mod start;

@@ -34,6 +34,7 @@ use clock::Clock;
 pub(super) use clock::scales;
 use emitted::Emitted;
 use flow::Flow;
+pub(super) use flow::unit_rate;
 use margin::Bounds;
 use reason::Why;
 pub use running::limits;

@@ -104,12 +104,11 @@ impl<'a> Lockstep<'a> {
             };
             excess(0, &u);
             excess(1, emitted);
-            // A number less itself is 0, and nothing else is.
-            let mut none =
-                Pack::of(|lane| (u.0[lane] - u.0[lane]) + (emitted.0[lane] - emitted.0[lane]));
+            // A number times 0 is 0, and nothing else is.
+            let mut none = Pack::of(|lane| 0.0 * u.0[lane] + 0.0 * emitted.0[lane]);
             for x in x {
                 for lane in 0..LANES {
-                    none.0[lane] += x.0[lane] - x.0[lane];
+                    none.0[lane] += 0.0 * x.0[lane];
                 }
             }
             for lane in (0..LANES).filter(|lane| jobs[*lane].is_some()) {

@@ -15,12 +15,13 @@ mod tests;
 
 use std::sync::{Arc, OnceLock};
 
+use num_traits::ToPrimitive;
+
 use lockstep::{Job, Lockstep};
 use table::Table;
 
-use super::bound::scales;
-use super::course::PIECES;
-use super::course::share;
+use super::bound::{scales, unit_rate};
+use super::course::{PIECES, share};
 use super::linear::{LinearLoop, drift, values};
 use super::observer::LaneObserver;
 use super::{Campaign, Outcome, Setting, Signal};
@@ -30,15 +31,16 @@ use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::lanes::LANES;
 use crate::program::{Value, passes};
 use crate::request::Spec;
-use crate::simulate::Along;
 use crate::simulate::lanes::{DirectLanes, StretchedLanes};
+use crate::simulate::{Along, Values};
 
 /// The loop of a campaign, with its transitions once they are asked for.
 #[derive(Clone, Debug)]
 pub(super) struct Exact {
     table: Arc<OnceLock<Option<Table>>>,
-    /// Companion matrix A of the gains, by its last row.
     gains: Vec<f64>,
+    /// Units of time in which A is about 1, in one second of stretched time.
+    rate: f64,
     /// T/tau at which any run may be looked at, or f may jump.
     nodes: Arc<Vec<f64>>,
     /// tau_0.
@@ -68,7 +70,8 @@ impl Exact {
         if !settled || follows || campaign.drawn().is_some() || !scales(campaign) {
             return None;
         }
-        let gains = gains.iter().map(|gain| num_traits::ToPrimitive::to_f64(gain));
+        let rate = unit_rate(&gains)?.to_f64()?;
+        let gains = gains.iter().map(ToPrimitive::to_f64);
         let plant = campaign.disturbed();
         let force = (plant.f != Expression::integer(0)).then(|| {
             let spec = Spec { precision: Precision::F64, ..spec.clone() };
@@ -79,6 +82,7 @@ impl Exact {
         Some(Self {
             table: Arc::default(),
             gains: gains.collect::<Option<_>>()?,
+            rate,
             nodes: Arc::new(nodes(campaign)),
             tau: campaign.tau.0,
             waves: campaign.waves().collect(),
@@ -98,7 +102,7 @@ impl Exact {
         let table = Arc::clone(&self.table);
         let table = table.get_or_init(|| {
             let run = (self.tau, &first.values);
-            Table::new(stretched, &self.gains, run, &self.nodes, self.force.is_some())
+            Table::new(stretched, (&self.gains, self.rate), run, &self.nodes, self.force.is_some())
         });
         let Some(table) = table else { return found };
         let jobs = settings.iter().enumerate().filter_map(|(index, setting)| {
@@ -116,7 +120,7 @@ impl Exact {
 
     /// f in each piece of a run; `None` where it is not constant there.
     fn forces(&mut self, setting: &Setting) -> Option<Vec<f64>> {
-        let one = |(_, values): &(Vec<f64>, crate::simulate::Values)| {
+        let one = |(_, values): &(Vec<f64>, Values)| {
             if self.waves.iter().any(|size| values.get(*size) != 0.0) {
                 return None;
             }

@@ -26,7 +26,7 @@ pub(super) struct Step {
 }
 
 /// Pieces over which the force is summed, for all nodes together.
-const PIECES: f64 = 20_000.0;
+const MOST: f64 = 20_000.0;
 
 /// ||A|| times the stretched time of a piece is at most this, and so long it is in sigma.
 const SHORT: f64 = 0.5;
@@ -74,7 +74,7 @@ impl Table {
     /// The nodes descend from T/tau = 1. `None` where a transition is not known to its digits.
     pub(super) fn new(
         side: &mut StretchedLanes,
-        gains: &[f64],
+        (gains, rate): (&[f64], f64),
         (tau, values): (f64, &Values),
         nodes: &[f64],
         forced: bool,
@@ -85,7 +85,6 @@ impl Table {
             side.start(lane, &values, &vec![0.0; n]).ok()?;
         }
         side.settle();
-        let rate = rate(gains);
         let scaled = |j: usize| gains[j] / rate.powi(exponent(n - j));
         let entry = |i: usize, j: usize| match () {
             () if i + 1 == n => -scaled(j),
@@ -95,7 +94,7 @@ impl Table {
         let companion = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
         let t0 = Pack::all(values.get(Parameter::StartTime));
         let mut run = Run { side, tau: Pack::all(tau), t0, n, companion, rate };
-        let mut left = PIECES;
+        let mut left = MOST;
         let mut steps: Vec<Step> = Vec::with_capacity(nodes.len());
         for share in nodes {
             let before = steps.last().map_or(*share, |step| step.share);
@@ -230,16 +229,4 @@ impl Run<'_> {
 
 fn exponent(power: usize) -> i32 {
     i32::try_from(power).unwrap_or(i32::MAX)
-}
-
-/// The power of 2 in which the companion matrix of the gains is about 1.
-fn rate(gains: &[f64]) -> f64 {
-    let n = gains.len();
-    let norm = |power: i32| {
-        let rate = 2f64.powi(power);
-        let row = (0..n).map(|j| gains[j].abs() / rate.powi(exponent(n - j)));
-        rate * row.sum::<f64>().max(1.0)
-    };
-    let best = (-60..=60).rev().min_by(|a, b| norm(*a).total_cmp(&norm(*b)));
-    2f64.powi(best.unwrap_or(0))
 }
