@@ -81,9 +81,7 @@ fn states_and_u_have_their_digits() {
 fn only_linear_loops_are_run_here() {
     let with = |from: &str, to: &str| {
         let mut campaign = campaign("exp(a=1)", "-3, -4", "");
-        let text = format!(
-            "n = 2\nmu = \"exp(a=1)\"\npoles = [-3, -4]\n[plant]\nf = \"d\"\nd = [-1, 1]\n"
-        );
+        let text = "n = 2\nmu = \"exp(a=1)\"\npoles = [-3, -4]\n[plant]\nf = \"d\"\nd = [-1, 1]\n";
         let (entries, _) = crate::design::read(&text.replace(from, to), &mut |_| Place(0));
         let (spec, plant) = crate::plant::read_design(&entries).expect("a design");
         (campaign.spec, campaign.plant) = (spec, plant.expect("a plant"));
