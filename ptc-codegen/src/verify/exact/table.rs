@@ -3,6 +3,7 @@
 use crate::linear::{Rows, flow, norm};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
+use crate::request::MAX_ORDER;
 use crate::simulate::Values;
 use crate::simulate::lanes::{At, LaneSide, StretchedLanes};
 
@@ -26,10 +27,10 @@ pub(super) struct Step {
 }
 
 /// Pieces over which the force is summed, for all nodes together.
-const MOST: f64 = 20_000.0;
+const MOST: f64 = 4000.0;
 
 /// ||A|| times the stretched time of a piece is at most this, and so long it is in sigma.
-const SHORT: f64 = 0.5;
+const SHORT: f64 = 1.0;
 const SIGMA: f64 = 0.125;
 
 /// Terms of e^(A s) v for ||A s|| up to 1, with room.
@@ -58,6 +59,9 @@ fn gauss(node: usize) -> (f64, f64) {
     let (place, sign) = if node < half { (half - 1 - node, -1.0) } else { (node - half, 1.0) };
     (0.5 + 0.5 * sign * GAUSS[0][place], 0.5 * GAUSS[1][place])
 }
+
+/// A vector of as many entries as there may be states.
+type Vector = [f64; MAX_ORDER];
 
 /// The run of which the transitions are.
 struct Run<'a> {
@@ -190,7 +194,7 @@ impl Run<'_> {
         }
         let unit: Vec<_> = (0..n).map(|i| Pack::all(if i + 1 == n { 1.0 } else { 0.0 })).collect();
         let mut end = self.stretched(&Pack::all(from)).0[0];
-        let mut state = vec![0.0; n];
+        let mut state: Vector = [0.0; MAX_ORDER];
         let mut piece = 0.0;
         while piece < count {
             let share = |part: f64| from * (-sigma * (piece + part) / count).exp();
@@ -199,12 +203,12 @@ impl Run<'_> {
             let places = self.stretched(&inside);
             let at = self.at(&inside);
             let weights = self.side.begin(&at, &unit)[n - 1];
-            state = self.exponential(&state, next - end);
+            self.exponential(&mut state, next - end);
             for node in 0..LANES {
                 let time = at.time_to_go.0[node] * gauss(node).1 * sigma / count;
-                let mut impulse = vec![0.0; n];
-                impulse[n - 1] = weights.0[node] * time / self.unit(n - 1);
-                let moved = self.exponential(&impulse, next - places.0[node]);
+                let mut moved: Vector = [0.0; MAX_ORDER];
+                moved[n - 1] = weights.0[node] * time / self.unit(n - 1);
+                self.exponential(&mut moved, next - places.0[node]);
                 state.iter_mut().zip(moved).for_each(|(state, moved)| *state += moved);
             }
             (end, piece) = (next, piece + 1.0);
@@ -212,18 +216,20 @@ impl Run<'_> {
         Some((0..n).map(|i| state[i] * self.unit(i)).collect())
     }
 
-    /// e^(A s) v where ||A s|| is small.
-    fn exponential(&self, v: &[f64], s: f64) -> Vec<f64> {
-        let mut term = v.to_vec();
-        let mut sum = v.to_vec();
+    /// e^(A s) v where ||A s|| is small; A v is v but for its first entry, and the last row times v.
+    fn exponential(&self, v: &mut Vector, s: f64) {
+        let n = self.n;
+        let mut term = *v;
         for k in 1..=TERMS {
+            let last: f64 = self.companion[n - 1].iter().zip(&term).map(|(a, v)| a * v).sum();
+            term.copy_within(1..n, 0);
+            term[n - 1] = last;
             let factor = s / f64::from(k);
-            let row =
-                |row: &Vec<f64>| factor * row.iter().zip(&term).map(|(a, v)| a * v).sum::<f64>();
-            term = self.companion.iter().map(row).collect();
-            sum.iter_mut().zip(&term).for_each(|(sum, term)| *sum += term);
+            for (sum, term) in v[..n].iter_mut().zip(&mut term) {
+                *term *= factor;
+                *sum += *term;
+            }
         }
-        sum
     }
 }
 
