@@ -32,7 +32,7 @@ enum Closed {
     /// Both sides of Theorem 1; the same without an integration, where the loop is linear in stretched time.
     Theorem(Box<(StretchedLanes, DirectLanes, Option<Exact>)>),
     /// The loop that runs.
-    Running(RunningLanes),
+    Running(Box<RunningLanes>),
 }
 
 impl InLanes {
@@ -49,7 +49,7 @@ impl InLanes {
 
     /// `None` where the plant is not linear between samples.
     pub(super) fn of_running(sampled: &Sampled, observer: &Observer) -> Option<Self> {
-        let closed = Closed::Running(sampled.in_lanes()?);
+        let closed = Closed::Running(Box::new(sampled.in_lanes()?));
         Some(Self { closed, observer: observer.in_lanes()? })
     }
 
