@@ -66,6 +66,17 @@ fn designs() -> Result<Vec<(String, String)>> {
     }
     designs.push(("`sin(x1)` in f".to_owned(), with("gust -", "sin(x1) + gust -")));
     designs.push(("`u_max = 500`".to_owned(), with("[plant]", "[params]\nu_max = 500\n\n[plant]")));
+    let linear = example.replace(
+        "f = \"gust - damping*x3 + slip*u\"\ndamping = [0, 0.5]\nslip = [-0.2, 0.2]",
+        "f = \"gust\"",
+    );
+    let sampled = linear
+        .replace("[plant]", "sample_time = 0.01\n\n[params]\ntau = 1\n\n[plant]")
+        .replace("tau = [0.5, 2]\n", "");
+    let any = sampled.replace("gust = \"constant\"", "gust = \"any\"");
+    designs.push(("linear: f = gust".to_owned(), linear));
+    designs.push(("100 samples: f = gust".to_owned(), sampled));
+    designs.push(("the same, of any signal".to_owned(), any));
     Ok(designs)
 }
 

@@ -82,6 +82,11 @@ impl Controller {
         (&self.program, &self.kinks)
     }
 
+    /// What follows the deadline.
+    pub(super) fn after(&self) -> After {
+        self.after
+    }
+
     /// `init`: gives the parameters and starts at the t0 of the values, from `x0`.
     ///
     /// # Errors

@@ -1,168 +1,286 @@
-//! A plant that is linear while its input is held: from sample to sample by the matrix exponential.
+//! A plant that is linear while its input is held, beside sines of time: from sample to sample by the matrix
+//! exponential.
 //!
-//! x' = A x + v with a constant v = B u + c has x(s) = E x + F v, E = exp(A s) and F the integral of E.
-//! Both are summed for a part of s in which ||A s|| is small, and doubled: F(2 s) = (I + E) F, E(2 s) = E E.
+//! x' = A x + v with a constant v = B u + c has x(s) = E x + F v, E = exp(A s) and F the integral of E. A sine of
+//! time is S of S' = w C, C' = -w S, so that it is two states more of such a plant.
 
 use super::Along;
 use super::linear::SAME;
 use super::solver::State;
+use crate::expression::Function;
+use crate::linear::{Rows, flow};
 use crate::program::{Input, Op, Program, Stage, Value};
 
-/// A matrix, by rows.
-type Rows = Vec<Vec<f64>>;
-
-/// The rates x' = A x + B u + c with what they come to over some lengths of time.
-#[derive(Clone, Debug, Default)]
+/// The rates x' = A x + B u + c + sines, with what they come to over some lengths of time.
+#[derive(Clone, Debug)]
 pub(super) struct Held {
+    /// How the rates come about, of a program all of whose values they are.
+    sums: Vec<Sum>,
+    rates: Vec<usize>,
+    /// The numbers of the rates.
+    plant: Numbers,
+    /// Lengths in s, each with what the plant comes to over it.
+    over: Vec<(f64, Over)>,
+}
+
+/// The numbers of a plant.
+#[derive(Clone, Debug, Default)]
+struct Numbers {
     /// A, and the columns of B behind it.
     rates: Rows,
     /// c.
     constant: Vec<f64>,
-    /// Lengths in s, each with E and F.
-    over: Vec<(f64, Rows, Rows)>,
+    /// Each sine that is not 0.
+    waves: Vec<Wave>,
+}
+
+/// A sine or cosine with what it adds to the rates.
+#[derive(Clone, Debug)]
+struct Wave {
+    /// Its angle, and by how much that grows in a second.
+    angle: Value,
+    rate: f64,
+    is_cosine: bool,
+    column: Vec<f64>,
+}
+
+/// What a length of time makes of a state, of a constant in the rates, and of the sine and the cosine of each
+/// wave at its beginning.
+#[derive(Clone, Debug)]
+struct Over {
+    whole: Rows,
+    integral: Rows,
+    waves: Vec<[Vec<f64>; 2]>,
 }
 
 /// Lengths that are kept: a sample, its parts and those beside a delay.
 const KEPT: usize = 8;
 
-/// ||A s|| from which the series needs no more than [`TERMS`] for all digits.
-const SMALL: f64 = 0.5;
-const TERMS: u32 = 18;
+/// How a value depends on state, inputs and time.
+#[derive(Clone, Debug)]
+enum Sum {
+    /// Not at all.
+    Constant(Value),
+    State(usize),
+    Control,
+    Time,
+    Neg(usize),
+    Add(usize, usize),
+    Sub(usize, usize),
+    /// The product with a constant.
+    Mul(usize, usize),
+    Div(usize, usize),
+    /// a b + c with a constant b.
+    Fused(usize, usize, usize),
+    /// The sine of what goes with time alone, and whether it is a cosine.
+    Wave(usize, bool),
+    /// In another way.
+    Other,
+}
 
-/// Doublings above which the sum has lost too many digits.
-const DOUBLINGS: i32 = 20;
-
-/// By this much a state is moved, 2^60, so that c takes no digit from the slope.
-const MOVED: f64 = 1_152_921_504_606_846_976.0;
+/// The sum that a value is: a constant, slopes of state, inputs and time, and waves.
+#[derive(Clone, Debug, Default)]
+struct Terms {
+    constant: f64,
+    slopes: Vec<f64>,
+    time: f64,
+    /// The waves by the value that each one is.
+    waves: Vec<(usize, f64)>,
+}
 
 impl Held {
-    /// `None` where a rate of the plant is not linear in state and inputs, or goes with time.
+    /// `None` where a rate of the plant is not such a sum.
     pub(super) fn of(program: &Program, rates: &[Value]) -> Option<Self> {
-        let linear = linear(program);
-        rates.iter().all(|rate| linear[rate.0] != Form::Other).then(Self::default)
+        let mut sums: Vec<Sum> = Vec::with_capacity(program.values.len());
+        // Whether state or inputs, and whether time as such, are in each.
+        let mut moves: Vec<[bool; 2]> = Vec::with_capacity(sums.capacity());
+        for (place, definition) in program.values.iter().enumerate() {
+            let is_constant = |value: &Value| matches!(sums[value.0], Sum::Constant(_));
+            let is_sum = |value: &Value| !matches!(sums[value.0], Sum::Other);
+            let sum = match &definition.op {
+                _ if definition.stage <= Stage::Arm => Sum::Constant(Value(place)),
+                Op::Input(Input::State(j)) => Sum::State(*j),
+                Op::Input(Input::Control) => Sum::Control,
+                Op::Input(Input::Time) => Sum::Time,
+                op if !op.operands().iter().all(is_sum) => Sum::Other,
+                Op::Neg(a) => Sum::Neg(a.0),
+                Op::Add(a, b) => Sum::Add(a.0, b.0),
+                Op::Sub(a, b) => Sum::Sub(a.0, b.0),
+                Op::Mul(a, b) if is_constant(b) => Sum::Mul(a.0, b.0),
+                Op::Mul(a, b) if is_constant(a) => Sum::Mul(b.0, a.0),
+                Op::Fused(a, b, c) if is_constant(b) => Sum::Fused(a.0, b.0, c.0),
+                Op::Fused(a, b, c) if is_constant(a) => Sum::Fused(b.0, a.0, c.0),
+                Op::Div(a, b) if is_constant(b) => Sum::Div(a.0, b.0),
+                Op::Call(function @ (Function::Sin | Function::Cos), a)
+                    if moves[a.0] == [false, true] =>
+                {
+                    Sum::Wave(a.0, *function == Function::Cos)
+                }
+                _ => Sum::Other,
+            };
+            // A wave goes with time, and what a wave is in is no wave's argument.
+            moves.push(match &sum {
+                Sum::State(_) | Sum::Control | Sum::Wave(..) => [true, false],
+                Sum::Time => [false, true],
+                _ => definition.op.operands().iter().fold([false; 2], |all, value| {
+                    let own = moves[value.0];
+                    [all[0] || own[0], all[1] || own[1]]
+                }),
+            });
+            sums.push(sum);
+        }
+        let legal = |rate: &Value| !matches!(sums[rate.0], Sum::Other) && !moves[rate.0][1];
+        let rates: Option<Vec<_>> =
+            rates.iter().map(|rate| legal(rate).then_some(rate.0)).collect();
+        Some(Self { rates: rates?, sums, plant: Numbers::default(), over: Vec::new() })
     }
 
     /// Takes the numbers of a plant with so many `inputs`.
-    pub(super) fn settle(&mut self, along: &mut Along, rates: &[Value], inputs: usize) {
-        let mut point = vec![0.0; rates.len() + inputs];
-        let mut at = |point: &[f64]| -> Vec<f64> {
-            let (x, u) = point.split_at(rates.len());
-            along.at(0.0, x, u);
-            rates.iter().map(|rate| along.machine.get(*rate)).collect()
-        };
-        self.constant = at(&point);
-        self.rates = vec![vec![0.0; point.len()]; rates.len()];
-        for column in 0..point.len() {
-            point[column] = MOVED;
-            for ((row, moved), own) in self.rates.iter_mut().zip(at(&point)).zip(&self.constant) {
-                row[column] = (moved - own) / MOVED;
-            }
-            point[column] = 0.0;
+    pub(super) fn settle(&mut self, along: &Along, inputs: usize) {
+        let order = self.rates.len();
+        let mut terms: Vec<Terms> = Vec::with_capacity(self.sums.len());
+        for sum in &self.sums {
+            let own = self.terms(&terms, sum, along, (order, inputs));
+            terms.push(own);
         }
-        self.over.clear();
+        let own = || self.rates.iter().map(|rate| &terms[*rate]);
+        let mut waves: Vec<Wave> = Vec::new();
+        for (place, sum) in self.sums.iter().enumerate() {
+            let Sum::Wave(angle, is_cosine) = sum else { continue };
+            let of = |terms: &Terms| {
+                terms.waves.iter().filter(|(own, _)| *own == place).map(|(_, factor)| factor).sum()
+            };
+            let column: Vec<f64> = own().map(of).collect();
+            if column.iter().any(|factor| *factor != 0.0) {
+                let (angle, rate, is_cosine) = (Value(*angle), terms[*angle].time, *is_cosine);
+                waves.push(Wave { angle, rate, is_cosine, column });
+            }
+        }
+        let plant = Numbers {
+            rates: own().map(|terms| terms.slopes.clone()).collect(),
+            constant: own().map(|terms| terms.constant).collect(),
+            waves,
+        };
+        if !plant.moves_as(&self.plant) {
+            self.over.clear();
+        }
+        self.plant = plant;
     }
 
-    /// The state after `length` s under u; `None` where the exponential is beyond its numbers.
-    pub(super) fn after(&mut self, x: &State, u: &[f64], length: f64) -> Option<State> {
+    fn terms(&self, terms: &[Terms], sum: &Sum, along: &Along, size: (usize, usize)) -> Terms {
+        let none = || Terms { slopes: vec![0.0; size.0 + size.1], ..Terms::default() };
+        let unit = |place: usize| {
+            let mut own = none();
+            own.slopes[place] = 1.0;
+            own
+        };
+        match sum {
+            Sum::Other => none(),
+            Sum::Constant(value) => Terms { constant: along.machine.get(*value), ..none() },
+            Sum::State(j) => unit(j - 1),
+            Sum::Control => unit(size.0),
+            Sum::Time => Terms { time: 1.0, ..none() },
+            Sum::Wave(..) => Terms { waves: vec![(terms.len(), 1.0)], ..none() },
+            Sum::Neg(a) => terms[*a].map(|a| -a),
+            Sum::Add(a, b) => terms[*a].plus(&terms[*b]),
+            Sum::Sub(a, b) => terms[*a].plus(&terms[*b].map(|b| -b)),
+            Sum::Mul(a, b) => terms[*a].map(|a| a * terms[*b].constant),
+            Sum::Div(a, b) => terms[*a].map(|a| a / terms[*b].constant),
+            Sum::Fused(a, b, c) => terms[*a].map(|a| a * terms[*b].constant).plus(&terms[*c]),
+        }
+    }
+
+    /// The state after `length` s from `t` on under u, of the program that is looked at; `None` where the exponential is beyond its numbers.
+    pub(super) fn after(
+        &mut self,
+        along: &mut Along,
+        (x, u): (&State, &[f64]),
+        (t, length): (f64, f64),
+    ) -> Option<State> {
         let near = |own: f64| (own - length).abs() <= SAME * length;
-        let known = self.over.iter().position(|(own, _, _)| near(*own));
+        let known = self.over.iter().position(|(own, _)| near(*own));
         let place = match known {
             Some(place) => place,
             None => {
-                let (whole, integral) = self.flow(length)?;
+                let over = self.plant.over(length)?;
                 if self.over.len() == KEPT {
                     self.over.clear();
                 }
-                self.over.push((length, whole, integral));
+                self.over.push((length, over));
                 self.over.len() - 1
             }
         };
-        let (_, whole, integral) = &self.over[place];
+        let (_, Over { whole, integral, waves }) = &self.over[place];
         let n = self.rates.len();
         let dot = |row: &[f64], v: &[f64]| row.iter().zip(v).map(|(a, b)| a * b).sum::<f64>();
         let mut pushed = State::zeros();
-        for ((pushed, row), own) in pushed.iter_mut().zip(&self.rates).zip(&self.constant) {
+        let rows = self.plant.rates.iter().zip(&self.plant.constant);
+        for (pushed, (row, own)) in pushed.iter_mut().zip(rows) {
             *pushed = own + dot(&row[n..], u);
         }
         let mut next = State::zeros();
         for ((next, row), of_input) in next.iter_mut().zip(whole).zip(integral) {
             *next = dot(row, x.as_slice()) + dot(of_input, pushed.as_slice());
         }
+        if !waves.is_empty() {
+            along.at(t, x.as_slice(), u);
+        }
+        for (wave, [of_sine, of_cosine]) in self.plant.waves.iter().zip(waves) {
+            let (sine, cosine) = along.machine.get(wave.angle).sin_cos();
+            let (sine, cosine) = if wave.is_cosine { (cosine, -sine) } else { (sine, cosine) };
+            for (next, (a, b)) in next.iter_mut().zip(of_sine.iter().zip(of_cosine)) {
+                *next += a * sine + b * cosine;
+            }
+        }
         Some(next)
     }
+}
 
-    /// E and F over a length.
-    fn flow(&self, length: f64) -> Option<(Rows, Rows)> {
+impl Terms {
+    fn map(&self, to: impl Fn(f64) -> f64) -> Self {
+        Self {
+            constant: to(self.constant),
+            slopes: self.slopes.iter().map(|slope| to(*slope)).collect(),
+            time: to(self.time),
+            waves: self.waves.iter().map(|(wave, factor)| (*wave, to(*factor))).collect(),
+        }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self {
+            constant: self.constant + other.constant,
+            slopes: self.slopes.iter().zip(&other.slopes).map(|(a, b)| a + b).collect(),
+            time: self.time + other.time,
+            waves: self.waves.iter().chain(&other.waves).copied().collect(),
+        }
+    }
+}
+
+impl Numbers {
+    /// Whether any length comes to the same as of another plant.
+    fn moves_as(&self, other: &Self) -> bool {
         let n = self.rates.len();
-        let norm = |row: &Vec<f64>| row[..n].iter().map(|a| a.abs()).sum::<f64>();
-        let norm = self.rates.iter().map(norm).fold(0.0, f64::max) * length;
-        let doublings = (0..=DOUBLINGS).find(|k| norm * 0.5_f64.powi(*k) <= SMALL)?;
-        let part = length * 0.5_f64.powi(doublings);
-        let identity = |factor: f64| -> Rows {
-            (0..n).map(|i| (0..n).map(|j| if i == j { factor } else { 0.0 }).collect()).collect()
+        let own =
+            |plant: &Self| plant.rates.iter().map(|row| row[..n].to_vec()).collect::<Vec<_>>();
+        let moves = |(a, b): (&Wave, &Wave)| a.rate == b.rate && a.column == b.column;
+        own(self) == own(other)
+            && self.waves.len() == other.waves.len()
+            && self.waves.iter().zip(&other.waves).all(moves)
+    }
+
+    /// What the plant comes to over a length.
+    fn over(&self, length: f64) -> Option<Over> {
+        let (whole, integral) = flow(&self.rates, length)?;
+        let n = self.rates.len();
+        let of_wave = |Wave { rate, column, .. }: &Wave| {
+            let row = |i: usize| [&self.rates[i][..n], &[column[i], 0.0]].concat();
+            let mut wide: Rows = (0..n).map(row).collect();
+            let oscillator = [[0.0, *rate], [-rate, 0.0]];
+            wide.extend(oscillator.map(|own| [vec![0.0; n], own.to_vec()].concat()));
+            let (whole, _) = flow(&wide, length)?;
+            Some([n, n + 1].map(|column| (0..n).map(|i| whole[i][column]).collect()))
         };
-        // F = s (I + A s/2 (I + A s/3 (...))).
-        let mut sum = identity(1.0);
-        for term in (2..=TERMS).rev() {
-            sum = self.times(&sum, part / f64::from(term));
-            sum.iter_mut().enumerate().for_each(|(i, row)| row[i] += 1.0);
-        }
-        let mut whole = self.times(&sum, part);
-        let mut integral = sum;
-        integral.iter_mut().flatten().for_each(|value| *value *= part);
-        whole.iter_mut().enumerate().for_each(|(i, row)| row[i] += 1.0);
-        for _ in 0..doublings {
-            let more = product(&whole, &integral);
-            integral
-                .iter_mut()
-                .flatten()
-                .zip(more.into_iter().flatten())
-                .for_each(|(a, b)| *a += b);
-            whole = product(&whole, &whole);
-        }
-        Some((whole, integral))
+        let waves = self.waves.iter().map(of_wave).collect::<Option<_>>()?;
+        Some(Over { whole, integral, waves })
     }
-
-    /// A times a matrix and a factor.
-    fn times(&self, matrix: &Rows, factor: f64) -> Rows {
-        let mut product = product(&self.rates, matrix);
-        product.iter_mut().flatten().for_each(|value| *value *= factor);
-        product
-    }
-}
-
-/// The product with a matrix; columns of the left one beyond its rows do not count.
-fn product(left: &Rows, right: &Rows) -> Rows {
-    let column = |row: &Vec<f64>, j: usize| row.iter().zip(right).map(|(a, b)| a * b[j]).sum();
-    left.iter().map(|row| (0..right.len()).map(|j| column(row, j)).collect()).collect()
-}
-
-/// How a value depends on state and inputs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Form {
-    Constant,
-    Linear,
-    Other,
-}
-
-/// The form of each value of a plant.
-fn linear(program: &Program) -> Vec<Form> {
-    let mut forms: Vec<Form> = Vec::with_capacity(program.values.len());
-    for definition in &program.values {
-        let of = |value: Value| forms[value.0];
-        let product =
-            |a: Form, b: Form| if a.min(b) == Form::Constant { a.max(b) } else { Form::Other };
-        let form = match definition.op {
-            _ if definition.stage <= Stage::Arm => Form::Constant,
-            Op::Input(Input::State(_) | Input::Control) => Form::Linear,
-            Op::Neg(a) => of(a),
-            Op::Add(a, b) | Op::Sub(a, b) => of(a).max(of(b)),
-            Op::Mul(a, b) => product(of(a), of(b)),
-            Op::Fused(a, b, c) => product(of(a), of(b)).max(of(c)),
-            Op::Div(a, b) if of(b) == Form::Constant => of(a),
-            _ => Form::Other,
-        };
-        forms.push(form);
-    }
-    forms
 }

@@ -18,6 +18,7 @@ mod controller;
 mod crossing;
 mod direct;
 mod failure;
+mod frame;
 mod held;
 mod inputs;
 mod integrals;

@@ -52,6 +52,11 @@ impl Motion {
         }
     }
 
+    /// Whether it is linear while its inputs are held, beside sines of time.
+    pub(super) fn is_held(&self) -> bool {
+        self.held.is_some()
+    }
+
     /// The program and its kinks.
     pub(super) fn program(&self) -> (&Program, &[Kink]) {
         (&self.program, &self.kinks)
@@ -67,14 +72,14 @@ impl Motion {
         values.give(&mut self.along.machine)?;
         self.along.settle();
         if let Some(held) = &mut self.held {
-            held.settle(&mut self.along, &self.rates, self.inputs);
+            held.settle(&self.along, self.inputs);
         }
         Ok(())
     }
 
-    /// The state after a time in which the inputs are held; `None` where only an integration gives it.
-    pub(super) fn after(&mut self, x: &State, u: &[f64], length: f64) -> Option<State> {
-        self.held.as_mut()?.after(x, u, length)
+    /// The state at the end of a time in which the inputs are held; `None` where only an integration gives it.
+    pub(super) fn after(&mut self, x: &State, u: &[f64], (from, to): (f64, f64)) -> Option<State> {
+        self.held.as_mut()?.after(&mut self.along, (x, u), (from, to - from))
     }
 
     /// Number of its kinks, and of what no run crosses behind them.

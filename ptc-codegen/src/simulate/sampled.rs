@@ -2,13 +2,11 @@
 
 use std::sync::Arc;
 
-use num_traits::ToPrimitive;
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
-
 use super::around::SAME;
 use super::between::{BETWEEN, Between, Held, Moved};
+use super::frame::{Frame, Span};
 use super::integrals::Integrals;
+use super::lanes::RunningLanes;
 use super::linear::Linear;
 use super::plant::Motion;
 use super::solver::{First, State};
@@ -118,6 +116,17 @@ impl Sampled {
         Self { integrals: Integrals::new(spec, integrands), ..self }
     }
 
+    /// The same for many scenarios at once, where the plant is linear between samples; `None` where it is not,
+    /// and for a clock in samples.
+    pub fn in_lanes(&self) -> Option<RunningLanes> {
+        match (&self.controller, &self.moved, &self.integrals) {
+            (Kind::Time(controller), Moved::Rates(motion), None) => {
+                RunningLanes::of(controller, motion)
+            }
+            _ => None,
+        }
+    }
+
     /// Runs from `x0` at t0 to the end of the loop and hands over every sample, with the u that acts
     /// from it on, and the state at the end.
     ///
@@ -162,29 +171,19 @@ impl Sampled {
             Kind::Samples(code, open) => Running::Samples(started(code, open, values)?),
         };
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-        let mut random = Pcg64Mcg::seed_from_u64(around.seed);
-        let [least, most] = around.gain;
-        let gain = match least < most {
-            true => least + (most - least) * 0.5 * (1.0 + even(&mut random)),
-            false => least,
-        };
+        let mut frame = Frame::new(around, tau);
         let none = vec![0.0; self.inputs];
         let mut late = std::collections::VecDeque::from(vec![none.clone(); around.delay.inputs()]);
-        let part = around.delay.part().to_f64().unwrap_or(1.0);
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
-        let end = around.until.unwrap_or(tau);
         let mut armed = around.arm_at.clone();
         armed.sort_by(f64::total_cmp);
         let mut armed = armed.into_iter().peekable();
         let mut deadline = tau;
         let mut walk = Walk::default();
-        // When the sample is taken, after t0.
-        let mut now = 0.0;
-        for index in 0_u32.. {
-            let since = f64::from(index) * around.period;
-            let last = since >= end * (1.0 - SAME);
-            let since = if last { end } else { since };
+        loop {
+            let index = frame.index;
+            let (since, last) = frame.since();
             let t = t0 + since;
             if let (Moved::Rates(motion), Some(values)) = (&mut self.moved, change(since)) {
                 motion.give(values)?;
@@ -194,15 +193,7 @@ impl Sampled {
                 Moved::Rates(_) => state.to_vec(),
                 Moved::Linear(plant) => plant.measured(state),
             };
-            for (j, own) in measured.iter_mut().enumerate() {
-                let bound = around.noise.get(j).copied().unwrap_or(0.0);
-                let mut noisy = *own + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
-                let rms = around.noise_rms.get(j).copied().unwrap_or(0.0);
-                if rms > 0.0 {
-                    noisy += rms * normal(&mut random);
-                }
-                *own = quantised(noisy, around.sensor_step.get(j).copied().unwrap_or(0.0));
-            }
+            frame.measure(&mut measured);
             let mut again = false;
             while armed.next_if(|at| since >= at * (1.0 - SAME)).is_some() {
                 again = true;
@@ -214,7 +205,7 @@ impl Sampled {
                 deadline = since + tau;
             }
             let (u, status) = controller.step(index, t, &measured);
-            late.push_back(u.iter().map(|u| quantised(*u, around.u_step)).collect());
+            late.push_back(u.iter().map(|u| frame.actuated(*u)).collect());
             let u = late.pop_front().unwrap_or_else(|| none.clone());
             let newer = late.front().unwrap_or(&u);
             visit(Sample {
@@ -230,19 +221,9 @@ impl Sampled {
             if last {
                 break;
             }
-            let next = f64::from(index + 1) * around.period;
-            let until = match next >= end * (1.0 - SAME) {
-                true => end,
-                false if around.jitter > 0.0 => next + around.jitter * even(&mut random),
-                false => next,
-            };
-            // Within the sample the next input takes over.
-            let over = match around.delay.is_whole() {
-                true => until,
-                false => until.min(now + part * around.period),
-            };
-            for (u, from, to) in [(&u, now, over), (newer, over, until)] {
-                let acts: Vec<_> = u.iter().map(|u| gain * u).collect();
+            let Span { from, over, to } = frame.next();
+            for (u, from, to) in [(&u, from, over), (newer, over, to)] {
+                let acts: Vec<_> = u.iter().map(|u| frame.gain * u).collect();
                 let held = Held { u, acts: &acts };
                 let at = |part: u32| match part == around.parts {
                     true => to,
@@ -266,7 +247,6 @@ impl Sampled {
                     }
                 }
             }
-            now = until;
         }
         Ok(())
     }
@@ -281,7 +261,7 @@ impl Sampled {
     ) -> Result<State, Failure> {
         let Self { n, moved, integrals, .. } = self;
         let exact = match moved {
-            Moved::Rates(motion) => motion.after(&x, acts, to - from),
+            Moved::Rates(motion) => motion.after(&x, acts, (from, to)),
             Moved::Linear(plant) => Some(plant.after(x, acts[0], to - from)?),
         };
         if exact.is_some_and(|next| next.iter().any(|x| !x.is_finite())) {
@@ -330,22 +310,4 @@ fn started<'a>(
             "give parameters within their domains, and enough samples".to_owned(),
         )
     })
-}
-
-/// The multiple of `step` that is nearest to a value; the value itself where there is no step.
-fn quantised(value: f64, step: f64) -> f64 {
-    if step > 0.0 { (value / step).round() * step } else { value }
-}
-
-/// A number of mean 0 and variance 1, the sum of twelve even ones: the same on every machine, as no
-/// library function is in it.
-fn normal(random: &mut Pcg64Mcg) -> f64 {
-    0.5 * (0..12).map(|_| even(random)).sum::<f64>()
-}
-
-/// A number drawn evenly from -1 to 1.
-fn even(random: &mut Pcg64Mcg) -> f64 {
-    #[allow(clippy::cast_precision_loss)]
-    let bits = (random.next_u64() >> 11) as f64;
-    bits / (1_u64 << 52) as f64 - 1.0
 }

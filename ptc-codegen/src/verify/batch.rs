@@ -4,57 +4,136 @@ use std::slice::from_ref;
 
 use rayon::prelude::*;
 
+use super::exact::Exact;
 use super::observer::{LaneObserver, Observer};
+use super::samples::{Changes, of_sample};
 use super::track::Track;
 use super::trial::{ACCURACY, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};
-use crate::simulate::lanes::{DirectLanes, Instants, Job, LaneSide, StretchedLanes, run};
-use crate::simulate::{Continuous, Direct, Run};
+use crate::parameter::Parameter;
+use crate::program::lanes::Pack;
+use crate::simulate::lanes::{
+    DirectLanes, Instants, Job, LaneSide, RunningLanes, Sampling, StretchedLanes, run,
+};
+use crate::simulate::{Continuous, Direct, Run, Sampled};
 
 /// Scenarios whose settings are held at a time.
 pub(super) const HELD: usize = 64;
 
-/// Both sides of Theorem 1 in lanes, with the objectives.
+/// A loop in lanes, with the objectives.
 #[derive(Clone, Debug)]
 pub(super) struct InLanes {
-    stretched: StretchedLanes,
-    direct: DirectLanes,
+    closed: Closed,
     observer: LaneObserver,
+}
+
+/// What a scenario is run in.
+#[derive(Clone, Debug)]
+enum Closed {
+    /// Both sides of Theorem 1; the same without an integration, where the loop is linear in stretched time.
+    Theorem(Box<(StretchedLanes, DirectLanes, Option<Exact>)>),
+    /// The loop that runs.
+    Running(Box<RunningLanes>),
 }
 
 impl InLanes {
     /// `None` where a loop is not smooth, or not in time alone.
-    pub(super) fn of(
+    pub(super) fn of_theorem(
         (infinite, direct): (&Run<Continuous>, &Run<Direct>),
         observer: &Observer,
+        campaign: &Campaign,
     ) -> Option<Self> {
-        Some(Self {
-            stretched: infinite.in_lanes()?,
-            direct: direct.in_lanes()?,
-            observer: observer.in_lanes()?,
-        })
+        let exact = Exact::of(campaign);
+        let closed = Box::new((infinite.in_lanes()?, direct.in_lanes()?, exact));
+        Some(Self { closed: Closed::Theorem(closed), observer: observer.in_lanes()? })
     }
 
-    /// The outcomes of the scenarios that go smoothly to their end on both sides.
+    /// `None` where the plant is not linear between samples.
+    pub(super) fn of_running(sampled: &Sampled, observer: &Observer) -> Option<Self> {
+        let closed = Closed::Running(Box::new(sampled.in_lanes()?));
+        Some(Self { closed, observer: observer.in_lanes()? })
+    }
+
+    /// Whether there is a way without an integration on both sides of Theorem 1.
+    pub(super) fn propagates(&self) -> bool {
+        matches!(&self.closed, Closed::Theorem(closed) if closed.2.is_some())
+    }
+
+    /// The outcomes of the scenarios that go smoothly to their end.
     fn run(&mut self, settings: &[Setting]) -> Vec<Option<Outcome>> {
-        let Self { stretched, direct, observer } = self;
-        let first = tracks(stretched, observer, settings);
-        let second = tracks(direct, observer, settings);
-        let both = first.into_iter().zip(second);
-        both.map(|(first, second)| Some(compared((&first?, &Ok(())), (&second?, Ok(()))))).collect()
+        let Self { closed, observer } = self;
+        let (stretched, direct, exact) = match closed {
+            Closed::Theorem(closed) => &mut **closed,
+            Closed::Running(lanes) => return running(lanes, observer, settings),
+        };
+        let mut found = match exact {
+            Some(exact) => exact.run((stretched, direct), observer, settings),
+            None => vec![None; settings.len()],
+        };
+        let left: Vec<_> = (0..settings.len()).filter(|index| found[*index].is_none()).collect();
+        let others: Vec<_> = left.iter().map(|index| &settings[*index]).collect();
+        let first = tracks(stretched, observer, &others);
+        let second = tracks(direct, observer, &others);
+        for (index, (first, second)) in left.into_iter().zip(first.into_iter().zip(second)) {
+            let both = first.zip(second);
+            found[index] = both.map(|(a, b)| compared((&a, &Ok(())), (&b, Ok(()))));
+        }
+        found
     }
 }
 
+/// The outcomes of the scenarios that the loop that runs takes to their end.
+fn running<'a>(
+    lanes: &mut RunningLanes,
+    observer: &mut LaneObserver,
+    settings: &'a [Setting],
+) -> Vec<Option<Outcome>> {
+    let unknown = || vec![None; settings.len()];
+    let job = |setting: &'a Setting| {
+        let around = setting.around.as_ref()?;
+        Some(Sampling { values: &setting.values, x0: &setting.x0, around })
+    };
+    let Some(jobs) = settings.iter().map(job).collect::<Option<Vec<_>>>() else { return unknown() };
+    let all: Vec<_> = settings.iter().collect();
+    let mut changes: Vec<_> = settings.iter().map(Changes::of).collect();
+    let mut known = vec![true; settings.len()];
+    let mut excess = vec![vec![f64::NEG_INFINITY; observer.objectives()]; settings.len()];
+    observer.forget();
+    let done = lanes.run(&jobs, &mut |job, since| changes[job].next(since), &mut |instants| {
+        if let Some(job) = observer.meet(&all, &instants.jobs) {
+            known[job] = false;
+        }
+        let tau = |lane: usize| {
+            instants.jobs[lane].map_or(1.0, |job| settings[job].values.get(Parameter::Tau))
+        };
+        let time_to_go = Pack::of(|lane| of_sample(instants.time_to_go.0[lane], tau(lane)));
+        let last = time_to_go.0.map(|time_to_go| time_to_go <= 0.0);
+        let instants = Instants { last, time_to_go: &time_to_go, ..*instants };
+        observer.look(&instants, &mut |job, objective, own| {
+            excess[job][objective] = excess[job][objective].max(own);
+        });
+    });
+    let all = done.into_iter().zip(known).zip(excess);
+    let outcome = |excess| Outcome { excess, direct: None, ended: None };
+    all.map(|((done, known), excess)| (done && known).then(|| outcome(excess))).collect()
+}
+
 /// What one side gives in each scenario that it takes to its end.
-fn tracks<S: LaneSide>(
+fn tracks<'a, S: LaneSide>(
     side: &mut S,
     observer: &mut LaneObserver,
-    settings: &[Setting],
+    settings: &[&'a Setting],
 ) -> Vec<Option<Track>> {
-    let jobs = settings.iter();
-    let jobs = jobs.map(|Setting { values, x0, pieces, .. }| Job { values, x0, pieces });
-    let jobs: Vec<_> = jobs.collect();
-    let of_setting = |setting: &Setting| Track::new(setting, observer.objectives(), 0);
+    if settings.is_empty() {
+        return Vec::new();
+    }
+    let job = |setting: &&'a Setting| Job {
+        values: &setting.values,
+        x0: &setting.x0,
+        pieces: &setting.pieces,
+    };
+    let jobs: Vec<_> = settings.iter().map(job).collect();
+    let of_setting = |setting: &&Setting| Track::new(setting, observer.objectives(), 0);
     let mut tracks: Vec<_> = settings.iter().map(of_setting).collect();
     let mut known = vec![true; settings.len()];
     observer.forget();

@@ -14,7 +14,9 @@ pub mod bound;
 mod corner;
 mod course;
 mod envelope;
+mod exact;
 mod kernel;
+mod linear;
 pub mod objective;
 mod observer;
 mod outcome;
@@ -22,6 +24,7 @@ mod read;
 pub mod record;
 mod replay;
 mod run;
+mod samples;
 mod scenario;
 pub mod search;
 mod start;
@@ -101,7 +104,7 @@ pub struct Campaign {
 
 /// What the rows of a campaign depend on beside the campaign: the version, and behind it a number that
 /// every change of the engine raises that gives a run other bits.
-pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+3");
+pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+4");
 
 impl Campaign {
     /// All that decides the rows, as text: two campaigns with the same text have the same rows from the same [`ENGINE`].

@@ -206,7 +206,7 @@ impl LaneObserver {
     /// Gives lanes the values of the jobs that they begin; the one of these that lacks one.
     pub(super) fn meet(
         &mut self,
-        settings: &[Setting],
+        settings: &[&Setting],
         jobs: &[Option<usize>; LANES],
     ) -> Option<usize> {
         let (mut met, mut failed) = (Vec::new(), None);
@@ -216,7 +216,7 @@ impl LaneObserver {
             if self.jobs[lane].is_some_and(|(own, _)| own == job) {
                 continue;
             }
-            let Setting { values, x0, .. } = &settings[job];
+            let Setting { values, x0, .. } = settings[job];
             if self.along.start(lane, values, x0).is_err() {
                 failed = Some(job);
             }

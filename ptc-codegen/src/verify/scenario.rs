@@ -1,6 +1,7 @@
 //! One point of what is uncertain: a draw, a pure function of the seed and an index, or any other.
 
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -86,8 +87,13 @@ impl Campaign {
         self.names().zip(self.sides())
     }
 
+    /// The size of the wave of each disturbance, 0 of all signals but a sine.
+    pub(super) fn waves(&self) -> impl Iterator<Item = Parameter> {
+        (0..self.disturbances.len()).map(|d| wave(d)[1])
+    }
+
     /// T/tau of the instants at which objectives are looked at.
-    fn grid(&self) -> Vec<f64> {
+    pub(super) fn grid(&self) -> Vec<f64> {
         let until = self.span();
         let last = 0.1f64.max(until.sqrt());
         let even = (0..40).map(|i| 1.0 - (1.0 - last) * f64::from(i) / 40.0);
@@ -189,6 +195,15 @@ impl Campaign {
 
 /// The symbols of a disturbance: bias + size sin(rate dt + phase).
 fn wave(d: usize) -> [Parameter; 4] {
+    // A name is held against the words of all languages, which takes longer than a piece of a run.
+    static FIRST: LazyLock<Vec<[Parameter; 4]>> = LazyLock::new(|| (0..NAMED).map(named).collect());
+    FIRST.get(d).copied().unwrap_or_else(|| named(d))
+}
+
+/// Disturbances whose symbols are kept.
+const NAMED: usize = 16;
+
+fn named(d: usize) -> [Parameter; 4] {
     ["bias", "size", "rate", "phase"].map(|part| {
         let name = Name::new(&format!("ptc_disturbance{d}_{part}"));
         name.map_or(Parameter::StartTime, Parameter::Named)

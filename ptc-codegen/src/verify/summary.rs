@@ -161,7 +161,7 @@ pub fn summary(campaign: &Campaign, trial: &mut Trial, known: &Known<'_>) -> Sum
         };
         objectives.push(Judged { verdict, excess: most, worst, scope, details });
     }
-    let sides = campaign.has_sides().then(|| sides(campaign, known));
+    let sides = campaign.has_sides().then(|| sides(campaign, trial, known));
     let trajectory = known.foremost().map(|worst| {
         let scenario = worst.scenario.clone();
         let (instants, ended) = trajectory(campaign, trial, &scenario);
@@ -189,8 +189,11 @@ fn extent(campaign: &Campaign) -> String {
     format!("in the loop that runs, every {:?} s from t0 to {to}", around.period)
 }
 
+/// What the sides are of a loop that is linear in stretched time.
+const PROPAGATED: &str = "\nwhere f is constant from instant to instant, x is the exact propagation of the law, and the second side is u of the emitted program in these states";
+
 /// How far the sides of Theorem 1 are apart.
-fn sides(campaign: &Campaign, known: &Known<'_>) -> Sides {
+fn sides(campaign: &Campaign, trial: &Trial, known: &Known<'_>) -> Sides {
     let others = known.found.iter().map(|found| found.difference);
     let others = others.fold(known.corners.tally.difference.value, f64::max);
     let Worst { index, value } = known.drawn.difference;
@@ -198,8 +201,9 @@ fn sides(campaign: &Campaign, known: &Known<'_>) -> Sides {
     let apart = difference > campaign.tolerance;
     let agree = if apart { "differ" } else { "agree" };
     let told = format!(
-        "both sides of Theorem 1 {agree}: maximum difference {difference:.1e} (of the draws {value:.1e}, scenario {index}), tolerance {:?}",
-        campaign.tolerance
+        "both sides of Theorem 1 {agree}: maximum difference {difference:.1e} (of the draws {value:.1e}, scenario {index}), tolerance {:?}{}",
+        campaign.tolerance,
+        if trial.propagates() { PROPAGATED } else { "" }
     );
     Sides { told, apart }
 }

@@ -2,14 +2,13 @@
 
 use super::batch::InLanes;
 use super::observer::{Here, Observer};
+use super::samples::{Changes, of_sample};
 use super::track::Track;
 use super::{Campaign, Kind, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
-use crate::simulate::{
-    Accuracy, Cause, Continuous, Direct, Failure, Run, SAME, Sample, Sampled, Side,
-};
+use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Sampled, Side};
 
 /// The closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]
@@ -102,7 +101,12 @@ impl Trial {
         let lanes = match &closed {
             // A lane integrates components that decay alike; what is accumulated does not decay.
             Closed::Theorem(sides) if integrals.is_empty() => {
-                InLanes::of((&sides.0, &sides.1), &observer)
+                InLanes::of_theorem((&sides.0, &sides.1), &observer, campaign)
+            }
+            Closed::Running(sampled)
+                if !campaign.spec.has_model() && campaign.spec.reference.is_none() =>
+            {
+                InLanes::of_running(sampled, &observer)
             }
             _ => None,
         };
@@ -111,6 +115,11 @@ impl Trial {
         let (objectives, inputs) = (campaign.objectives.len(), spec.input_names().len());
         let none = vec![0.0; integrals.len()];
         Ok(Self { closed, lanes, observer, objectives, inputs, none, blur })
+    }
+
+    /// Whether scenarios with an f that is constant from instant to instant are run without an integration.
+    pub(super) fn propagates(&self) -> bool {
+        self.lanes.as_ref().is_some_and(|lanes| lanes.propagates())
     }
 
     /// Runs a scenario.
@@ -305,24 +314,13 @@ fn running(
     setting: &Setting,
     visit: &mut dyn FnMut(Instant),
 ) -> Result<(), Failure> {
-    let Setting { values, x0, pieces, around } = setting;
+    let Setting { values, x0, around, .. } = setting;
     let around = around.clone().unwrap_or_default();
     let mut watch = Watch::new(observer, setting, objectives)?;
     let tau = values.get(Parameter::Tau);
-    // From where the piece before ends on.
-    let ends = pieces.iter().filter_map(|(shares, _)| shares.last());
-    let mut next = ends.zip(pieces.iter().skip(1).map(|(_, values)| values)).peekable();
-    let mut change = |since: f64| {
-        let mut values = None;
-        while let Some((_, own)) = next.next_if(|(share, _)| since >= tau * (1.0 - *share)) {
-            values = Some(own);
-        }
-        values
-    };
-    sampled.run_along(values, &mut change, x0, &around, &mut |sample| {
-        // The deadline sample is T = 0, and not what rounding makes of it.
-        let is_deadline = sample.time_to_go.abs() <= SAME * tau;
-        let time_to_go = if is_deadline { 0.0 } else { sample.time_to_go };
+    let mut changes = Changes::of(setting);
+    sampled.run_along(values, &mut |since| changes.next(since), x0, &around, &mut |sample| {
+        let time_to_go = of_sample(sample.time_to_go, tau);
         visit(watch.instant(Sample { time_to_go, ..sample }, time_to_go <= 0.0));
     })
 }

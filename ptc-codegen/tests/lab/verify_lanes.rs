@@ -170,3 +170,106 @@ fn a_stiff_loop_follows_its_closed_solution() {
         }
     }
 }
+
+/// Transitions in place of an integration, beside runs by themselves: all families and signals; only sines and
+/// squares are not shared.
+#[test]
+fn linear_loops_need_no_integration() {
+    let families = [
+        ("exp(a=1)", "1e-6"),
+        ("rational(a=1)", "1e-2"),
+        ("power(a=1, m=1/2)", "1e-2"),
+        ("tan(a=1)", "1e-2"),
+        ("tanh(a=1/2)", "1e-4"),
+        ("algebraic(a=1)", "1e-2"),
+        ("soft(a=1, start=1/2)", "1e-2"),
+        ("exp_sum(rates=[1, 2])", "1e-2"),
+        ("tau*(1 - exp(-t)*(1 + t/3))", "1e-2"),
+    ];
+    for (place, (mu, end)) in families.into_iter().enumerate() {
+        for n in [1 + place % 6, 2 + place % 3] {
+            let poles: Vec<_> = (0..n).map(|i| format!("-{}", n + 1 + i)).collect();
+            let text = until(n, mu, &poles.join(", "), end)
+                .replace("f = \"gust - damping*x", "f = \"gust + bias\"\nbias = 0.1 # ")
+                .replace("damping = [0, 0.5]\nslip = [-0.2, 0.2]\n", "")
+                .replace("\"any\"", "[\"constant\", \"random\", \"worst\"]");
+            let campaign = campaign(&text);
+            let mut trial = Trial::new(&campaign).expect("a loop");
+            let settings = settings(&campaign, 5);
+            for (setting, own) in settings.iter().zip(trial.run_all(&settings)) {
+                // The sides have one state, and u of the law and of the program in it.
+                assert!(own.difference() < 1e-9, "{mu}, n = {n}: {own:?}");
+                let alone = trial.run(setting);
+                let apart = alone.difference().max(1e-7);
+                for (a, b) in numbers(&alone).iter().zip(numbers(&own)).take(6) {
+                    assert!((a - b).abs() <= apart * (10.0 + a.abs()), "{mu}, n = {n}: {a} {b}");
+                }
+            }
+            in_any_company(&campaign);
+        }
+    }
+}
+
+/// Gains that are held before the end, and a bound of u, are not part of a linear loop.
+#[test]
+fn what_is_held_or_clipped_is_run_otherwise() {
+    let text = design(2, "exp(a=1)", "-4, -5", "")
+        .replace("f = \"gust - damping*x2 + slip*u\"", "f = \"gust\"")
+        .replace("damping = [0, 0.5]\nslip = [-0.2, 0.2]\n", "");
+    let clipped = text.replace("[plant]", "[params]\nu_max = 20\n[plant]");
+    assert_eq!(beside(&clipped, 3), (0.0, true), "{clipped}");
+}
+
+/// The loop that runs: in lanes it has the bits that it has by itself.
+#[test]
+fn sampled_loops_have_the_same_bits_in_lanes() {
+    let plants = [
+        "f = \"gust\"\n",
+        "f = \"gust - damping*x2 + slip*u - 0.3*sin(4*t)\"\ndamping = [0, 0.5]\nslip = [-0.2, 0.2]\n",
+    ];
+    let loops = [
+        "",
+        "noise = [1e-3, 1e-2]\nsensor_step = [1e-3, 0]\nu_step = 1e-2\njitter = 1e-3\n",
+        "noise_rms = [1e-3, 1e-2]\ndelay = 3\ng_error = [0.9, 1.1]\n",
+        "delay = 2\n",
+        "delay = 1\nafter = \"zero\"\n",
+    ];
+    for plant in plants {
+        for around in loops {
+            for (more, until) in [("", "0"), ("u_max = 20\n", "-0.3"), ("t0 = 1000\n", "0.013")] {
+                let text = format!(
+                    "n = 2\nmu = \"exp(a=1)\"\npoles = [-3, -4]\neps = 0.08\nsample_time = 0.01\n{around}[params]\n\
+                     {more}[plant]\n{plant}gust = [-0.1, 0.3]\n[disturbance]\ngust = \"any\"\n[verify]\nx1 = [-1, 1]\n\
+                     x2 = [-1, 1]\ntau = [0.503, 1]\nuntil = {until}\nscenarios = 20\nseed = 3\n[[objective]]\n\
+                     bound = \"attractive\"\nerror = 0.1\n[[objective]]\nbound = \"input\"\nupsilon = 10\n\
+                     [[objective]]\nbound = \"within\"\nh = \"x2 + T\"\nhigh = 3\n"
+                );
+                assert_eq!(beside(&text, 20), (0.0, true), "{text}");
+                in_any_company(&campaign(&text));
+            }
+        }
+    }
+}
+
+/// A sampled plant under a sine by the exponential, and by an integration where a term next to 0 asks for one.
+#[test]
+fn sampled_plants_under_sines_are_exact() {
+    let outcomes = |f: &str| {
+        let text = format!(
+            "n = 2\nmu = \"exp(a=1)\"\npoles = [-3, -4]\neps = 0.1\nsample_time = 0.02\n[params]\ntau = 1\nt0 = 3\n\
+             [plant]\nf = \"{f}\"\ngust = [-0.5, 0.5]\n[disturbance]\ngust = \"sine\"\n[verify]\nx1 = [-1, 1]\n\
+             x2 = [-1, 1]\nscenarios = 20\nuntil = -0.2\n[[objective]]\nbound = \"within\"\nh = \"x1\"\nhigh = 0\n\
+             [[objective]]\nbound = \"within\"\nh = \"x2\"\nhigh = 0\n[[objective]]\nbound = \"attractive\"\nerror = 1\n"
+        );
+        let campaign = campaign(&text);
+        Trial::new(&campaign).expect("a loop").run_all(&settings(&campaign, 20))
+    };
+    let terms = "3*gust/(1 + tau) - 2*x1 - (x2 + cos(7*t - 1))/2 + sin(dt)";
+    let (exact, integrated) = (outcomes(terms), outcomes(&format!("{terms} + 1e-30*x1^2")));
+    for (own, other) in exact.iter().zip(&integrated) {
+        assert!(numbers(own) != numbers(other), "{own:?}");
+        for (a, b) in numbers(own).iter().zip(numbers(other)) {
+            assert!((a - b).abs() < 1e-8, "{a} {b}");
+        }
+    }
+}

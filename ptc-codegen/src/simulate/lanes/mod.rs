@@ -13,12 +13,14 @@ mod direct;
 mod explicit;
 mod flow;
 mod nodes;
+mod running;
 mod stretched;
 mod system;
 mod tableau;
 
 pub use along::Abreast;
 pub use direct::DirectLanes;
+pub use running::{Change, RunningLanes, Sampling};
 pub use stretched::StretchedLanes;
 
 use super::{Accuracy, Failure, Values};
@@ -67,17 +69,25 @@ pub struct Clock {
 /// An instant of each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct At {
-    pub(super) t: Pack,
-    pub(super) time_to_go: Pack,
+    /// Time t in s.
+    pub t: Pack,
+    /// Time-to-go T in s.
+    pub time_to_go: Pack,
+}
+
+impl At {
+    /// Of runs of length `tau` from `t0`, where `share` of tau is left.
+    pub fn of((tau, t0): (&Pack, &Pack), share: &Pack) -> Self {
+        Self {
+            t: Pack::of(|l| t0.0[l] + (tau.0[l] - tau.0[l] * share.0[l])),
+            time_to_go: Pack::of(|l| tau.0[l] * share.0[l]),
+        }
+    }
 }
 
 impl Clock {
     fn at(&self, share: &Pack) -> At {
-        let Self { tau, t0 } = self;
-        At {
-            t: Pack::of(|l| t0.0[l] + (tau.0[l] - tau.0[l] * share.0[l])),
-            time_to_go: Pack::of(|l| tau.0[l] * share.0[l]),
-        }
+        At::of((&self.tau, &self.t0), share)
     }
 }
 

@@ -28,7 +28,7 @@ impl StretchedLanes {
     /// `None` where the loop does not run in lanes.
     pub fn of(n: usize, closed: &Arc<ClosedLoop>, kinks: &[Kink], back: &Program) -> Option<Self> {
         let program = &closed.program;
-        let mut outputs = vec![closed.control()];
+        let mut outputs = vec![closed.control(), closed.stretched()];
         outputs.extend(closed.xi());
         Some(Self {
             kinks: Kinks::of(program, kinks.to_vec())?,
@@ -49,6 +49,12 @@ impl StretchedLanes {
     fn plant(&mut self, at: &At, state: &[Pack]) {
         self.back.at(&at.time_to_go, state);
         self.mapped();
+    }
+
+    /// Stretched time since the start.
+    pub fn stretched(&mut self, at: &At) -> Pack {
+        self.outputs.at(&at.time_to_go, &[]);
+        *self.outputs.lanes.get(self.closed.stretched())
     }
 
     fn mapped(&mut self) {

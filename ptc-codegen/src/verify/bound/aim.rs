@@ -1,9 +1,10 @@
 //! An objective with its expressions in canonical form.
 
 use super::Kind;
-use super::form::{Form, Values};
+use super::form::Form;
 use crate::expression::Expression;
 use crate::internal::fault;
+use crate::verify::linear::Values;
 
 /// An objective with its expressions in canonical form.
 pub(super) enum Aim {

@@ -5,7 +5,6 @@ use std::ops::Add;
 
 use super::Campaign;
 use super::flow::Rows;
-use super::form::Values;
 use super::root::root;
 use super::series::{Arithmetic, Series, power, product};
 use crate::algebra::{BigInt, BigRational, integer};
@@ -16,7 +15,8 @@ use crate::expression::normal::normal;
 use crate::expression::range::Range;
 use crate::expression::{Expression, Node, Variable};
 use crate::mapping::{Form, Kappa, TimeMapping};
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::Parameter;
+use crate::verify::linear::values;
 
 /// A mapping in units of tau: its T is the T/tau of the run.
 pub(super) struct Clock {
@@ -32,10 +32,9 @@ pub(super) struct Clock {
     known: BTreeMap<BigRational, Interval>,
 }
 
-/// The values of what is fixed in a design.
-pub(super) fn values(campaign: &Campaign) -> Values {
-    let fixed = campaign.spec.fixed.iter().chain(&campaign.plant.fixed);
-    fixed.filter_map(|(name, value)| Some((*name, Fixed::number(value)?.clone()))).collect()
+/// Whether a run of a campaign is that of any other tau in units of tau, or has one tau.
+pub(in crate::verify) fn scales(campaign: &Campaign) -> bool {
+    Clock::new(campaign, 1, &integer(1)).is_some()
 }
 
 impl Clock {

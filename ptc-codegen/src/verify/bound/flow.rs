@@ -257,7 +257,7 @@ impl Flow {
 }
 
 /// A power of two, by which the time of the gains is scaled so that |A| is least.
-fn unit_rate(gains: &[BigRational]) -> Option<BigRational> {
+pub(in crate::verify) fn unit_rate(gains: &[BigRational]) -> Option<BigRational> {
     let n = i32::try_from(gains.len()).ok()?;
     let gains: Vec<f64> = gains.iter().map(ToPrimitive::to_f64).collect::<Option<_>>()?;
     let norm = |exponent: i32| {

@@ -12,17 +12,14 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::slice::Iter;
 
-use crate::algebra::BigRational;
 use crate::expression::existence::{self, Condition};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Function, Node, Variable};
 use crate::parameter::Parameter;
+use crate::verify::linear::Values;
 
 /// Patterns of signs for which an expression is brought to its normal form.
 const PATTERNS: usize = 64;
-
-/// The values of what is fixed.
-pub(super) type Values = BTreeMap<Parameter, BigRational>;
 
 /// An expression that certainly exists where its conditions hold.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@ use super::Campaign;
 use super::aim::Aim;
 use super::cell::{Cell, Loop, half_of};
 use super::flow::{Rows, dot};
-use super::form::{Form, Linear, Part, Values};
+use super::form::{Form, Linear, Part};
 use super::norm::{is_contraction, norm_about, sum};
 use super::reason::{Why, below, squares, unknown};
 use crate::algebra::{BigRational, integer};
@@ -15,6 +15,7 @@ use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
+use crate::verify::linear::Values;
 
 /// What stands beside the loop in an objective.
 pub(super) struct Bounds {

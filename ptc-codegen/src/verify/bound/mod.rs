@@ -31,23 +31,22 @@ use num_traits::ToPrimitive;
 use aim::Aim;
 use cell::{BEYOND, Drift, Loop};
 use clock::Clock;
+pub(super) use clock::scales;
 use emitted::Emitted;
 use flow::Flow;
-use form::Values;
+pub(super) use flow::unit_rate;
 use margin::Bounds;
 use reason::Why;
 pub use running::limits;
 
-use super::{Campaign, Kind, Objective, Signal};
+use super::linear::{LinearLoop, Values, drift, values};
+use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::diagnostic::digits;
+use crate::expression::Expression;
 use crate::expression::interval::Interval;
-use crate::expression::normal::normal;
 use crate::expression::range::Range;
-use crate::expression::{Expression, existence};
 use crate::parameter::{Fixed, Parameter};
-use crate::plant::{Bounded, force};
-use crate::request::Feedback;
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
 const CELLS: usize = 20_000;
@@ -123,7 +122,7 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
     if is_running {
         return running::proved(campaign);
     }
-    let values = clock::values(campaign);
+    let values = values(campaign);
     let mut prover = match Prover::of(campaign, &values) {
         Ok(prover) => prover,
         Err(why) => return all(why),
@@ -167,30 +166,7 @@ impl Prover {
     /// That of a campaign, or why its loop is not one that is linear in stretched time.
     fn of(campaign: &Campaign, values: &Values) -> Result<Self, String> {
         let spec = &campaign.spec;
-        let number = |g: &Expression| {
-            let known =
-                g.substitute(&|e| values.get(&e.parameter()?).cloned().map(Expression::from));
-            normal(&known).number().cloned().ok_or(known)
-        };
-        if spec.feedback != Feedback::Linear {
-            return Err("pi0 is not a sum of gains, so that the loop is not linear".to_owned());
-        }
-        if spec.reference.is_some() {
-            return Err("the law follows a reference, and the proof is of one that brings x to 0"
-                .to_owned());
-        }
-        if let Some(f) = &spec.drift {
-            return Err(format!("the law cancels f = {f}, which the proof does not know"));
-        }
-        let gain = spec.input_gain.as_ref().map_or(Ok(integer(1)), number);
-        let gain = gain.map_err(|g| format!("g = {g} is not a number"))?;
-        if let Some(own) = &campaign.plant.g
-            && (number(own).ok() != Some(gain.clone()) || !existence::needs(own).is_empty())
-        {
-            return Err(format!("the plant's g = {own} is not the number that the law divides by"));
-        }
-        let gains = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i))?.number().cloned());
-        let gains = gains.collect::<Option<Vec<_>>>().ok_or("gains are left to run time")?;
+        let LinearLoop { gains, gain } = LinearLoop::of(campaign, values)?;
         let flow = Flow::new(&gains).ok_or("the gains are beyond the range of doubles")?;
         let clock = Clock::new(campaign, spec.n + BEYOND, &flow.rate);
         let clock = clock.ok_or("the mapping does not scale with tau, which is an interval")?;
@@ -300,21 +276,6 @@ fn spent(share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
     let about = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
     let place = format!("T/tau = {}, tau = {}", about(&share[0]), about(&tau[0]));
     format!("the cells that may be looked at are used up at {place}: too little room there")
-}
-
-/// The middle of f, how far it may be from there for all of a run, and how far from that.
-fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 3], String> {
-    let of_constants =
-        campaign.intervals.iter().map(|(symbol, interval)| (*symbol, *interval, true));
-    let of_signals = campaign.disturbances.iter().map(|(symbol, interval, signals)| {
-        (*symbol, *interval, signals.iter().all(|signal| *signal == Signal::Constant))
-    });
-    let exact = |value: f64| BigRational::from_float(value).ok_or("a bound of f is not a number");
-    let one = |(symbol, (low, high), is_constant): (Parameter, (f64, f64), bool)| {
-        Ok::<Bounded, &str>((symbol, [exact(low)?, exact(high)?], is_constant))
-    };
-    let bounded = of_constants.chain(of_signals).map(one).collect::<Result<Vec<_>, _>>()?;
-    force(&campaign.plant.f, values, &bounded)
 }
 
 /// The middle of an interval, as one.
