@@ -21,7 +21,7 @@ use crate::expression::{Expression, Variable};
 use crate::limits;
 use crate::program::machine::Machine;
 use crate::reference::{Status, Work};
-use crate::request::{Spec, What};
+use crate::request::What;
 
 /// Random calls among which those are kept that take a branch no other took.
 const CANDIDATES: usize = 400;
@@ -210,13 +210,5 @@ impl Draw {
         )]
         let index = self.between(0.0, choices.len() as f64) as usize;
         choices[index.min(choices.len() - 1)]
-    }
-}
-
-/// The greatest finite number of the spec's precision.
-fn greatest(spec: &Spec) -> f64 {
-    match spec.precision {
-        crate::parameter::Precision::F64 => f64::MAX,
-        crate::parameter::Precision::F32 => f64::from(f32::MAX),
     }
 }
