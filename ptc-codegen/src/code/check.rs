@@ -199,7 +199,7 @@ impl Seen<'_> {
                 values.iter().try_for_each(|value| self.expression(value))?;
                 self.define(name)
             }
-            Statement::Rows { name, tail, weights } => {
+            Statement::Rows { name, tail, weights, .. } => {
                 tail.iter().chain(weights).try_for_each(|value| self.expression(value))?;
                 if tail.len() + 1 != weights.len() || tail.len() < 2 {
                     return Err(format!("{name} has no rows to form"));

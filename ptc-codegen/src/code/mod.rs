@@ -128,6 +128,8 @@ pub enum Statement {
         tail: Vec<Expr>,
         /// Weights of z, z^2, ...
         weights: Vec<Expr>,
+        /// Whether each product and its sum are rounded once.
+        fused: bool,
     },
     /// A local array: what a function of the user's gives for an array, a time and kappa'.
     Call {

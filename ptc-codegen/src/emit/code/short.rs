@@ -69,10 +69,10 @@ impl Short {
                     self.each(&mut values, &mut out);
                     Statement::Array(name, values)
                 }
-                Statement::Rows { name, mut tail, mut weights } => {
+                Statement::Rows { name, mut tail, mut weights, fused } => {
                     self.each(&mut tail, &mut out);
                     self.each(&mut weights, &mut out);
-                    Statement::Rows { name, tail, weights }
+                    Statement::Rows { name, tail, weights, fused }
                 }
                 Statement::Call { name, callback, array, mut times, count } => {
                     self.each(&mut times, &mut out);

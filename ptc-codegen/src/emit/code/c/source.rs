@@ -28,11 +28,11 @@ impl C<'_> {
         let mut formed = false;
         for function in &code.functions {
             let rows = function.body.iter().find_map(|statement| match statement {
-                Statement::Rows { weights, .. } => Some(weights.len()),
+                Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
                 _ => None,
             });
-            if let Some(weights) = rows.filter(|_| !std::mem::replace(&mut formed, true)) {
-                self.rows_function(weights);
+            if let Some((weights, fused)) = rows.filter(|_| !std::mem::replace(&mut formed, true)) {
+                self.rows_function(weights, fused);
             }
             self.function(function);
         }
