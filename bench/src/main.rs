@@ -2,6 +2,7 @@
 //! of builds is measured, and docs/BENCHMARKS.md and docs/benchmarks.svg are written.
 
 mod accuracy;
+mod axes;
 mod builds;
 mod c;
 mod callgrind;
@@ -33,7 +34,7 @@ use failure::Result;
 
 /// Measures the generated code and the generator.
 ///
-/// Without a command: counts, fma, latency, accuracy, peers, generator, egg, then report.
+/// Without a command: counts, axes, fma, latency, accuracy, peers, generator, egg, then report.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-bench")]
 struct CommandLine {
@@ -52,6 +53,8 @@ struct CommandLine {
 enum Command {
     /// Instructions a call, code and stack of every family, order, precision, guard and language
     Counts,
+    /// Instructions a step of several axes, with the flags with which compilers make vectors of it
+    Axes,
     /// Instructions a step with fused products and sums, with and without the processor's own
     Fma,
     /// Nanoseconds from t to u, and instructions, with and without polynomials as trees, and by hand
@@ -99,6 +102,7 @@ fn execute(line: &CommandLine) -> Result<()> {
             Ok(())
         }
         Some(Command::Counts) => report::keep("counts", &counts::measure()?),
+        Some(Command::Axes) => report::keep("axes", &axes::measure()?),
         Some(Command::Fma) => report::keep("fma", &fused::measure()?),
         Some(Command::Latency) => report::keep("latency", &latency::measure()?),
         Some(Command::Accuracy) => report::keep("accuracy", &accuracy::measure()?),
@@ -110,6 +114,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Report) => report::write(),
         None => {
             report::keep("counts", &counts::measure()?)?;
+            report::keep("axes", &axes::measure()?)?;
             report::keep("fma", &fused::measure()?)?;
             report::keep("latency", &latency::measure()?)?;
             report::keep("accuracy", &accuracy::measure()?)?;

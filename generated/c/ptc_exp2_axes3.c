@@ -149,19 +149,56 @@ ptc_status ptc_exp2_axes3_step(
         const ptc_status now = ptc_exp2_axes3_tick(self, t, &gains);
 
         status = now;
-        for (uint32_t axis = 0U; axis < 3U; axis++) {
-            u[axis] = 0.0;
-            axes[axis] = now;
-            if (now >= PTC_OK) {
-                axes[axis] = ptc_exp2_axes3_axis(&gains, x[axis], &u[axis]);
+        if (now >= PTC_OK) {
+            const double bound = (gains.u_max < 1.7976931348623157e308) ? gains.u_max : 1.7976931348623157e308;
+            double v[3];
+            uint32_t beyond = 0U;
+
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                v[axis] = (gains.gain[0] * x[axis][0]) + (gains.gain[1] * x[axis][1]);
             }
-            if ((status >= PTC_OK) && ((axes[axis] < PTC_OK) || (axes[axis] == PTC_SATURATED))) {
-                status = axes[axis];
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                beyond |= (fabs(v[axis]) <= bound) ? 0U : 1U;
             }
-        }
-        if (status < PTC_OK) {
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                u[axis] = v[axis];
+            }
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                axes[axis] = now;
+            }
+            if (beyond != 0U) {
+                for (uint32_t axis = 0U; axis < 3U; axis++) {
+                    if (!(fabs(v[axis]) <= bound)) {
+                        if ((isfinite(x[axis][0]) != 0) && (isfinite(x[axis][1]) != 0)) {
+                            if (gains.u_max < v[axis]) {
+                                u[axis] = gains.u_max;
+                                axes[axis] = PTC_SATURATED;
+                            } else if (v[axis] < -gains.u_max) {
+                                u[axis] = -gains.u_max;
+                                axes[axis] = PTC_SATURATED;
+                            } else {
+                                u[axis] = 0.0;
+                                axes[axis] = PTC_E_RANGE;
+                            }
+                        } else {
+                            u[axis] = 0.0;
+                            axes[axis] = PTC_E_INPUT;
+                        }
+                        if (status >= PTC_OK) {
+                            status = axes[axis];
+                        }
+                    }
+                }
+                if (status < PTC_OK) {
+                    for (uint32_t axis = 0U; axis < 3U; axis++) {
+                        u[axis] = 0.0;
+                    }
+                }
+            }
+        } else {
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 u[axis] = 0.0;
+                axes[axis] = now;
             }
         }
     }

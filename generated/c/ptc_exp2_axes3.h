@@ -128,7 +128,7 @@ ptc_status ptc_exp2_axes3_init(ptc_exp2_axes3 *self, const ptc_exp2_axes3_params
 ptc_status ptc_exp2_axes3_arm(ptc_exp2_axes3 *self, double t0);
 
 /*
- * The gains at time t [s] for all axes, with which step calls axis for each. On a negative status
+ * The gains at time t [s] for all axes, from which step computes u of each. On a negative status
  * *gains is unchanged.
  */
 ptc_status ptc_exp2_axes3_tick(const ptc_exp2_axes3 *self, double t, ptc_exp2_axes3_gains *gains);

@@ -166,19 +166,61 @@ ptc_status ptc_exp3_axes3_own_step(
         const ptc_status now = ptc_exp3_axes3_own_tick(self, t, &gains);
 
         status = now;
-        for (uint32_t axis = 0U; axis < 3U; axis++) {
-            u[axis] = 0.0;
-            axes[axis] = now;
-            if (now >= PTC_OK) {
-                axes[axis] = ptc_exp3_axes3_own_axis(&gains, axis, x[axis], &u[axis]);
+        if (now >= PTC_OK) {
+            double v[3];
+            uint32_t beyond = 0U;
+
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                const double s1 = gains.gain[3U * axis] * x[axis][0];
+                const double s2 = s1 + (gains.gain[(3U * axis) + 1U] * x[axis][1]);
+                const double v1 = s2 + (gains.gain[(3U * axis) + 2U] * x[axis][2]);
+                const double s3 = gains.input_gain[axis];
+                v[axis] = v1 / (((s3 < 0.0) || (s3 > 0.0)) ? s3 : (double)NAN);
             }
-            if ((status >= PTC_OK) && ((axes[axis] < PTC_OK) || (axes[axis] == PTC_SATURATED))) {
-                status = axes[axis];
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                beyond |= ((isfinite(v[axis]) != 0) && (fabs(v[axis]) <= gains.u_max[axis])) ? 0U : 1U;
             }
-        }
-        if (status < PTC_OK) {
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                u[axis] = v[axis];
+            }
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                axes[axis] = now;
+            }
+            if (beyond != 0U) {
+                for (uint32_t axis = 0U; axis < 3U; axis++) {
+                    if (!((isfinite(v[axis]) != 0) && (fabs(v[axis]) <= gains.u_max[axis]))) {
+                        if ((isfinite(x[axis][0]) != 0)
+                            && (isfinite(x[axis][1]) != 0)
+                            && (isfinite(x[axis][2]) != 0)) {
+                            if (gains.u_max[axis] < v[axis]) {
+                                u[axis] = gains.u_max[axis];
+                                axes[axis] = PTC_SATURATED;
+                            } else if (v[axis] < -gains.u_max[axis]) {
+                                u[axis] = -gains.u_max[axis];
+                                axes[axis] = PTC_SATURATED;
+                            } else {
+                                u[axis] = 0.0;
+                                axes[axis] = PTC_E_RANGE;
+                            }
+                        } else {
+                            u[axis] = 0.0;
+                            axes[axis] = PTC_E_INPUT;
+                        }
+                        if (status >= PTC_OK) {
+                            status = axes[axis];
+                        }
+                    }
+                }
+                if (status < PTC_OK) {
+                    for (uint32_t axis = 0U; axis < 3U; axis++) {
+                        u[axis] = 0.0;
+                    }
+                }
+            }
+        } else {
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 u[axis] = 0.0;
+                axes[axis] = now;
             }
         }
     }

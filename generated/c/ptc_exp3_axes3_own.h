@@ -137,7 +137,7 @@ ptc_status ptc_exp3_axes3_own_init(
 ptc_status ptc_exp3_axes3_own_arm(ptc_exp3_axes3_own *self, double t0);
 
 /*
- * The gains at time t [s] for all axes, with which step calls axis for each. On a negative status
+ * The gains at time t [s] for all axes, from which step computes u of each. On a negative status
  * *gains is unchanged.
  */
 ptc_status ptc_exp3_axes3_own_tick(

@@ -256,21 +256,102 @@ static void ptc_exp_sum9_in_loops_rows(double row[9], const double p[8])
 {
     double q[7]; /* p^2 */
 
-    for (uint32_t k = 0U; k < 7U; k++) {
-        double v = p[k] + p[k];
-        for (uint32_t m = 0U; m < k; m++) {
-            v += p[m] * p[k - m - 1U];
-        }
-        q[k] = v;
-    }
+    q[0] = p[0] + p[0];
+    q[1] = p[1] + p[1];
+    q[1] += p[0] * p[0];
+    q[2] = p[2] + p[2];
+    q[2] += p[0] * p[1];
+    q[2] += p[1] * p[0];
+    q[3] = p[3] + p[3];
+    q[3] += p[0] * p[2];
+    q[3] += p[1] * p[1];
+    q[3] += p[2] * p[0];
+    q[4] = p[4] + p[4];
+    q[4] += p[0] * p[3];
+    q[4] += p[1] * p[2];
+    q[4] += p[2] * p[1];
+    q[4] += p[3] * p[0];
+    q[5] = p[5] + p[5];
+    q[5] += p[0] * p[4];
+    q[5] += p[1] * p[3];
+    q[5] += p[2] * p[2];
+    q[5] += p[3] * p[1];
+    q[5] += p[4] * p[0];
+    q[6] = p[6] + p[6];
+    q[6] += p[0] * p[5];
+    q[6] += p[1] * p[4];
+    q[6] += p[2] * p[3];
+    q[6] += p[3] * p[2];
+    q[6] += p[4] * p[1];
+    q[6] += p[5] * p[0];
     for (uint32_t round = 0U; round < 8U; round += 2U) {
-        for (uint32_t k = round; k < 8U; k++) {
-            const double *const f = (k == round) ? p : q;
-            double v = row[k];
-            for (uint32_t m = k + 1U; m < 9U; m++) {
-                v += f[m - k - 1U] * row[m];
-            }
-            row[k] = v;
+        const double *f = p;
+
+        if (round == 0U) {
+            double v = row[0];
+            v += f[0] * row[1];
+            v += f[1] * row[2];
+            v += f[2] * row[3];
+            v += f[3] * row[4];
+            v += f[4] * row[5];
+            v += f[5] * row[6];
+            v += f[6] * row[7];
+            v += f[7] * row[8];
+            row[0] = v;
+            double w = row[1];
+            w += q[0] * row[2];
+            w += q[1] * row[3];
+            w += q[2] * row[4];
+            w += q[3] * row[5];
+            w += q[4] * row[6];
+            w += q[5] * row[7];
+            w += q[6] * row[8];
+            row[1] = w;
+            f = q;
+        }
+
+        if (round <= 2U) {
+            double v = row[2];
+            v += f[0] * row[3];
+            v += f[1] * row[4];
+            v += f[2] * row[5];
+            v += f[3] * row[6];
+            v += f[4] * row[7];
+            v += f[5] * row[8];
+            row[2] = v;
+            double w = row[3];
+            w += q[0] * row[4];
+            w += q[1] * row[5];
+            w += q[2] * row[6];
+            w += q[3] * row[7];
+            w += q[4] * row[8];
+            row[3] = w;
+            f = q;
+        }
+
+        if (round <= 4U) {
+            double v = row[4];
+            v += f[0] * row[5];
+            v += f[1] * row[6];
+            v += f[2] * row[7];
+            v += f[3] * row[8];
+            row[4] = v;
+            double w = row[5];
+            w += q[0] * row[6];
+            w += q[1] * row[7];
+            w += q[2] * row[8];
+            row[5] = w;
+            f = q;
+        }
+
+        if (round <= 6U) {
+            double v = row[6];
+            v += f[0] * row[7];
+            v += f[1] * row[8];
+            row[6] = v;
+            double w = row[7];
+            w += q[0] * row[8];
+            row[7] = w;
         }
     }
 }

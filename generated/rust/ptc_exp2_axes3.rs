@@ -284,7 +284,7 @@ impl PtcExp2Axes3 {
         Ok(())
     }
 
-    /// The gains at time t \[s\] for all axes, with which step calls axis for each.
+    /// The gains at time t \[s\] for all axes, from which step computes u of each.
     ///
     /// # Errors
     /// `Input`: an argument is not finite or out of its domain.

@@ -271,7 +271,7 @@ impl PtcExp3Axes3Own {
         Ok(())
     }
 
-    /// The gains at time t \[s\] for all axes, with which step calls axis for each.
+    /// The gains at time t \[s\] for all axes, from which step computes u of each.
     ///
     /// # Errors
     /// `Input`: an argument is not finite or out of its domain.

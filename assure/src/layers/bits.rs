@@ -278,7 +278,14 @@ fn other_forms(context: &Context) -> usize {
             Spec { precision, fma, latency, ..plain.clone() }
         })
     };
-    let specs: Vec<_> = plain.iter().enumerate().flat_map(of).collect();
+    let looped = [("f64", "fma(f["), ("f32", "fmaf(f[")].map(|(precision, fused)| {
+        let kappa = ("kappa", "tau*dt/(tau - dt) + dt");
+        let looped = spec(&[("n", "12"), kappa, ("precision", precision), ("fma", "true")]);
+        let files = ptc_codegen::generate(&looped, Language::C).expect("a legal spec");
+        assert!(files[1].text.contains(fused), "{looped:?}");
+        looped
+    });
+    let specs: Vec<_> = plain.iter().enumerate().flat_map(of).chain(looped).collect();
     let optimised =
         |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {}).values;
     let differs = |spec: &&Spec| {

@@ -3,9 +3,30 @@
 use std::fmt::Write as _;
 
 use super::tables::section;
+use crate::axes::{FLAGS, Step};
 use crate::equality::{Found, Outcome};
 use crate::generator::Bell;
 use crate::peers::{Entry, OURS};
+
+const AXES: &str = "\
+One controller for several axes, `axes = m`: exp in C and f64, guard `full`, counted as above. In each cell:
+a `step` of all axes, and `tick` once with `axis` for each axis, without the loop and the statuses of all that a
+caller needs, compiled by `gcc -std=c99` with the flags above the column. `step` computes u of all axes in one
+loop without a branch, tests all of them in another, and looks at an axis by itself only where one is not within
+its bounds. With -O2 alone gcc 12 makes vectors of none of the sums, as one state of two axes is not adjacent.";
+
+pub(super) fn axes(text: &mut String, steps: &[Step]) {
+    section(text, "Several axes", "axes", AXES);
+    let flags =
+        FLAGS.map(|flags| if flags.is_empty() { "-O2".to_owned() } else { flags.join(" ") });
+    let _ =
+        writeln!(text, "\n| n | m | {} |\n| ---: | ---: | ---: | ---: | ---: |", flags.join(" | "));
+    for Step { n, count, found } in steps {
+        let cells: Vec<_> =
+            found.iter().map(|(step, each)| format!("{step:.0}, {each:.0}")).collect();
+        let _ = writeln!(text, "| {n} | {count} | {} |", cells.join(" | "));
+    }
+}
 
 const PEERS: &str = "\
 Other generators' C and C++ for the same law beside ours, in one binary, all parameters at run time,

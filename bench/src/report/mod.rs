@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use serde::de::DeserializeOwned;
 
 use crate::accuracy::Accuracy;
+use crate::axes::Step;
 use crate::builds::Builds;
 use crate::campaigns::Campaign;
 use crate::counts::Count;
@@ -63,6 +64,9 @@ pub(crate) fn write() -> Result<()> {
         text.push_str("\n![Instructions per step over the order](benchmarks.svg)\n");
         tables::counts(&mut text, counts);
         plot::plot(&docs.join("benchmarks.svg"), counts, peers.as_deref().unwrap_or(&[]))?;
+    }
+    if let Some(steps) = kept::<Vec<Step>>("axes")? {
+        beside::axes(&mut text, &steps);
     }
     if let Some(fused) = kept::<Vec<Fused>>("fma")? {
         tables::fused(&mut text, &fused);

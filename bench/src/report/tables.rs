@@ -56,10 +56,9 @@ matters, `-C no-vectorize-slp` leaves the pairing out.
 Guard `full`, the default, costs some 20 instructions at any order: four tests, of the start, of u
 and of the hold, and three of pointers in C. The calls that are counted track within u_max.
 
-From n = 9 on the gains of exp_sum, which come from the Taylor series of mu, are computed by loops:
-more instructions than written out, and less than half the code. What is left of its code at n = 12
-is the iteration for stretched time, which does not grow with n, and the derivatives r_k. rustc
-unrolls the loops again at opt-level 3.";
+From n = 9 on the gains of exp_sum, which come from the Taylor series of mu, are computed by loops over
+the powers of the series. In C and C++ sums of up to 8 products are written out in them, so that the
+code grows with n and not with n^3; in Rust they are not, and rustc unrolls some at opt-level 3.";
 
 pub(super) fn counts(text: &mut String, counts: &[Count]) {
     section(text, "Instructions, code and stack", "counts", COUNTS);
@@ -113,7 +112,7 @@ fused one, both compiled by `gcc -std=c99 -O2 -mfma`, and what the second is of 
 
 What is fused are the polynomials of the gains and the sum over the states, so it pays with the
 order: a fifth and more from n = 6 on, a third and more at n = 12, except for three families. exp has
-no polynomials, power calls `pow`, and exp_sum iterates; its loops from n = 9 on are not fused. At
+no polynomials, power calls `pow`, and exp_sum iterates. At
 n = 1 there is next to nothing to fuse, apart from the series of tan.";
 
 const CALLED: &str = "\

@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use num_traits::Zero;
 
 use super::{
-    AXIS, Access, Code, Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement,
-    Variable,
+    AXIS, Access, Axes, Code, Ending, Expr, Finish, Function, Owner, Place, Shape, Solve,
+    Statement, Variable,
 };
 use crate::algebra::BigRational;
 use crate::program::number;
@@ -71,7 +71,7 @@ impl Code {
             _ => elements(result),
         });
         match &function.finish {
-            Finish::Axes(count) => return self.gives_axes(function, *count),
+            Finish::Axes(axes) => return self.gives_axes(function, axes),
             Finish::Inputs(inputs) => {
                 let m = inputs.values.len();
                 let gives: Vec<_> = function.results.iter().map(|result| result.shape).collect();
@@ -88,7 +88,8 @@ impl Code {
     }
 
     /// Whether a function gives what `tick` and `axis` give for each of so many axes.
-    fn gives_axes(&self, function: &Function, count: usize) -> Result<(), String> {
+    fn gives_axes(&self, function: &Function, axes: &Axes) -> Result<(), String> {
+        let count = axes.count;
         let (Some(tick), Some(axis)) = (self.function("tick"), self.function("axis")) else {
             return Err("there is no tick or no axis".to_owned());
         };
@@ -108,10 +109,30 @@ impl Code {
             && (axis.owner, axis.access) == (Owner::Gains, Access::Read)
             && shapes(&axis.results) == [Shape::Real]
             && shapes(&tick.results) == [Shape::Gains];
-        match plain && given == wanted && shapes(&function.results) == gives {
-            true => Ok(()),
-            false => Err("it is not tick and axis for each".to_owned()),
+        if !plain || given != wanted || shapes(&function.results) != gives {
+            return Err("it is not tick and axis for each".to_owned());
         }
+        let rows = axis.arguments.iter().map(|argument| argument.name.clone());
+        let mut seen = Seen {
+            fields: names(&self.gains),
+            parameters: BTreeSet::new(),
+            callbacks: BTreeSet::new(),
+            locals: rows.chain([AXIS.to_owned()]).collect(),
+            may_change: false,
+            changed: false,
+        };
+        // The tests know nothing of what is computed before v.
+        let outer = seen.locals.clone();
+        seen.block(&axes.body)?;
+        seen.expression(&axes.value)?;
+        seen.locals = outer;
+        seen.define("v")?;
+        if let Some(bound) = &axes.bound {
+            seen.expression(bound)?;
+            seen.define("bound")?;
+        }
+        seen.test(&axes.legal)?;
+        seen.finish(&axes.otherwise, 1, Owner::Gains)
     }
 
     /// A number of the program that its precision does not hold: it is not 0 and rounds to 0, or to
@@ -178,7 +199,7 @@ impl Seen<'_> {
                 values.iter().try_for_each(|value| self.expression(value))?;
                 self.define(name)
             }
-            Statement::Rows { name, tail, weights } => {
+            Statement::Rows { name, tail, weights, .. } => {
                 tail.iter().chain(weights).try_for_each(|value| self.expression(value))?;
                 if tail.len() + 1 != weights.len() || tail.len() < 2 {
                     return Err(format!("{name} has no rows to form"));

@@ -75,10 +75,30 @@ pub enum Finish {
     /// For so many axes what `axis` gives with the gains of `tick`: all u, and the status of each. The
     /// status of the call is that of the first axis that fails, and then every u is 0; else that u was
     /// clipped, where one was; else that of the gains.
-    Axes(usize),
+    Axes(Box<Axes>),
     /// The inputs of one plant, each within its bound, and the status of each. Where one of them is no
     /// finite number, every u is 0, and the status of the call is that of range.
     Inputs(Box<Inputs>),
+}
+
+/// What `axis` does, for several axes at once: what it computes in a loop without a branch, which compilers
+/// turn into vector instructions, and its tests behind it. In the terms of `axis`: each array that it is
+/// given is the row of an axis, the fields are those of the gains, and u before the tests is the local
+/// value v.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axes {
+    /// How many.
+    pub count: usize,
+    /// What is computed before v.
+    pub body: Vec<Statement>,
+    /// v.
+    pub value: Expr,
+    /// The local value `bound` of all axes, if the tests know one.
+    pub bound: Option<Expr>,
+    /// Whether v is given, with the status of the gains.
+    pub legal: Test,
+    /// What is given where it is not.
+    pub otherwise: Finish,
 }
 
 /// The inputs of one plant.

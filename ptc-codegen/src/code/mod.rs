@@ -14,7 +14,7 @@ mod visit;
 
 pub use branch::{Branch, Taken};
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
-pub use function::{Access, Callback, Ending, Finish, Function, Inputs, Owner};
+pub use function::{Access, Axes, Callback, Ending, Finish, Function, Inputs, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};
 
 use crate::expression::Function as Call;
@@ -130,6 +130,8 @@ pub enum Statement {
         tail: Vec<Expr>,
         /// Weights of z, z^2, ...
         weights: Vec<Expr>,
+        /// Whether each product and its sum are rounded once.
+        fused: bool,
     },
     /// A local array: what a function of the user's gives for an array, a time and kappa'.
     Call {
@@ -266,7 +268,7 @@ impl Code {
     /// The number of its axes, or of the inputs of its plant, where `step` is that of several.
     pub fn axes(&self) -> Option<usize> {
         match &self.function("step")?.finish {
-            Finish::Axes(count) => Some(*count),
+            Finish::Axes(axes) => Some(axes.count),
             Finish::Inputs(inputs) => Some(inputs.values.len()),
             _ => None,
         }

@@ -46,6 +46,7 @@ impl Finish {
                 inputs.limits.iter().flatten().for_each(|limit| limit.visit(look));
                 inputs.tracks.visit(look);
             }
+            // What they compute is that of `axis`.
             Self::Fail(_) | Self::Axes(_) => {}
         }
     }

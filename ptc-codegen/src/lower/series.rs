@@ -10,9 +10,9 @@ use crate::parameter::Parameter;
 use crate::program::{Op, Value};
 
 /// The order from which rows are computed by loops where the series is known no sooner than time.
-/// Written out they are faster at every order (`exp_sum` at n = 8: 859 instructions per step against
-/// 1378), but their code grows with n^3: from here on it takes more than the 4 KiB that a step of any
-/// family may take (three rates, full guard: 4366 bytes against 2683).
+/// Written out they are a little faster, but their code grows with n^3: from here on it takes more than the
+/// 4 KiB that a step of any family may take (three rates, full guard: 4366 bytes, against 3394 by loops the
+/// short ones of which are written out).
 const LOOPS: usize = 9;
 
 /// `powers[j - 1][d - 1]` = \[z^(j+d)\] p^j for d = 1..n-j.
@@ -99,7 +99,7 @@ fn looped_sums(b: &mut Builder<'_>, taylor: &Taylor, weights: &[Value]) -> Vec<V
     let unit = unit_powers(b, taylor);
     let tail: Vec<_> = taylor.tail.iter().zip(&unit).map(|(c, unit)| b.times(c, unit)).collect();
     let tail = tail.iter().map(|coefficient| b.coefficient(coefficient)).collect();
-    let rows = b.push(Op::Rows { tail, weights: weights.to_vec() });
+    let rows = b.push(Op::Rows { tail, weights: weights.to_vec(), fused: false });
     let rows = b.name(rows, "row", "gains without their powers of 1/r1 and factorials");
     (0..b.spec.n - 1).map(|j| b.push(Op::Element(rows, j))).collect()
 }

@@ -29,6 +29,14 @@ impl Precision {
             Self::F64 => "f64",
         }
     }
+
+    /// Its greatest finite number.
+    pub fn greatest(self) -> f64 {
+        match self {
+            Self::F32 => f64::from(f32::MAX),
+            Self::F64 => f64::MAX,
+        }
+    }
 }
 
 /// A parameter: left to run time, or fixed when the code is generated.

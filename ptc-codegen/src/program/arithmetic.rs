@@ -113,7 +113,7 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
 
 /// a * b + c with one rounding. Through double a float one would round twice.
 #[allow(clippy::cast_possible_truncation)]
-fn fused(a: f64, b: f64, c: f64, precision: Precision) -> f64 {
+pub(super) fn fused(a: f64, b: f64, c: f64, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => a.mul_add(b, c),
         Precision::F32 => f64::from((a as f32).mul_add(b as f32, c as f32)),

@@ -86,9 +86,15 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
             Op::Div(..) | Op::Quotient(..) => cost.div += 1,
             Op::Call(Function::Sqrt, _) => cost.sqrt += 1,
             Op::Call(..) | Op::Law(_) | Op::Pow(..) => cost.calls += 1,
-            Op::Rows { tail, weights } => {
+            Op::Rows { tail, weights, fused } => {
                 let (tail, weights) = (vec![(); tail.len()], vec![(); weights.len()]);
-                rows::rows(&tail, &weights, |(), ()| cost.add += 1, |(), ()| cost.mul += 1);
+                let (mut sums, mut products) = (0, 0);
+                rows::rows(&tail, &weights, |(), ()| sums += 1, |(), (), ()| products += 1);
+                match fused {
+                    true => cost.fused += products,
+                    false => (cost.mul, cost.add) = (cost.mul + products, cost.add + products),
+                }
+                cost.add += sums;
             }
             Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) | Op::Element(..) => {}
         }

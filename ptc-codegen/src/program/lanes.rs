@@ -80,7 +80,7 @@ struct Instruction {
 #[derive(Debug)]
 enum Work {
     Arithmetic(Arithmetic),
-    Rows { tail: Vec<usize>, weights: Vec<usize> },
+    Rows { tail: Vec<usize>, weights: Vec<usize>, fused: bool },
     Element(usize, usize),
     Root(Box<Loop>),
 }
@@ -177,7 +177,9 @@ impl Tape {
         let place = |value: &Value| self.places[value.0];
         let all = |values: &[Value]| values.iter().map(place).collect::<Vec<_>>();
         let work = match &program.get(value).op {
-            Op::Rows { tail, weights } => Work::Rows { tail: all(tail), weights: all(weights) },
+            Op::Rows { tail, weights, fused } => {
+                Work::Rows { tail: all(tail), weights: all(weights), fused: *fused }
+            }
             Op::Element(array, index) => Work::Element(place(array), *index),
             Op::Root(root) => Work::Root(Box::new(self.of_root(program, root)?)),
             op => {
@@ -216,11 +218,14 @@ fn perform(due: &[Instruction], registers: &mut [Pack], arrays: &mut [Vec<Pack>]
     for Instruction { to, work } in due {
         registers[*to] = match work {
             Work::Arithmetic(operation) => apply(operation, registers),
-            Work::Rows { tail, weights } => {
+            Work::Rows { tail, weights, fused } => {
                 let [tail, weights] = [tail, weights]
                     .map(|places| places.iter().map(|p| registers[*p]).collect::<Vec<_>>());
-                arrays[*to] =
-                    rows(&tail, &weights, |a, b| two(&a, &b, add), |a, b| two(&a, &b, mul));
+                let more = |a: Pack, b: Pack, c: Pack| match fused {
+                    true => Pack::of(|lane| a.0[lane].mul_add(b.0[lane], c.0[lane])),
+                    false => two(&c, &two(&a, &b, mul), add),
+                };
+                arrays[*to] = rows(&tail, &weights, |a, b| two(&a, &b, add), more);
                 // An array is no number.
                 Pack::all(f64::NAN)
             }

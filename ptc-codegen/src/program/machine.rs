@@ -48,6 +48,7 @@ enum Step {
     Rows {
         tail: Vec<usize>,
         weights: Vec<usize>,
+        fused: bool,
     },
     Element(usize, usize),
     Root(Root, Vec<usize>),
@@ -165,7 +166,9 @@ impl Step {
             Op::Input(input) => Self::Given(Some(*input)),
             Op::Unknown => Self::Given(None),
             Op::Law(arguments) => Self::Law(slots(arguments)),
-            Op::Rows { tail, weights } => Self::Rows { tail: slots(tail), weights: slots(weights) },
+            Op::Rows { tail, weights, fused } => {
+                Self::Rows { tail: slots(tail), weights: slots(weights), fused: *fused }
+            }
             Op::Element(array, index) => Self::Element(array.0, *index),
             Op::Root(root) => Self::Root(*root, program.body(root).map(|v| v.0).collect()),
             op => {
@@ -202,13 +205,12 @@ impl Slots {
                 self.arguments.extend(arguments.iter().map(|i| self.numbers[*i]));
                 law.map_or(f64::NAN, |law| law(&self.arguments))
             }
-            Step::Rows { tail, weights } => {
+            Step::Rows { tail, weights, fused } => {
                 let numbers = |slots: &[usize]| -> Vec<f64> {
                     slots.iter().map(|i| self.numbers[*i]).collect()
                 };
-                let add = |a, b| number::settle(a + b, precision);
-                let mul = |a, b| number::settle(a * b, precision);
-                self.arrays[index] = rows::rows(&numbers(tail), &numbers(weights), add, mul);
+                self.arrays[index] =
+                    rows::of_numbers(&numbers(tail), &numbers(weights), *fused, precision);
                 // An array is no number.
                 f64::NAN
             }

@@ -116,6 +116,8 @@ pub enum Op {
         tail: Vec<Value>,
         /// Weights of z, z^2, ...
         weights: Vec<Value>,
+        /// Whether each product and its sum are rounded once.
+        fused: bool,
     },
     /// An element of an array, from 0.
     Element(Value, usize),
@@ -154,7 +156,7 @@ impl Op {
             Self::Number(_) | Self::Input(_) | Self::Unknown => {}
             Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) | Self::Element(a, _) => give(*a),
             Self::Law(arguments) => arguments.iter().copied().for_each(give),
-            Self::Rows { tail, weights } => tail.iter().chain(weights).copied().for_each(give),
+            Self::Rows { tail, weights, .. } => tail.iter().chain(weights).copied().for_each(give),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -177,9 +179,10 @@ impl Op {
             Self::Call(function, a) => Self::Call(*function, to(*a)),
             Self::Element(array, index) => Self::Element(to(*array), *index),
             Self::Law(arguments) => Self::Law(arguments.iter().map(|a| to(*a)).collect()),
-            Self::Rows { tail, weights } => Self::Rows {
+            Self::Rows { tail, weights, fused } => Self::Rows {
                 tail: tail.iter().map(|v| to(*v)).collect(),
                 weights: weights.iter().map(|v| to(*v)).collect(),
+                fused: *fused,
             },
             Self::Add(a, b) => Self::Add(to(*a), to(*b)),
             Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
-use super::{Call, Session, Trials, Wanted, greatest, own_laws, own_rest};
+use super::{Call, Session, Trials, Wanted, own_laws, own_rest};
 use crate::algebra::BigRational;
 use crate::controller::Controller;
 use crate::parameter::{Parameter, Precision};
@@ -133,8 +133,8 @@ impl<'a> Maker<'a> {
                 // Beyond it the powers of which u consists may not all fit.
                 // Gains are formed by products of which one may lie above the gain itself: six digits off
                 // the end are a margin for those, not a bound.
-                let excess = self.gain(session, t, x) > 1e-6 * greatest(spec);
-                if excess || control.scale() > greatest(spec).sqrt() {
+                let excess = self.gain(session, t, x) > 1e-6 * spec.precision.greatest();
+                if excess || control.scale() > spec.precision.greatest().sqrt() {
                     return None;
                 }
                 relative * control.scale() + last_place * expected.u.abs()

@@ -239,11 +239,3 @@ impl Draw {
         choices[index.min(choices.len() - 1)]
     }
 }
-
-/// The greatest finite number of the spec's precision.
-fn greatest(spec: &Spec) -> f64 {
-    match spec.precision {
-        crate::parameter::Precision::F64 => f64::MAX,
-        crate::parameter::Precision::F32 => f64::from(f32::MAX),
-    }
-}

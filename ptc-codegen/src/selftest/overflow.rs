@@ -3,7 +3,7 @@
 
 use super::parameters::Chosen;
 use super::trial::Trial;
-use super::{Always, Draw, Trials, Unreachable, greatest};
+use super::{Always, Draw, Trials, Unreachable};
 use crate::controller::{Controller, checked};
 use crate::parameter::{Domain, Parameter, Precision};
 use crate::program::digits::Condition;
@@ -136,7 +136,12 @@ pub(super) fn extreme(
 ) -> Vec<f64> {
     let all = chosen.at_run_time();
     // First each alone at its ends, then all of them anywhere.
-    let ends = [greatest(spec), greatest(spec) / 4.0, 2.0 * least(spec), 64.0 / greatest(spec)];
+    let ends = [
+        spec.precision.greatest(),
+        spec.precision.greatest() / 4.0,
+        2.0 * least(spec),
+        64.0 / spec.precision.greatest(),
+    ];
     let alone = (round < 4 * all.len()).then(|| (round / 4, ends[round % 4]));
     let share = draw.of(&[0.2, 0.5, 0.9]);
     let mut set: Vec<f64> = Vec::with_capacity(all.len());
@@ -174,8 +179,9 @@ pub(super) fn least(spec: &Spec) -> f64 {
 
 /// A number of any size and sign, sometimes one of the ends of the range or 0.
 fn any(spec: &Spec, draw: &mut Draw) -> f64 {
-    let range = greatest(spec).log10();
+    let range = spec.precision.greatest().log10();
     let exponent = draw.between(-range, range);
-    let end = draw.of(&[10f64.powf(exponent), 10f64.powf(exponent), greatest(spec), 0.0, 3.0]);
+    let end =
+        draw.of(&[10f64.powf(exponent), 10f64.powf(exponent), spec.precision.greatest(), 0.0, 3.0]);
     settle(draw.of(&[-1.0, 1.0]) * end, spec.precision)
 }

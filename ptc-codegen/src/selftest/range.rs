@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::CANDIDATES;
 use super::maker::{Maker, after};
 use super::overflow::{extreme, least};
-use super::{Call, Draw, Session, Wanted, greatest};
+use super::{Call, Draw, Session, Wanted};
 use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::reference::Status;
@@ -17,7 +17,7 @@ impl Maker<'_> {
     pub(super) fn out_of_range(&mut self) -> Vec<Session> {
         let spec = self.spec();
         let mut draw = Draw(2);
-        let largest = greatest(spec);
+        let largest = spec.precision.greatest();
         let all = self.chosen.at_run_time();
         let mut found = Vec::new();
         let mut kinds = vec![(true, true), (true, false)];
@@ -71,7 +71,7 @@ impl Maker<'_> {
     /// Some run-time parameters at the ends of what they may be, by turns.
     fn at_the_ends(&self, session: &mut Session, round: usize) {
         let spec = self.spec();
-        let largest = greatest(spec);
+        let largest = spec.precision.greatest();
         let all = self.chosen.at_run_time();
         for (at, parameter) in all.iter().enumerate() {
             let value = match parameter {

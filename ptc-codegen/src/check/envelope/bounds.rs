@@ -134,8 +134,8 @@ impl<'a> Bounds<'a> {
 
     fn settle(&mut self, value: Value) {
         let op = &self.program.get(value).op;
-        if let Op::Rows { tail, weights } = op {
-            self.arrays.insert(value, self.rows(tail, weights));
+        if let Op::Rows { tail, weights, fused } = op {
+            self.arrays.insert(value, self.rows(tail, weights, *fused));
         }
         self.known[value.0] = Some(self.compute(op));
     }
@@ -155,13 +155,17 @@ impl<'a> Bounds<'a> {
     }
 
     /// The loops of an array, operation by operation.
-    fn rows(&self, tail: &[Value], weights: &[Value]) -> Vec<Interval> {
+    fn rows(&self, tail: &[Value], weights: &[Value], fused: bool) -> Vec<Interval> {
         let [tail, weights] =
             [tail, weights].map(|values| values.iter().map(|v| self.get(*v)).collect::<Vec<_>>());
-        let (mul, add) = (Op::Mul(Value(0), Value(1)), Op::Add(Value(0), Value(1)));
-        let precision = self.program.precision;
-        let on = |op| move |a, b| apply(op, &[a, b], precision);
-        rows::rows(&tail, &weights, on(&add), on(&mul))
+        let [a, b, c] = [0, 1, 2].map(Value);
+        let on = |op: Op, of: &[Interval]| apply(&op, of, self.program.precision);
+        let add = |x, y| on(Op::Add(a, b), &[x, y]);
+        let more = |x, y, z| match fused {
+            true => on(Op::Fused(a, b, c), &[x, y, z]),
+            false => add(z, on(Op::Mul(a, b), &[x, y])),
+        };
+        rows::rows(&tail, &weights, add, more)
     }
 
     /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not

@@ -12,7 +12,7 @@ use crate::code::{
 };
 use crate::internal::fault;
 use crate::parameter::Precision;
-use crate::program::{Op, Root, Value, apply, number, rows::rows};
+use crate::program::{Op, Root, Value, apply, number, rows::of_numbers};
 
 /// The names that one call knows.
 pub(super) struct Frame<'a, 'b> {
@@ -99,10 +99,10 @@ impl<'b> Frame<'_, 'b> {
                     let values = values.iter().map(|value| self.real(value)).collect();
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
-                Statement::Rows { name, tail, weights } => {
+                Statement::Rows { name, tail, weights, fused } => {
                     let [tail, weights]: [Vec<f64>; 2] =
                         [tail, weights].map(|list| list.iter().map(|v| self.real(v)).collect());
-                    let values = self.rows(&tail, &weights);
+                    let values = of_numbers(&tail, &weights, *fused, self.precision);
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
                 Statement::Call { name, callback, array, times, count } => {
@@ -130,11 +130,6 @@ impl<'b> Frame<'_, 'b> {
         let place = |index: usize| u32::try_from(index).map_or(f64::NAN, f64::from);
         let one = |index| called(&[array.as_slice(), &[rate, place(index)]].concat(), time);
         (0..count).map(|index| number::settle(one(index), self.precision)).collect()
-    }
-
-    fn rows(&self, tail: &[f64], weights: &[f64]) -> Vec<f64> {
-        let settle = |value| number::settle(value, self.precision);
-        rows(tail, weights, |a, b| settle(a + b), |a, b| settle(a * b))
     }
 
     /// The rounds of an iteration, the root of which is left in its unknown.

@@ -146,8 +146,8 @@ impl<'a> Instance<'a> {
         callbacks: &[Called<'_>],
     ) -> Outcome {
         let Some(function) = self.code.function(name) else { fault(format!("no function {name}")) };
-        if let Finish::Axes(count) = function.finish {
-            return axes::each(self, function, count, arguments);
+        if let Finish::Axes(axes) = &function.finish {
+            return axes::each(self, function, axes.count, arguments);
         }
         let mut changed = self.fields.clone();
         let mut frame = Frame {

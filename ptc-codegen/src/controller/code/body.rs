@@ -133,10 +133,11 @@ impl Writer<'_> {
                 }
                 self.define(value, Expr::Callback("pi0", "xi".to_owned(), Box::new(time)))
             }
-            Op::Rows { tail, weights } => {
+            Op::Rows { tail, weights, fused } => {
                 let (tail, weights) = (self.all(tail), self.all(weights));
                 let name = self.fresh(value);
-                self.statements.push(Statement::Rows { name: name.clone(), tail, weights });
+                let rows = Statement::Rows { name: name.clone(), tail, weights, fused: *fused };
+                self.statements.push(rows);
                 Expr::local(name)
             }
             Op::Element(array, index) => match self.expression(*array) {

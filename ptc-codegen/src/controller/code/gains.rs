@@ -3,13 +3,14 @@
 
 use super::Builder;
 use crate::code::{
-    AXIS, Access, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test,
-    Variable,
+    AXIS, Access, Axes, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status,
+    Test, Variable,
 };
 use crate::controller::plan::Routine;
+use crate::expression::Function::Abs;
 use crate::internal::fault;
-use crate::program::Value;
-use crate::request::Axes;
+use crate::program::{Input, Value, number};
+use crate::request;
 
 impl Builder<'_> {
     /// What `tick` gives and `axis` knows.
@@ -52,7 +53,7 @@ impl Builder<'_> {
 
     /// Whether `axis` has to know which axis it is.
     fn numbers_axes(&self) -> bool {
-        self.spec.axes.as_ref().is_some_and(Axes::differ)
+        self.spec.axes.as_ref().is_some_and(request::Axes::differ)
     }
 
     /// `step` of all axes.
@@ -87,8 +88,53 @@ impl Builder<'_> {
             ],
             failures: axis.failures,
             body: Vec::new(),
-            finish: Finish::Axes(count),
+            finish: Finish::Axes(Box::new(self.of_all_axes(count))),
             guarded: self.guarded(),
+        }
+    }
+
+    /// What [`Builder::axis`] does, for all axes at once.
+    fn of_all_axes(&self, count: usize) -> Axes {
+        let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
+        let inputs = self.inputs_of_axis(axis);
+        let mut body = self.body(Routine::Axis, &[]);
+        let Some(value) = body.roots.pop() else { fault("an axis without u") };
+        let limit = self.limit_of_axis();
+        // One test for both, that v is finite and that it is within a bound which may be infinite.
+        let greatest = number::exact(self.spec.precision.greatest());
+        let greatest = Expr::Number(greatest.unwrap_or_else(|| fault("a greatest number")));
+        let shared = limit.clone().filter(|limit| matches!(limit, Expr::Field(_)));
+        let bound = shared.map(|limit| {
+            let less = Test::Less(limit.clone(), greatest.clone());
+            Expr::choose(less, limit, greatest)
+        });
+        let size = || Expr::Call(Abs, Box::new(Expr::local("v")));
+        let within = match bound {
+            Some(_) => vec![Test::AtMost(size(), Expr::local("bound"))],
+            None => Self::within(limit.clone()),
+        };
+        let finite = |input: &Input| Test::Finite(self.element(*input));
+        let first: Vec<_> = inputs.local.iter().map(finite).collect();
+        let legal: Vec<_> = first.iter().cloned().chain(inputs.waiting).collect();
+        let clipped = self.clipped_at(Finish::Fail(Status::Range), limit);
+        Axes {
+            count,
+            body: body.statements,
+            value,
+            bound,
+            legal: Test::All(first.into_iter().chain(within).collect()),
+            otherwise: match legal.is_empty() {
+                true => clipped,
+                false => Finish::choose(Test::All(legal), clipped, Finish::Fail(Status::Input)),
+            },
+        }
+    }
+
+    /// The bound of |u| of an axis, if there is one.
+    fn limit_of_axis(&self) -> Option<Expr> {
+        match self.controller.program.bounds.is_empty() {
+            false => Some(Expr::OfAxis("u_max".to_owned(), 1, 0)),
+            true => self.limits.u_max.map(|limit| self.field(limit)),
         }
     }
 
@@ -115,7 +161,7 @@ impl Builder<'_> {
         Function {
             name: "tick",
             about: match self.spec.axes {
-                Some(_) => "The gains at time t [s] for all axes, with which step calls axis for each.",
+                Some(_) => "The gains at time t [s] for all axes, from which step computes u of each.",
                 None => "The gains at time t [s], for several axes that share one deadline: tick once, then axis for each. The result of tick and axis may differ from that of step in the last bits.",
             }
             .to_owned(),
@@ -146,10 +192,7 @@ impl Builder<'_> {
         let Some(u) = body.roots.first() else { fault("an axis without u") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
         let v = || Expr::local("v");
-        let limit = match self.controller.program.bounds.is_empty() {
-            false => Some(Expr::OfAxis("u_max".to_owned(), 1, 0)),
-            true => self.limits.u_max.map(|limit| self.field(limit)),
-        };
+        let limit = self.limit_of_axis();
         let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
         let finish = if self.guarded() && inputs.waiting.is_empty() {
             self.clipped_at(Finish::choose(Test::Finite(v()), give, fail), limit)

@@ -169,7 +169,7 @@ pub(super) trait Block: Text {
             }
             Statement::Require(test, status) => self.require(test, *status),
             Statement::Array(name, values) => self.array(name, values),
-            Statement::Rows { name, tail, weights } => self.rows(name, tail, weights),
+            Statement::Rows { name, tail, weights, .. } => self.rows(name, tail, weights),
             Statement::Call { name, callback, array, times, count } => {
                 let [time, rate] = times.each_ref().map(|value| self.alone(value));
                 self.laws(name, callback, &[array, &time, &rate], *count);

@@ -73,7 +73,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
 
 /// Whether a function does.
 pub(super) fn calls_library(function: &Function) -> bool {
-    let mut found = false;
+    let mut found = function.has(|s| matches!(s, Statement::Rows { fused: true, .. }));
     function.visit(&mut |value| found |= is_call(value));
     found
 }

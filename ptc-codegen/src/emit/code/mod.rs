@@ -8,6 +8,7 @@ mod cpp;
 mod gives;
 mod legal;
 mod matlab;
+mod powers;
 mod python;
 mod rust;
 mod short;

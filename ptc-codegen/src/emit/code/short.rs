@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::block::declared;
-use crate::code::{Code, Expr, Operator, Shape, Statement, Test};
+use crate::code::{Code, Expr, Finish, Operator, Shape, Statement, Test};
 use crate::parameter::Precision;
 use crate::program::number;
 
@@ -20,7 +20,13 @@ pub(in crate::emit) fn short(mut code: Code) -> Code {
         let mut short = Short::new(precision, &body);
         short.used.extend(function.arguments.iter().map(|argument| argument.name.clone()));
         function.body = short.block(body);
-        if let Some(values) = function.finish.results() {
+        if let Finish::Axes(axes) = &mut function.finish {
+            let body = std::mem::take(&mut axes.body);
+            short.used.extend(["v", "bound"].map(str::to_owned));
+            axes.body = short.block(body);
+            let value = std::mem::replace(&mut axes.value, Expr::integer(0));
+            axes.value = short.whole(value, &mut axes.body);
+        } else if let Some(values) = function.finish.results() {
             let mut values = values.to_vec();
             short.each(&mut values, &mut function.body);
             function.finish.give_all(&values);
@@ -63,10 +69,10 @@ impl Short {
                     self.each(&mut values, &mut out);
                     Statement::Array(name, values)
                 }
-                Statement::Rows { name, mut tail, mut weights } => {
+                Statement::Rows { name, mut tail, mut weights, fused } => {
                     self.each(&mut tail, &mut out);
                     self.each(&mut weights, &mut out);
-                    Statement::Rows { name, tail, weights }
+                    Statement::Rows { name, tail, weights, fused }
                 }
                 Statement::Call { name, callback, array, mut times, count } => {
                     self.each(&mut times, &mut out);

@@ -7,7 +7,6 @@ use super::{About, both, suffix};
 use crate::controller::Controller;
 use crate::emit::outline::Outline;
 use crate::emit::{File, Language, code, program};
-use crate::parameter::Precision;
 use crate::reference::tolerance;
 use crate::request::{After, Feedback, Guard, Spec};
 use crate::selftest::{Always, Call, SelfTest, Session, Wanted};
@@ -53,10 +52,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         laws: spec.laws_at_once(),
         chains: spec.coupled.as_ref().map_or(spec.n, |coupled| coupled.orders().iter().sum()),
         poison: numbers.number(12345.0),
-        largest: numbers.number(match spec.precision {
-            Precision::F64 => f64::MAX,
-            Precision::F32 => f64::from(f32::MAX),
-        }),
+        largest: numbers.number(spec.precision.greatest()),
         pi0: format!("{name}_selftest_pi0"),
         after: format!("{name}_selftest_after"),
         result: if spec.coupled.is_some() { "u" } else { "&u" },

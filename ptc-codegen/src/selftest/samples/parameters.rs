@@ -1,7 +1,7 @@
 //! Sets of run-time parameters: an undisturbed round, variations of it, and the ends of the range.
 
+use super::super::Draw;
 use super::super::overflow::least;
-use super::super::{Draw, greatest};
 use crate::parameter::{Domain, Parameter};
 use crate::program::number::settle;
 use crate::request::Spec;
@@ -94,7 +94,7 @@ impl<'a> Sets<'a> {
     }
 
     fn odd(&self, parameter: Parameter) -> Vec<f64> {
-        let most = greatest(self.spec);
+        let most = self.spec.precision.greatest();
         let mut values = vec![
             f64::NAN,
             f64::INFINITY,
@@ -106,7 +106,7 @@ impl<'a> Sets<'a> {
             least(self.spec),
         ];
         if let Some((least, greatest)) = self.spec.ends(parameter) {
-            values.extend([0.75 * least, least, greatest, 1.25 * greatest]);
+            values.extend([0.75 * least, least, 1.25 * greatest]);
         }
         values
     }
@@ -119,9 +119,9 @@ impl<'a> Sets<'a> {
             if draw.between(0.0, 1.0) > share || *parameter == Parameter::Samples {
                 continue;
             }
-            let range = greatest(self.spec).log10();
+            let range = self.spec.precision.greatest().log10();
             let size = 10f64.powf(draw.between(-range, range));
-            let size = draw.of(&[size, size, greatest(self.spec)]);
+            let size = draw.of(&[size, size, self.spec.precision.greatest()]);
             let sign = match self.spec.domain(*parameter) {
                 Domain::Finite => draw.of(&[-1.0, 1.0]),
                 _ => 1.0,

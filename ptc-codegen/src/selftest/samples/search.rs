@@ -1,6 +1,6 @@
 //! The search for sets of parameters and for calls that take each branch.
 
-use super::super::{Draw, greatest};
+use super::super::Draw;
 use super::inputs::{Ends, anything, arriving};
 use super::parameters::Sets;
 use super::{Call, Session};
@@ -135,7 +135,7 @@ impl<'a> Search<'a> {
     /// Calls at every sample at which a gain may change, and random ones, of which those stay that
     /// take a branch no other took.
     pub(super) fn inputs(&mut self) {
-        let most = greatest(self.spec);
+        let most = self.spec.precision.greatest();
         let sizes = [0.0, 1e-3, 1.0, 1e3, most.sqrt(), most / 1e6, most];
         for set in std::iter::once(self.choice.usual()).chain(self.choice.others()) {
             let Some(mut life) = self.begin(&set) else { continue };

@@ -89,18 +89,21 @@ pub(super) fn error(
             _ if held.contains(&value) => 3.0 * units.roundoff * to_go,
             // t - t0, or tau - eps in its place: one rounding.
             _ if elapsed == Some(value) => 2.0 * units.roundoff * own.high,
-            Op::Rows { tail, weights } => {
+            Op::Rows { tail, weights, fused } => {
                 let all = |values: &[Value]| values.iter().map(of).collect::<Option<Vec<_>>>();
                 let precision = program.precision;
-                let on = |op: Op| {
-                    move |a: Rounded, b: Rounded| {
-                        let value =
-                            crate::check::envelope::apply(&op, &[a.value, b.value], precision);
-                        Rounded { value, error: units.of(&op, &[a, b], value) }
-                    }
+                let on = |op: Op, of: &[Rounded]| {
+                    let values: Vec<_> = of.iter().map(|rounded| rounded.value).collect();
+                    let value = crate::check::envelope::apply(&op, &values, precision);
+                    Rounded { value, error: units.of(&op, of, value) }
                 };
-                let (add, mul) = (Op::Add(Value(0), Value(1)), Op::Mul(Value(0), Value(1)));
-                arrays.insert(value, rows::rows(&all(tail)?, &all(weights)?, on(add), on(mul)));
+                let [a, b, c] = [0, 1, 2].map(Value);
+                let add = |x, y| on(Op::Add(a, b), &[x, y]);
+                let more = |x, y, z| match fused {
+                    true => on(Op::Fused(a, b, c), &[x, y, z]),
+                    false => add(z, on(Op::Mul(a, b), &[x, y])),
+                };
+                arrays.insert(value, rows::rows(&all(tail)?, &all(weights)?, add, more));
                 0.0
             }
             Op::Element(array, index) => arrays.get(array)?.get(*index)?.error,

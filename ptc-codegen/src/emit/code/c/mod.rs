@@ -65,12 +65,21 @@ pub(super) struct C<'a> {
     zeroed: bool,
     /// The local value that is stored as soon as it is known, and the result that it is.
     stored: Option<(String, String)>,
+    /// In a loop over axes, the names of what has an element, or an array, for each axis.
+    rows: Vec<String>,
     out: Lines,
 }
 
 impl Text for C<'_> {
     fn precision(&self) -> Precision {
         self.code.precision
+    }
+
+    fn local(&self, name: &str) -> String {
+        match self.rows.iter().any(|row| row == name) {
+            true => format!("{name}[axis]"),
+            false => name.to_owned(),
+        }
     }
 
     fn field(&self, name: &str) -> String {
@@ -123,7 +132,17 @@ impl Text for C<'_> {
 impl<'a> C<'a> {
     pub(super) fn new(code: &'a Code, notes: &'a Notes) -> Self {
         let out = Lines::default();
-        Self { code, notes, owner: "self->", standing: None, zeroed: false, stored: None, out }
+        let rows = Vec::new();
+        Self {
+            code,
+            notes,
+            owner: "self->",
+            standing: None,
+            zeroed: false,
+            stored: None,
+            rows,
+            out,
+        }
     }
 
     fn type_of(&self, shape: Shape) -> String {

@@ -28,11 +28,11 @@ impl C<'_> {
         let mut formed = false;
         for function in &code.functions {
             let rows = function.body.iter().find_map(|statement| match statement {
-                Statement::Rows { weights, .. } => Some(weights.len()),
+                Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
                 _ => None,
             });
-            if let Some(weights) = rows.filter(|_| !std::mem::replace(&mut formed, true)) {
-                self.rows_function(weights);
+            if let Some((weights, fused)) = rows.filter(|_| !std::mem::replace(&mut formed, true)) {
+                self.rows_function(weights, fused);
             }
             self.function(function);
         }
@@ -167,7 +167,7 @@ impl C<'_> {
                 self.settle(*ending);
             }
             Finish::Fail(status) => self.fail(function, *status),
-            Finish::Axes(count) => self.axes(function, *count),
+            Finish::Axes(axes) => self.axes(function, axes),
             Finish::Inputs(inputs) => self.inputs(inputs),
             Finish::If(..) => {
                 // One store for all ends, but where the result is 0 from the start.
@@ -183,7 +183,7 @@ impl C<'_> {
         }
     }
 
-    fn ends(&mut self, function: &Function, finish: &Finish, done: bool) {
+    pub(super) fn ends(&mut self, function: &Function, finish: &Finish, done: bool) {
         if done
             && matches!(finish, Finish::If(..))
             && let (tests, Finish::Give(_, Ending::Known(status)), rest) = same(finish)
@@ -229,17 +229,30 @@ impl C<'_> {
             Ending::Known(status) => word(status),
             Ending::OfGains => "gains->status",
         };
-        self.out.line(format!("status = {status};"));
+        let place = self.place("status");
+        self.out.line(format!("{place} = {status};"));
+    }
+
+    /// Where a result that is one number goes, or the status: in the loop over axes into the array of all.
+    fn place(&self, name: &str) -> String {
+        match (self.rows.is_empty(), name) {
+            (true, "status") => name.to_owned(),
+            (true, _) => format!("*{name}"),
+            (false, "status") => "axes[axis]".to_owned(),
+            (false, _) => format!("{name}[axis]"),
+        }
     }
 
     fn fail(&mut self, function: &Function, status: Status) {
         if !self.zeroed || self.stored.is_some() {
             let zero = self.literal("0.0");
             for result in function.results.iter().filter(|result| result.shape == Shape::Real) {
-                self.out.line(format!("*{} = {zero};", result.name));
+                let place = self.place(&result.name);
+                self.out.line(format!("{place} = {zero};"));
             }
         }
-        self.out.line(format!("status = {};", word(status)));
+        let place = self.place("status");
+        self.out.line(format!("{place} = {};", word(status)));
     }
 
     fn hand_over(&mut self, function: &Function, values: &[Expr]) {
@@ -260,7 +273,7 @@ impl C<'_> {
                     };
                     fields.flat_map(place).collect()
                 }
-                Shape::Real | Shape::Count => vec![format!("*{name}")],
+                Shape::Real | Shape::Count => vec![self.place(name)],
             };
             for (place, value) in places.into_iter().zip(values.by_ref()) {
                 self.out.line(format!("{place} = {value};"));

@@ -89,7 +89,7 @@ impl C<'_> {
                 self.out.line(format!("{place} = {value};"));
             }
             Statement::Array(name, values) => self.array("const ", name, values),
-            Statement::Rows { name, tail, weights } => {
+            Statement::Rows { name, tail, weights, .. } => {
                 self.array("", name, weights);
                 self.array("const ", "p", tail);
                 self.out.line(format!("{}_rows({name}, p);", self.code.name));

@@ -193,11 +193,11 @@ impl Cpp<'_> {
         let code = self.code;
         let formed = code.functions.iter().flat_map(|function| &function.body);
         let weights = formed.filter_map(|statement| match statement {
-            Statement::Rows { weights, .. } => Some(weights.len()),
+            Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
             _ => None,
         });
-        if let Some(weights) = weights.max() {
-            self.rows_function(weights);
+        if let Some((weights, fused)) = weights.max() {
+            self.rows_function(weights, fused);
         }
     }
 }

@@ -282,8 +282,8 @@ impl<'a> Cpp<'a> {
             self.out
                 .line(format!("if (status < Status::Ok) {{\n    return {{{zero}, status}};\n}}"));
         }
-        if let Finish::Axes(count) = function.finish {
-            return self.axes(function, count);
+        if let Finish::Axes(axes) = &function.finish {
+            return self.axes(function, axes.count);
         }
         self.block(&function.body);
         if let Finish::Inputs(inputs) = &function.finish {

@@ -75,8 +75,8 @@ impl Matlab<'_> {
         let result = function.results.first();
         self.result = result.map(|result| result.name.clone()).unwrap_or_default();
         self.signature(function);
-        if let Finish::Axes(count) = function.finish {
-            self.axes(function, count);
+        if let Finish::Axes(axes) = &function.finish {
+            self.axes(function, axes.count);
             self.out.line("end");
             return self.out.text();
         }

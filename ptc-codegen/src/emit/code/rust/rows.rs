@@ -1,13 +1,22 @@
 //! The loops over the powers of a series.
 
+use super::super::text::Text;
 use super::Rust;
 use crate::code::Shape;
 
 impl Rust<'_> {
     /// The function that forms so many rows.
-    pub(super) fn rows_function(&mut self, weights: usize) {
+    pub(super) fn rows_function(&mut self, weights: usize, fused: bool) {
         let (real, tail) = (self.type_of(Shape::Real), weights - 1);
         let part = tail - 1;
+        let more = |a: &str, b: &str| {
+            let operands = [a, b, "*sum"].map(str::to_owned);
+            match self.fused(&operands).filter(|_| fused) {
+                Some(fused) => format!("*sum = {fused}"),
+                None => format!("*sum += {a} * {b}"),
+            }
+        };
+        let (of_square, of_row) = (more("*a", "*b"), more("*coefficient", "*row"));
         self.out.line(format!(
             "
 /// Loops over the powers of the Taylor series of mu, for the gains of all states at once.
@@ -16,7 +25,7 @@ fn rows(mut rows: [{real}; {weights}], tail: &[{real}; {tail}]) -> [{real}; {wei
     for (d, (sum, own)) in square.iter_mut().zip(tail).enumerate() {{
         *sum = *own + *own;
         for (a, b) in tail.iter().take(d).zip(tail.iter().take(d).rev()) {{
-            *sum += *a * *b;
+            {of_square};
         }}
     }}
     let mut round: &mut [_] = &mut rows;
@@ -25,7 +34,7 @@ fn rows(mut rows: [{real}; {weights}], tail: &[{real}; {tail}]) -> [{real}; {wei
         let mut part = &mut *round;
         while let Some((sum, later)) = part.split_first_mut() {{
             for (coefficient, row) in power.iter().zip(later.iter()) {{
-                *sum += *coefficient * *row;
+                {of_row};
             }}
             power = &square;
             part = later;
