@@ -170,8 +170,8 @@ fn a_stiff_loop_follows_its_closed_solution() {
     }
 }
 
-/// Transitions in place of an integration, beside runs by themselves: all families whose kappa is no root, which are
-/// integrated as before.
+/// Transitions in place of an integration, beside runs by themselves: all families but exp_sum, which is
+/// integrated.
 #[test]
 fn linear_loops_need_no_integration() {
     let families = [
