@@ -16,8 +16,8 @@ use ptc_codegen::reference::Status;
 use ptc_codegen::request::{After, Feedback, Spec};
 use support::goldens::{controllers, of_axes};
 use support::program::{Record, has_gains, in_c, in_rust};
-use support::specs::Values;
-use support::{folder, run, rustc, write};
+use support::specs::{Values, spec};
+use support::{folder, in_samples, run, rustc, write};
 
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
 
@@ -99,20 +99,34 @@ fn generated_is_what_the_generator_writes() {
     }
 }
 
+/// Those of goldens in these languages, by name.
+fn goldens(languages: &[&str]) -> Vec<(String, String)> {
+    let own = WANTED.iter().filter(|(path, _)| languages.iter().any(|one| path.starts_with(one)));
+    let name = |path: &Path| path.file_name().expect("a name").to_string_lossy().into_owned();
+    own.map(|(path, text)| (name(path), text.clone())).collect()
+}
+
 #[test]
 fn goldens_in_rust_are_formatted() {
-    formatted(("rustfmt", ""), &["rust"], &["--check", "--edition", "2024"]);
+    formatted(("rustfmt", ""), &goldens(&["rust"]), &["--check", "--edition", "2024"]);
 }
 
 /// In the style of .clang-format, as version 14 of the program reads it.
 #[test]
-fn goldens_in_c_and_cpp_are_formatted() {
+fn c_and_cpp_are_formatted() {
+    let plain = controllers().into_iter().filter(|spec| FEW.contains(&&*spec.name()));
+    let one_law = spec(&[("n", "2"), ("axes", "2"), ("mu", "exp"), ("pi0", "extern")]);
+    let selftests = plain.chain(in_samples::controllers()).chain([one_law]).flat_map(|spec| {
+        let files = ptc_codegen::generate_selftest(&spec).expect("a self-test");
+        files.into_iter().map(|file| (file.name, file.text))
+    });
+    let files: Vec<_> = goldens(&["c", "cpp"]).into_iter().chain(selftests).collect();
     let style = format!("--style=file:{}/.clang-format", env!("CARGO_MANIFEST_DIR"));
-    formatted(("clang-format", "version 14."), &["c", "cpp"], &["--dry-run", "--Werror", &style]);
+    formatted(("clang-format", "version 14."), &files, &["--dry-run", "--Werror", &style]);
 }
 
-/// A program of this version that lays out sources has nothing to change in the goldens of these languages.
-fn formatted((program, version): (&str, &str), languages: &[&str], arguments: &[&str]) {
+/// A program of this version that lays out sources has nothing to change in these files.
+fn formatted((program, version): (&str, &str), files: &[(String, String)], arguments: &[&str]) {
     let told = Command::new(program).arg("--version").output();
     let has = |run: &Output| String::from_utf8_lossy(&run.stdout).contains(version);
     if !told.is_ok_and(|run| run.status.success() && has(&run)) {
@@ -121,10 +135,10 @@ fn formatted((program, version): (&str, &str), languages: &[&str], arguments: &[
     // Apart from the workspace, whose style is its own.
     let folder = std::env::temp_dir().join(format!("ptc_{program}_{}", std::process::id()));
     fs::create_dir_all(&folder).expect("a folder");
-    let own = WANTED.iter().filter(|(path, _)| languages.iter().any(|one| path.starts_with(one)));
-    let files: Vec<_> = own
-        .map(|(path, text)| {
-            let file = folder.join(path.file_name().expect("a name"));
+    let files: Vec<_> = files
+        .iter()
+        .map(|(name, text)| {
+            let file = folder.join(name);
             fs::write(&file, text).expect("a file");
             file
         })

@@ -6,6 +6,7 @@ mod complex;
 mod condition;
 mod delay;
 mod exponential;
+#[cfg(feature = "simulate")]
 mod flow;
 mod matrix;
 mod outputs;
@@ -18,7 +19,10 @@ pub(crate) use between::{Between, Part, drift};
 pub use complex::Complex;
 pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
-pub(crate) use flow::{Rows, flow, norm};
+#[cfg(feature = "lab")]
+pub(crate) use flow::norm;
+#[cfg(feature = "simulate")]
+pub(crate) use flow::{Rows, flow};
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
 pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, zero_order_hold};

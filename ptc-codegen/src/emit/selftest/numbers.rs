@@ -38,7 +38,7 @@ impl Numbers<'_> {
             rest = others;
             let value = match (field.shape, own) {
                 (Shape::Count, [count]) => format!("{count}U"),
-                (Shape::Reals(_), _) => format!("{{ {} }}", self.list(own)),
+                (Shape::Reals(_), _) => format!("{{{}}}", self.list(own)),
                 _ => self.list(own),
             };
             fields.push(format!(".{} = {value}", field.name));

@@ -37,7 +37,7 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         let (from, count) = (first, session.calls.len());
         first += count;
         let parameters = numbers.parameters(&session.parameters);
-        format!(".params = {{ {parameters} }}, .first = {from}U, .count = {count}U")
+        format!(".params = {{{parameters}}}, .first = {from}U, .count = {count}U")
     };
     let sessions: Vec<_> = test.sessions.iter().map(session).collect();
     let calls = test.sessions.iter().flat_map(|session| &session.calls);
@@ -71,14 +71,14 @@ impl Numbers<'_> {
             format!(".is_armed = {}U", u8::from(call.start.is_some())),
             format!(".start = {}U", call.start.unwrap_or(0)),
             format!(".k = {}U", call.k),
-            format!(".y = {{ {} }}", self.list(&call.y)),
+            format!(".y = {{{}}}", self.list(&call.y)),
         ];
         fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
         fields.push(format!(".status = {}", printed::word(call.status)));
         fields.extend(call.u.map(|u| format!(".u = {}", self.number(u))));
         let (xhat, d) = call.estimates.split_at(states.min(call.estimates.len()));
         if !xhat.is_empty() {
-            fields.push(format!(".xhat = {{ {} }}", self.list(xhat)));
+            fields.push(format!(".xhat = {{{}}}", self.list(xhat)));
         }
         fields.extend(d.first().map(|d| format!(".d = {}", self.number(*d))));
         fields.join(", ")

@@ -96,9 +96,9 @@ fn text(always: &Always, ([init, arm], zero): &([Vec<String>; 2], Vec<Vec<String
 
 impl Numbers<'_> {
     fn session(&self, session: &Session, first: usize) -> String {
-        let mut fields = vec![format!(".params = {{ {} }}", self.parameters(&session.parameters))];
+        let mut fields = vec![format!(".params = {{{}}}", self.parameters(&session.parameters))];
         if !session.x0.is_empty() {
-            fields.push(format!(".x0 = {{ {} }}", self.list(&session.x0)));
+            fields.push(format!(".x0 = {{{}}}", self.list(&session.x0)));
         }
         fields.extend([
             format!(".t0 = {}", self.number(session.again.unwrap_or(0.0))),
@@ -113,7 +113,7 @@ impl Numbers<'_> {
         let (x, reference) = call.x.split_at(spec.states());
         let several = spec.coupled.is_some();
         let rows = |all: &[f64], length: usize| {
-            let each = all.chunks(length).map(|row| format!("{{ {} }}", self.list(row)));
+            let each = all.chunks(length).map(|row| format!("{{{}}}", self.list(row)));
             each.collect::<Vec<_>>().join(", ")
         };
         let is_of_axes = spec.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);
@@ -121,25 +121,25 @@ impl Numbers<'_> {
         // One number, or a list of them.
         let each = |of: &dyn Fn(&Wanted) -> f64| {
             let list = self.list(&call.inputs.iter().map(of).collect::<Vec<_>>());
-            if several { format!("{{ {list} }}") } else { list }
+            if several { format!("{{{list}}}") } else { list }
         };
         let mut fields = vec![
             format!(".t = {}", self.number(call.t)),
-            format!(".x = {{ {states} }}"),
+            format!(".x = {{{states}}}"),
             format!(".u = {}", each(&|wanted| wanted.u)),
             format!(".tolerance = {}", each(&|wanted| wanted.tolerance)),
             format!(".status = {}", call.status.c_name()),
         ];
         if several {
             let axes: Vec<_> = call.inputs.iter().map(|wanted| wanted.status.c_name()).collect();
-            fields.push(format!(".axes = {{ {} }}", axes.join(", ")));
+            fields.push(format!(".axes = {{{}}}", axes.join(", ")));
         }
         if !reference.is_empty() {
             let reference = match several {
                 true => rows(reference, spec.references()),
                 false => self.list(reference),
             };
-            fields.push(format!(".r = {{ {reference} }}"));
+            fields.push(format!(".r = {{{reference}}}"));
         }
         if has_gains {
             fields.push(format!(".axis = {}", call.axis.unwrap_or(call.status).c_name()));
