@@ -219,6 +219,11 @@ pub(super) fn in_names(expression: &Expression, names: &[(Name, Variable)]) -> E
 pub(super) fn in_states(expression: &Expression, spec: &Spec) -> Expression {
     let (behind, errors) = (spec.variables(), spec.errors());
     let error = |place: usize| errors.get(place.checked_sub(behind + 1)?).cloned();
+    // Left as it was written where nothing has another name: what is put in is simplified, and 0*ln(x1)
+    // would exist everywhere.
+    if !spec.has_model() && errors.is_empty() {
+        return expression.clone();
+    }
     if !spec.has_model() {
         return expression.substitute(&|e| match e.variable()? {
             Variable::Xi(place) => error(place),
