@@ -69,7 +69,7 @@ fn features() -> [Spec; 6] {
         ]),
         spec(&[
             ("n", "1"),
-            ("mu", "tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))"),
+            ("mu", "tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/10))"),
             ("name", "ptc_own_mu1_bisected"),
         ]),
         spec(&[

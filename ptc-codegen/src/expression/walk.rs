@@ -10,6 +10,9 @@ use crate::parameter::Parameter;
 /// Sizes up to which a walk may come by a node again: to remember those of so few takes longer.
 const SMALL: usize = 48;
 
+/// What becomes of each operand, from the left.
+type Each<'a> = &'a mut dyn FnMut(&Expression) -> Expression;
+
 impl Expression {
     /// Whether a walk may come by its parts again rather than remember them.
     pub(crate) fn is_small(&self) -> bool {
@@ -17,7 +20,7 @@ impl Expression {
     }
 
     /// The same operation, its operands replaced by what `of` makes of them, from the left.
-    pub(crate) fn rebuilt(&self, mut of: impl FnMut(&Self) -> Self) -> Self {
+    pub(crate) fn rebuilt(&self, of: Each<'_>) -> Self {
         match self.node() {
             Node::Number(_) | Node::Pi | Node::Parameter(_) | Node::Variable(_) => self.clone(),
             Node::Neg(a) => of(a).neg(),
@@ -34,14 +37,39 @@ impl Expression {
 
     /// The same expression with `to` in place of the parts for which it gives something.
     pub fn substitute(&self, to: &dyn Fn(&Self) -> Option<Self>) -> Self {
-        self.substituted(to, &mut Found::default())
+        self.substituted(to, Self::rebuilt, &mut Found::default())
     }
 
-    fn substituted(&self, to: &dyn Fn(&Self) -> Option<Self>, found: &mut Found<Self>) -> Self {
+    /// The same, in which 0*e and e^0 stay, as the whole has no value where e has none.
+    pub fn put(&self, to: &dyn Fn(&Self) -> Option<Self>) -> Self {
+        self.substituted(to, Self::kept, &mut Found::default())
+    }
+
+    fn kept(&self, of: Each<'_>) -> Self {
+        match self.node() {
+            Node::Mul(a, b) => match (of(a), of(b)) {
+                (a, b) if a.is(0) || b.is(0) => Node::Mul(a, b).into(),
+                (a, b) => a.mul(b),
+            },
+            Node::Power(a, b) => match (of(a), of(b)) {
+                (a, b) if b.is(0) => Node::Power(a, b).into(),
+                (a, b) => a.power(b),
+            },
+            _ => self.rebuilt(of),
+        }
+    }
+
+    fn substituted(
+        &self,
+        to: &dyn Fn(&Self) -> Option<Self>,
+        rebuilt: fn(&Self, Each<'_>) -> Self,
+        found: &mut Found<Self>,
+    ) -> Self {
         if let Some(known) = found.get(self) {
             return known.clone();
         }
-        let new = to(self).unwrap_or_else(|| self.rebuilt(|e| e.substituted(to, found)));
+        let new =
+            to(self).unwrap_or_else(|| rebuilt(self, &mut |e| e.substituted(to, rebuilt, found)));
         if self.height() > 0 {
             found.insert(self.clone(), new.clone());
         }

@@ -136,3 +136,25 @@ fn each_output_has_its_errors() {
         assert!(norm < 1e-3 && (last.x[0] - 0.3 * last.t.sin()).abs() < 1e-3);
     }
 }
+
+/// e1 begins between -0.4 and 0.2, and does not grow.
+#[test]
+fn an_objective_of_the_error_has_a_value_or_fails() {
+    let text = |h: &str| {
+        format!(
+            "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nreference = \"0.1 + 0.2*t\"\n[params]\ntau = 1\n\
+             t0 = 0\n[plant]\nf = 0\n[verify]\nx1 = [-0.3, 0.3]\nx2 = 0.2\nscenarios = 20\n\
+             [[objective]]\nbound = \"within\"\nh = \"{h}\"\nhigh = 1\n"
+        )
+    };
+    let all = [("0*ln(0.25 - e1)", true), ("0*ln(0.1 - e1)", false), ("ln(0.1 - e1)^0", false)];
+    for (h, has_values) in all {
+        let campaign = campaign(&text(h));
+        let mut trial = Trial::new(&campaign).expect("a trial");
+        let holds = (0..20).all(|index| {
+            let outcome = trial.run(&campaign.setting(&campaign.scenario(index)));
+            outcome.excess[0] <= 0.0
+        });
+        assert_eq!(holds, has_values, "{h}");
+    }
+}

@@ -69,10 +69,13 @@ pub(super) fn powers(text: &impl Text, words: &Words<'_>, weights: usize, fused:
     }
     for at in (long..tail).step_by(2) {
         out.line("");
-        out.open(match at {
-            0 => "if (round == 0U) {".to_owned(),
-            at => format!("if (round <= {at}U) {{"),
-        });
+        // No round is behind the last sums.
+        let is_last = at + 2 >= tail;
+        match at {
+            _ if is_last => {}
+            0 => out.open("if (round == 0U) {"),
+            at => out.open(format!("if (round <= {at}U) {{")),
+        }
         let both = [("v", "f", at), ("w", "q", at + 1)];
         for (sum, power, at) in both.into_iter().filter(|(.., at)| *at < tail) {
             out.line(format!("{real} {sum} = row[{at}];"));
@@ -81,10 +84,10 @@ pub(super) fn powers(text: &impl Text, words: &Words<'_>, weights: usize, fused:
             }
             out.line(format!("row[{at}] = {sum};"));
         }
-        if at + 2 < tail {
+        if !is_last {
             out.line(format!("f = {q};"));
+            out.close("}");
         }
-        out.close("}");
     }
     out.close("}");
     out

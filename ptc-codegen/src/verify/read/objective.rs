@@ -211,7 +211,7 @@ fn errors(spec: &Spec) -> impl Iterator<Item = (Name, Variable)> {
 /// The same as it was written.
 pub(super) fn in_names(expression: &Expression, names: &[(Name, Variable)]) -> Expression {
     let of = |variable: Variable| names.iter().find(|(_, own)| *own == variable);
-    expression.substitute(&|e| Some(Parameter::Named(of(e.variable()?)?.0).into()))
+    expression.put(&|e| Some(Parameter::Named(of(e.variable()?)?.0).into()))
 }
 
 /// The same in the states of the plant, in which a chain is what the law takes it to be, and an error what it
@@ -219,13 +219,8 @@ pub(super) fn in_names(expression: &Expression, names: &[(Name, Variable)]) -> E
 pub(super) fn in_states(expression: &Expression, spec: &Spec) -> Expression {
     let (behind, errors) = (spec.variables(), spec.errors());
     let error = |place: usize| errors.get(place.checked_sub(behind + 1)?).cloned();
-    // Left as it was written where nothing has another name: what is put in is simplified, and 0*ln(x1)
-    // would exist everywhere.
-    if !spec.has_model() && errors.is_empty() {
-        return expression.clone();
-    }
     if !spec.has_model() {
-        return expression.substitute(&|e| match e.variable()? {
+        return expression.put(&|e| match e.variable()? {
             Variable::Xi(place) => error(place),
             _ => None,
         });
@@ -240,7 +235,7 @@ pub(super) fn in_states(expression: &Expression, spec: &Spec) -> Expression {
         Some(coordinate(place)?.substitute(&start))
     };
     let several = spec.coupled.is_some();
-    expression.substitute(&|e| match e.variable()? {
+    expression.put(&|e| match e.variable()? {
         Variable::Xi(place) if place > behind => error(place),
         Variable::Xi(place) if several => coordinate(place),
         Variable::XiAtStart(place) if several => at_start(place),
