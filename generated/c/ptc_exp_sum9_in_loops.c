@@ -344,15 +344,13 @@ static void ptc_exp_sum9_in_loops_rows(double row[9], const double p[8])
             f = q;
         }
 
-        if (round <= 6U) {
-            double v = row[6];
-            v += f[0] * row[7];
-            v += f[1] * row[8];
-            row[6] = v;
-            double w = row[7];
-            w += q[0] * row[8];
-            row[7] = w;
-        }
+        double v = row[6];
+        v += f[0] * row[7];
+        v += f[1] * row[8];
+        row[6] = v;
+        double w = row[7];
+        w += q[0] * row[8];
+        row[7] = w;
     }
 }
 

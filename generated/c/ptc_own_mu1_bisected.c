@@ -91,10 +91,10 @@ ptc_status ptc_own_mu1_bisected_step(
                 const double v1 = 1.0 + (y * y);
                 const double v2 = sqrt(v1);
                 const double v3 = 1.0 / (y + 1.0 + v2);
-                const double v4 = pow(v3 * 2.0, 0.02) * self->tau;
+                const double v4 = pow(v3 * 2.0, 0.1) * self->tau;
                 const double v5 = log(v4 / T);
                 const double s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
-                const double y_next = y - (v5 * (v4 / (v4 * (0.02 * s1))));
+                const double y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
                 const double y_size = fabs(v5);
                 if (v5 > 0.0) {
                     y_low = y;
@@ -113,7 +113,7 @@ ptc_status ptc_own_mu1_bisected_step(
             const double v6 = 1.0 + (y * y);
             const double v7 = sqrt(v6);
             const double s2 = -((1.0 + (v7 * (0.5 * ((y + y) * (1.0 / v6))))) * (1.0 / (y + 1.0 + v7)));
-            const double inv_r1 = 1.0 / (T * (-(0.02 * (s2 * 2.0 * 0.5))));
+            const double inv_r1 = 1.0 / (T * (-(0.1 * (s2 * 2.0 * 0.5))));
             const double v = self->w1 * x[0] * inv_r1;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
@@ -159,10 +159,10 @@ ptc_status ptc_own_mu1_bisected_tick(
                 const double v1 = 1.0 + (y * y);
                 const double v2 = sqrt(v1);
                 const double v3 = 1.0 / (y + 1.0 + v2);
-                const double v4 = pow(v3 * 2.0, 0.02) * self->tau;
+                const double v4 = pow(v3 * 2.0, 0.1) * self->tau;
                 const double v5 = log(v4 / T);
                 const double s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
-                const double y_next = y - (v5 * (v4 / (v4 * (0.02 * s1))));
+                const double y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
                 const double y_size = fabs(v5);
                 if (v5 > 0.0) {
                     y_low = y;
@@ -181,7 +181,7 @@ ptc_status ptc_own_mu1_bisected_tick(
             const double v6 = 1.0 + (y * y);
             const double v7 = sqrt(v6);
             const double s2 = -((1.0 + (v7 * (0.5 * ((y + y) * (1.0 / v6))))) * (1.0 / (y + 1.0 + v7)));
-            const double inv_r1 = 1.0 / (T * (-(0.02 * (s2 * 2.0 * 0.5))));
+            const double inv_r1 = 1.0 / (T * (-(0.1 * (s2 * 2.0 * 0.5))));
             gains->gain[0] = self->w1 * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {

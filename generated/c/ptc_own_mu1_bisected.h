@@ -2,7 +2,7 @@
  * Prescribed-time controller ptc_own_mu1_bisected: order n = 1, mapping custom.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 1 --mu="tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))" --name ptc_own_mu1_bisected
+ *   ptc-codegen emit --lang c --n 1 --mu="tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/10))" --name ptc_own_mu1_bisected
  * Version 0.1.0.
  *
  * Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
@@ -24,8 +24,8 @@
  *
  * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
  *       the stretched time since t0:
- *   mu(t)  = tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))
- *   tau - mu(t) = tau*(2/(1 + t + sqrt(1 + t^2)))^(1/50)
+ *   mu(t)  = tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/10))
+ *   tau - mu(t) = tau*(2/(1 + t + sqrt(1 + t^2)))^(1/10)
  *   kappa = the root t of tau - mu(t) = T, by a bounded iteration
  * r_k and BB_n are computed from the Taylor series of mu at each call.
  *

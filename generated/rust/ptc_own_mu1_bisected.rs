@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 1 --mu="tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))" --name ptc_own_mu1_bisected
+//!   ptc-codegen emit --lang rust --n 1 --mu="tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/10))" --name ptc_own_mu1_bisected
 //! Version 0.1.0.
 //!
 //! Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
@@ -24,8 +24,8 @@
 //!
 //! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
 //!       the stretched time since t0:
-//!   mu(t)  = tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/50))
-//!   tau - mu(t) = tau*(2/(1 + t + sqrt(1 + t^2)))^(1/50)
+//!   mu(t)  = tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/10))
+//!   tau - mu(t) = tau*(2/(1 + t + sqrt(1 + t^2)))^(1/10)
 //!   kappa = the root t of tau - mu(t) = T, by a bounded iteration
 //! r_k and BB_n are computed from the Taylor series of mu at each call.
 //!
@@ -306,10 +306,10 @@ impl PtcOwnMu1Bisected {
             let v1 = 1.0 + (y * y);
             let v2 = math::sqrt(v1);
             let v3 = 1.0 / (y + 1.0 + v2);
-            let v4 = math::pow(v3 * 2.0, 0.02) * self.tau;
+            let v4 = math::pow(v3 * 2.0, 0.1) * self.tau;
             let v5 = math::ln(v4 / T);
             let s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
-            let y_next = y - (v5 * (v4 / (v4 * (0.02 * s1))));
+            let y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
             let y_size = v5.abs();
             if 0.0 < v5 {
                 y_low = y;
@@ -331,7 +331,7 @@ impl PtcOwnMu1Bisected {
         let v6 = 1.0 + (y * y);
         let v7 = math::sqrt(v6);
         let s2 = -((1.0 + (v7 * (0.5 * ((y + y) * (1.0 / v6))))) * (1.0 / (y + 1.0 + v7)));
-        let inv_r1 = 1.0 / (T * (-(0.02 * (s2 * 2.0 * 0.5))));
+        let inv_r1 = 1.0 / (T * (-(0.1 * (s2 * 2.0 * 0.5))));
         let v = self.w1 * x[0] * inv_r1;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
@@ -375,10 +375,10 @@ impl PtcOwnMu1Bisected {
             let v1 = 1.0 + (y * y);
             let v2 = math::sqrt(v1);
             let v3 = 1.0 / (y + 1.0 + v2);
-            let v4 = math::pow(v3 * 2.0, 0.02) * self.tau;
+            let v4 = math::pow(v3 * 2.0, 0.1) * self.tau;
             let v5 = math::ln(v4 / T);
             let s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
-            let y_next = y - (v5 * (v4 / (v4 * (0.02 * s1))));
+            let y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
             let y_size = v5.abs();
             if 0.0 < v5 {
                 y_low = y;
@@ -400,7 +400,7 @@ impl PtcOwnMu1Bisected {
         let v6 = 1.0 + (y * y);
         let v7 = math::sqrt(v6);
         let s2 = -((1.0 + (v7 * (0.5 * ((y + y) * (1.0 / v6))))) * (1.0 / (y + 1.0 + v7)));
-        let inv_r1 = 1.0 / (T * (-(0.02 * (s2 * 2.0 * 0.5))));
+        let inv_r1 = 1.0 / (T * (-(0.1 * (s2 * 2.0 * 0.5))));
         let status = if late < self.hold_from {
             Status::Ok
         } else {

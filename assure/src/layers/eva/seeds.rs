@@ -42,7 +42,7 @@ const DEFECTS: [(Defect, usize); 10] = [
 
 /// Defects where loops are.
 const IN_LOOPS: [(Defect, usize); 1] =
-    [(("m < 9U", "m <= 9U", "a loop that runs one round too far"), 0)];
+    [(("row[7] = w;", "row[9] = w;", "a row written beyond the array"), 0)];
 
 /// Defects of the example in samples.
 const IN_SAMPLES: [(Defect, usize); 6] = [

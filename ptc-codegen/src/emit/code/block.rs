@@ -143,134 +143,146 @@ pub(super) trait Block: Text {
         }
     }
 
+    /// The same as an object: what all languages share is compiled once.
+    fn as_block(&mut self) -> &mut dyn Block;
+
     /// A statement.
     fn statement(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Let(name, shape, value) => {
-                let (name, text) = (self.local(name), self.value(value));
-                if name != text {
-                    let name = self.defined(&name, *shape, value);
-                    let line = self.define(&name, *shape, &text);
-                    self.out().line(line);
-                }
-            }
-            Statement::Variable(name, shape) => {
-                if let Some(line) = self.declare(&self.local(name), *shape) {
-                    self.out().line(line);
-                }
-            }
-            Statement::Set(place, value) => {
-                let place = match place {
-                    Place::Local(name) => self.local(name),
-                    Place::Field(name) => self.field(name),
-                };
-                let line = self.assign(&place, &self.value(value));
-                self.out().line(line);
-            }
-            Statement::Require(test, status) => self.require(test, *status),
-            Statement::Array(name, values) => self.array(name, values),
-            Statement::Rows { name, tail, weights, .. } => self.rows(name, tail, weights),
-            Statement::Call { name, callback, array, times, count } => {
-                let [time, rate] = times.each_ref().map(|value| self.alone(value));
-                self.laws(name, callback, &[array, &time, &rate], *count);
-            }
-            Statement::Solve(solve) => self.solve(solve),
-            Statement::If(test, yes, no) => {
-                let line =
-                    format!("{}{}{}", self.branch().open, self.test(test), self.branch().then);
-                self.out().open(line);
-                self.otherwise(yes, no);
-            }
-            Statement::Note(text) => {
-                let (open, close) = self.comment();
-                self.out().gap();
-                self.out().line(format!("{open}{text}{close}"));
-            }
-        }
-    }
-
-    /// The blocks of a test that is open; a block that only tests again goes on with the first.
-    fn otherwise(&mut self, yes: &[Statement], no: &[Statement]) {
-        self.block(yes);
-        let branch = self.branch();
-        match no {
-            [] => {}
-            [Statement::If(test, yes, no)] => {
-                let line = format!("{}{}{}", branch.turn, self.test(test), branch.then);
-                self.out().turn(line);
-                return self.otherwise(yes, no);
-            }
-            no => {
-                self.out().turn(branch.otherwise);
-                self.block(no);
-            }
-        }
-        close(self.out(), branch.end);
-    }
-
-    /// An iteration for a root.
-    fn solve(&mut self, solve: &Solve) {
-        let y = solve.unknown.as_str();
-        let [low, high, next, size] = Solve::LOCALS.map(|local| format!("{y}_{local}"));
-        for (name, value) in [(y, &solve.start), (&low, &solve.low), (&high, &solve.high)] {
-            let line = self.begin(&self.local(name), &self.alone(value));
-            self.out().line(line);
-        }
-        let bisection = solve.bisection(self.precision());
-        let [open, end] = self.rounds(solve.rounds, bisection.is_some());
-        self.out().open(open);
-        self.block(&solve.body);
-        for (name, value) in [(&next, &solve.next), (&size, &solve.size)] {
-            self.statement(&Statement::Let(name.clone(), Shape::Real, value.clone()));
-        }
-        let set = |name: &str, value| vec![Statement::Set(Place::Local(name.to_owned()), value)];
-        let local = |name: &str| Expr::local(name);
-        let right = Test::Less(Expr::integer(0), solve.residual.clone());
-        self.statement(&Statement::If(right, set(&low, local(y)), set(&high, local(y))));
-        let inside = Test::All(vec![
-            Test::AtMost(local(&low), local(&next)),
-            Test::AtMost(local(&next), local(&high)),
-        ]);
-        let middle = half(local(&low), local(&high));
-        self.statement(&Statement::If(inside, set(y, local(&next)), set(y, middle)));
-        let ends = Test::AtMost(local(&size), solve.tolerance.clone());
-        let branch = self.branch();
-        let line = format!("{}{}{}", branch.open, self.test(&ends), branch.then);
-        self.out().open(line);
-        let leave = self.leave();
-        self.out().line(leave);
-        close(self.out(), branch.end);
-        if let Some((late, middle)) = bisection {
-            self.statement(&Statement::If(late, set(y, middle), vec![]));
-        }
-        close(self.out(), &end);
+        of_statement(self.as_block(), statement);
     }
 
     /// The end of a call.
     fn finish(&mut self, finish: &Finish) {
-        let branch = self.branch();
-        let mut rest = match finish {
-            Finish::Give(values, ending) => return self.give(values, *ending),
-            Finish::Fail(status) => return self.fail(*status),
-            Finish::Axes(_) | Finish::Inputs(_) => fault("several inputs are the whole of an end"),
-            finish => finish,
-        };
-        let mut first = true;
-        while let Finish::If(..) = rest {
-            let (tests, yes, no) = same(rest);
-            let is_first = std::mem::take(&mut first);
-            let line = self.opened(if is_first { branch.open } else { branch.turn }, &tests);
-            match is_first {
-                true => self.out().open(line),
-                false => self.out().turn(line),
-            }
-            self.finish(yes);
-            rest = no;
-        }
-        self.out().turn(branch.otherwise);
-        self.finish(rest);
-        close(self.out(), branch.end);
+        of_finish(self.as_block(), finish);
     }
+}
+
+/// A statement.
+fn of_statement(to: &mut dyn Block, statement: &Statement) {
+    match statement {
+        Statement::Let(name, shape, value) => {
+            let (name, text) = (to.local(name), to.value(value));
+            if name != text {
+                let name = to.defined(&name, *shape, value);
+                let line = to.define(&name, *shape, &text);
+                to.out().line(line);
+            }
+        }
+        Statement::Variable(name, shape) => {
+            if let Some(line) = to.declare(&to.local(name), *shape) {
+                to.out().line(line);
+            }
+        }
+        Statement::Set(place, value) => {
+            let place = match place {
+                Place::Local(name) => to.local(name),
+                Place::Field(name) => to.field(name),
+            };
+            let line = to.assign(&place, &to.value(value));
+            to.out().line(line);
+        }
+        Statement::Require(test, status) => to.require(test, *status),
+        Statement::Array(name, values) => to.array(name, values),
+        Statement::Rows { name, tail, weights, .. } => to.rows(name, tail, weights),
+        Statement::Call { name, callback, array, times, count } => {
+            let [time, rate] = times.each_ref().map(|value| to.alone(value));
+            to.laws(name, callback, &[array, &time, &rate], *count);
+        }
+        Statement::Solve(solve) => of_root(to, solve),
+        Statement::If(test, yes, no) => {
+            let line = format!("{}{}{}", to.branch().open, to.test(test), to.branch().then);
+            to.out().open(line);
+            otherwise(to, yes, no);
+        }
+        Statement::Note(text) => {
+            let (open, close) = to.comment();
+            to.out().gap();
+            to.out().line(format!("{open}{text}{close}"));
+        }
+    }
+}
+
+/// The blocks of a test that is open; a block that only tests again goes on with the first.
+fn otherwise(to: &mut dyn Block, yes: &[Statement], no: &[Statement]) {
+    to.block(yes);
+    let branch = to.branch();
+    match no {
+        [] => {}
+        [Statement::If(test, yes, no)] => {
+            let line = format!("{}{}{}", branch.turn, to.test(test), branch.then);
+            to.out().turn(line);
+            return otherwise(to, yes, no);
+        }
+        no => {
+            to.out().turn(branch.otherwise);
+            to.block(no);
+        }
+    }
+    close(to.out(), branch.end);
+}
+
+/// An iteration for a root.
+fn of_root(to: &mut dyn Block, solve: &Solve) {
+    let y = solve.unknown.as_str();
+    let [low, high, next, size] = Solve::LOCALS.map(|local| format!("{y}_{local}"));
+    for (name, value) in [(y, &solve.start), (&low, &solve.low), (&high, &solve.high)] {
+        let line = to.begin(&to.local(name), &to.alone(value));
+        to.out().line(line);
+    }
+    let bisection = solve.bisection(to.precision());
+    let [open, end] = to.rounds(solve.rounds, bisection.is_some());
+    to.out().open(open);
+    to.block(&solve.body);
+    for (name, value) in [(&next, &solve.next), (&size, &solve.size)] {
+        to.statement(&Statement::Let(name.clone(), Shape::Real, value.clone()));
+    }
+    let set = |name: &str, value| vec![Statement::Set(Place::Local(name.to_owned()), value)];
+    let local = |name: &str| Expr::local(name);
+    let right = Test::Less(Expr::integer(0), solve.residual.clone());
+    to.statement(&Statement::If(right, set(&low, local(y)), set(&high, local(y))));
+    let inside = Test::All(vec![
+        Test::AtMost(local(&low), local(&next)),
+        Test::AtMost(local(&next), local(&high)),
+    ]);
+    let middle = half(local(&low), local(&high));
+    to.statement(&Statement::If(inside, set(y, local(&next)), set(y, middle)));
+    let ends = Test::AtMost(local(&size), solve.tolerance.clone());
+    let branch = to.branch();
+    let line = format!("{}{}{}", branch.open, to.test(&ends), branch.then);
+    to.out().open(line);
+    let leave = to.leave();
+    to.out().line(leave);
+    close(to.out(), branch.end);
+    if let Some((late, middle)) = bisection {
+        to.statement(&Statement::If(late, set(y, middle), vec![]));
+    }
+    close(to.out(), &end);
+}
+
+/// The end of a call.
+fn of_finish(to: &mut dyn Block, finish: &Finish) {
+    let branch = to.branch();
+    let mut rest = match finish {
+        Finish::Give(values, ending) => return to.give(values, *ending),
+        Finish::Fail(status) => return to.fail(*status),
+        Finish::Axes(_) | Finish::Inputs(_) => fault("several inputs are the whole of an end"),
+        finish => finish,
+    };
+    let mut first = true;
+    while let Finish::If(..) = rest {
+        let (tests, yes, no) = same(rest);
+        let is_first = std::mem::take(&mut first);
+        let line = to.opened(if is_first { branch.open } else { branch.turn }, &tests);
+        match is_first {
+            true => to.out().open(line),
+            false => to.out().turn(line),
+        }
+        to.finish(yes);
+        rest = no;
+    }
+    to.out().turn(branch.otherwise);
+    to.finish(rest);
+    close(to.out(), branch.end);
 }
 
 /// Half of a + b.

@@ -5,6 +5,7 @@
 mod block;
 mod c;
 mod cpp;
+mod expression;
 mod gives;
 mod legal;
 mod matlab;

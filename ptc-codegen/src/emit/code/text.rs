@@ -1,10 +1,8 @@
 //! What the printers share: how an expression is written, by the words of a language.
 
-use crate::code::{AXIS, Expr, Operator, Test};
-use crate::expression::Function;
-use crate::internal::fault;
+use super::expression;
+use crate::code::{AXIS, Expr, Test};
 use crate::parameter::Precision;
-use crate::program::number;
 
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -142,73 +140,12 @@ pub(in crate::emit) trait Text {
         "=="
     }
 
+    /// The same as an object: what all languages share is compiled once.
+    fn as_text(&self) -> &dyn Text;
+
     /// An expression and how tightly it holds together.
     fn print(&self, value: &Expr) -> (Level, String) {
-        match value {
-            Expr::Number(exact) => {
-                let value = number::round(exact, self.precision());
-                let digits = self.literal(&number::literal(value.abs(), self.precision()));
-                match value.is_sign_negative() && value != 0.0 {
-                    true => (Level::Sign, format!("-{digits}")),
-                    false => (Level::Atom, digits),
-                }
-            }
-            Expr::Count(count) => (Level::Atom, self.count(*count)),
-            Expr::Local(name) => (Level::Atom, self.local(name)),
-            Expr::Element(name, index) => (Level::Atom, self.element(&self.local(name), *index)),
-            Expr::Entry(name, cell) => {
-                (Level::Atom, self.entry(&self.local(name), cell.row, cell.column))
-            }
-            Expr::Field(name) => (Level::Atom, self.field(name)),
-            Expr::FieldElement(name, index) => (Level::Atom, self.field_element(name, *index)),
-            Expr::OfAxis(name, stride, index) => (Level::Atom, self.of_axis(name, *stride, *index)),
-            Expr::Parameter(name) => (Level::Atom, self.parameter(name)),
-            Expr::ParameterElement(name, index) => {
-                (Level::Atom, self.element(&self.parameter(name), *index))
-            }
-            Expr::Neg(a) => (Level::Sign, format!("-{}", self.within(a, Level::Atom))),
-            Expr::Binary(operator, a, b) => {
-                let (sign, level) = match operator {
-                    Operator::Add => ("+", Level::Sum),
-                    Operator::Sub => ("-", Level::Sum),
-                    Operator::Mul => ("*", Level::Product),
-                    Operator::Div => ("/", Level::Product),
-                };
-                // Brackets around all but a + b + c and a * b * c, so that no rule of precedence has to
-                // be known.
-                let same = matches!(a.as_ref(), Expr::Binary(of, ..) if of == operator)
-                    && matches!(operator, Operator::Add | Operator::Mul);
-                let left = if same { self.alone(a) } else { self.within(a, Level::Atom) };
-                (level, format!("{left} {sign} {}", self.within(b, Level::Atom)))
-            }
-            Expr::Fused(operands) => {
-                let text = self.fused(&operands.each_ref().map(|operand| self.alone(operand)));
-                (Level::Atom, text.unwrap_or_else(|| fault("a language without fused operations")))
-            }
-            Expr::Call(Function::Abs, a) => (Level::Atom, self.abs(&self.alone(a))),
-            Expr::Call(Function::Sign, a) => self.sign(&self.within(a, Level::Atom)),
-            Expr::Call(function, a) => (Level::Atom, self.call(function.name(), &[self.alone(a)])),
-            Expr::Pow(a, b) => (Level::Atom, self.call("pow", &[self.alone(a), self.alone(b)])),
-            Expr::Quotient(a, b) => {
-                self.quotient(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
-            }
-            Expr::Callback(name, array, time) => {
-                (Level::Atom, self.callback(name, &self.local(array), &self.alone(time)))
-            }
-            Expr::CountSub(a, b) => {
-                self.count_sub(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
-            }
-            Expr::CountLeft(a, b) => {
-                self.count_left(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
-            }
-            Expr::CountHalf(a) => self.count_half(&self.within(a, Level::Atom)),
-            Expr::Real(a) => self.real(&self.within(a, Level::Choice)),
-            Expr::Choose(test, a, b) => self.choose(
-                &self.test(test),
-                &self.within(a, Level::Sum),
-                &self.within(b, Level::Sum),
-            ),
-        }
+        expression::print(self.as_text(), value)
     }
 
     /// An expression, in brackets where it holds together less tightly than `level`.
@@ -231,18 +168,7 @@ pub(in crate::emit) trait Text {
 
     /// The tests that must all hold, each as an operand of [`Text::and`] where there are several.
     fn parts(&self, test: &Test) -> Vec<String> {
-        let two = |a: &Expr, sign: &str, b: &Expr| {
-            vec![format!("{} {sign} {}", self.within(a, Level::Sum), self.within(b, Level::Sum))]
-        };
-        match test {
-            Test::Less(a, b) | Test::CountLess(a, b) => two(a, "<", b),
-            Test::AtMost(a, b) => two(a, "<=", b),
-            Test::CountEqual(a, b) => two(a, self.equal(), b),
-            Test::Finite(a) => vec![self.finite(&self.within(a, Level::Atom))],
-            Test::NotNumber(a) => vec![self.not_number(&self.within(a, Level::Atom))],
-            Test::All(tests) if tests.len() == 1 => self.parts(&tests[0]),
-            Test::All(tests) => self.all(tests),
-        }
+        expression::parts(self.as_text(), test)
     }
 
     /// Several tests, each as an operand of [`Text::and`].

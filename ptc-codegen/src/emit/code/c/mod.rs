@@ -71,6 +71,10 @@ pub(super) struct C<'a> {
 }
 
 impl Text for C<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
     fn precision(&self) -> Precision {
         self.code.precision
     }

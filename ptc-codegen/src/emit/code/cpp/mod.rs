@@ -29,6 +29,10 @@ pub(super) struct Cpp<'a> {
 }
 
 impl Text for Cpp<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
     fn precision(&self) -> Precision {
         self.code.precision
     }
@@ -75,6 +79,10 @@ impl Text for Cpp<'_> {
 }
 
 impl Block for Cpp<'_> {
+    fn as_block(&mut self) -> &mut dyn Block {
+        self
+    }
+
     fn out(&mut self) -> &mut Lines {
         &mut self.out
     }

@@ -47,6 +47,10 @@ pub(in crate::emit) fn files(code: &Code) -> Vec<File> {
 }
 
 impl Text for Matlab<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
     fn precision(&self) -> Precision {
         self.code.precision
     }
@@ -151,6 +155,10 @@ impl Text for Matlab<'_> {
 }
 
 impl Block for Matlab<'_> {
+    fn as_block(&mut self) -> &mut dyn Block {
+        self
+    }
+
     fn out(&mut self) -> &mut Lines {
         &mut self.out
     }

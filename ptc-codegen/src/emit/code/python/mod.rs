@@ -37,6 +37,10 @@ pub(in crate::emit) fn file(code: &Code) -> File {
 }
 
 impl Text for Python<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
     fn precision(&self) -> Precision {
         self.code.precision
     }
@@ -208,6 +212,10 @@ fn boxed_test(test: &str) -> String {
 }
 
 impl Block for Python<'_> {
+    fn as_block(&mut self) -> &mut dyn Block {
+        self
+    }
+
     fn out(&mut self) -> &mut Lines {
         &mut self.out
     }

@@ -40,6 +40,10 @@ pub(super) struct Rust<'a> {
 }
 
 impl Text for Rust<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
     fn precision(&self) -> Precision {
         self.code.precision
     }
@@ -127,6 +131,10 @@ impl Text for Rust<'_> {
 }
 
 impl Block for Rust<'_> {
+    fn as_block(&mut self) -> &mut dyn Block {
+        self
+    }
+
     fn out(&mut self) -> &mut Lines {
         &mut self.out
     }

@@ -33,6 +33,10 @@ pub(in crate::emit) fn library(code: &Code) -> Library {
 }
 
 impl Text for StructuredText<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
     fn precision(&self) -> Precision {
         self.code.precision
     }
@@ -139,6 +143,10 @@ impl Text for StructuredText<'_> {
 }
 
 impl Block for StructuredText<'_> {
+    fn as_block(&mut self) -> &mut dyn Block {
+        self
+    }
+
     fn out(&mut self) -> &mut Lines {
         &mut self.out
     }

@@ -1,0 +1,90 @@
+//! Expressions and tests in the words of a language.
+
+use super::text::{Level, Text};
+use crate::code::{Expr, Operator, Test};
+use crate::expression::Function;
+use crate::internal::fault;
+use crate::program::number;
+
+/// An expression and how tightly it holds together.
+pub(super) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
+    match value {
+        Expr::Number(exact) => {
+            let value = number::round(exact, text.precision());
+            let digits = text.literal(&number::literal(value.abs(), text.precision()));
+            match value.is_sign_negative() && value != 0.0 {
+                true => (Level::Sign, format!("-{digits}")),
+                false => (Level::Atom, digits),
+            }
+        }
+        Expr::Count(count) => (Level::Atom, text.count(*count)),
+        Expr::Local(name) => (Level::Atom, text.local(name)),
+        Expr::Element(name, index) => (Level::Atom, text.element(&text.local(name), *index)),
+        Expr::Entry(name, cell) => {
+            (Level::Atom, text.entry(&text.local(name), cell.row, cell.column))
+        }
+        Expr::Field(name) => (Level::Atom, text.field(name)),
+        Expr::FieldElement(name, index) => (Level::Atom, text.field_element(name, *index)),
+        Expr::OfAxis(name, stride, index) => (Level::Atom, text.of_axis(name, *stride, *index)),
+        Expr::Parameter(name) => (Level::Atom, text.parameter(name)),
+        Expr::ParameterElement(name, index) => {
+            (Level::Atom, text.element(&text.parameter(name), *index))
+        }
+        Expr::Neg(a) => (Level::Sign, format!("-{}", text.within(a, Level::Atom))),
+        Expr::Binary(operator, a, b) => {
+            let (sign, level) = match operator {
+                Operator::Add => ("+", Level::Sum),
+                Operator::Sub => ("-", Level::Sum),
+                Operator::Mul => ("*", Level::Product),
+                Operator::Div => ("/", Level::Product),
+            };
+            // Brackets around all but a + b + c and a * b * c, so that no rule of precedence has to
+            // be known.
+            let same = matches!(a.as_ref(), Expr::Binary(of, ..) if of == operator)
+                && matches!(operator, Operator::Add | Operator::Mul);
+            let left = if same { text.alone(a) } else { text.within(a, Level::Atom) };
+            (level, format!("{left} {sign} {}", text.within(b, Level::Atom)))
+        }
+        Expr::Fused(operands) => {
+            let text = text.fused(&operands.each_ref().map(|operand| text.alone(operand)));
+            (Level::Atom, text.unwrap_or_else(|| fault("a language without fused operations")))
+        }
+        Expr::Call(Function::Abs, a) => (Level::Atom, text.abs(&text.alone(a))),
+        Expr::Call(Function::Sign, a) => text.sign(&text.within(a, Level::Atom)),
+        Expr::Call(function, a) => (Level::Atom, text.call(function.name(), &[text.alone(a)])),
+        Expr::Pow(a, b) => (Level::Atom, text.call("pow", &[text.alone(a), text.alone(b)])),
+        Expr::Quotient(a, b) => {
+            text.quotient(&text.within(a, Level::Atom), &text.within(b, Level::Atom))
+        }
+        Expr::Callback(name, array, time) => {
+            (Level::Atom, text.callback(name, &text.local(array), &text.alone(time)))
+        }
+        Expr::CountSub(a, b) => {
+            text.count_sub(&text.within(a, Level::Atom), &text.within(b, Level::Atom))
+        }
+        Expr::CountLeft(a, b) => {
+            text.count_left(&text.within(a, Level::Atom), &text.within(b, Level::Atom))
+        }
+        Expr::CountHalf(a) => text.count_half(&text.within(a, Level::Atom)),
+        Expr::Real(a) => text.real(&text.within(a, Level::Choice)),
+        Expr::Choose(test, a, b) => {
+            text.choose(&text.test(test), &text.within(a, Level::Sum), &text.within(b, Level::Sum))
+        }
+    }
+}
+
+/// The tests that must all hold, each as an operand of [`Text::and`] where there are several.
+pub(super) fn parts(text: &dyn Text, test: &Test) -> Vec<String> {
+    let two = |a: &Expr, sign: &str, b: &Expr| {
+        vec![format!("{} {sign} {}", text.within(a, Level::Sum), text.within(b, Level::Sum))]
+    };
+    match test {
+        Test::Less(a, b) | Test::CountLess(a, b) => two(a, "<", b),
+        Test::AtMost(a, b) => two(a, "<=", b),
+        Test::CountEqual(a, b) => two(a, text.equal(), b),
+        Test::Finite(a) => vec![text.finite(&text.within(a, Level::Atom))],
+        Test::NotNumber(a) => vec![text.not_number(&text.within(a, Level::Atom))],
+        Test::All(tests) if tests.len() == 1 => text.parts(&tests[0]),
+        Test::All(tests) => text.all(tests),
+    }
+}
