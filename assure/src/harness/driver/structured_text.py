@@ -248,11 +248,13 @@ class Unit:
                 self.statements(s.else_clause.statements.statements, depth + 1)
         elif isinstance(s, st.ForStatement):
             control, kind = self.place(s.control)
-            if kind is not int:
+            if kind not in (int, np.uint32):
                 raise Wrong("a loop counts with an integer")
             step = "1" if s.step is None else self.expression(s.step)
-            bounds = f"{self.expression(s.from_)}, {self.expression(s.to)} + 1, {step}"
-            self.line(depth, f"for {control} in range({bounds}):")
+            ends = (self.expression(end) for end in (s.from_, s.to))
+            first, last = (f"same_type({end}, kinds[{str(s.control.name).lower()!r}], 'an end')" for end in ends)
+            each = f"type({first})(i) for i in range(int({first}), int({last}) + 1, {step})"
+            self.line(depth, f"for {control} in ({each}):")
             self.statements(s.statements.statements, depth + 1)
         elif isinstance(s, st.ExitStatement):
             self.line(depth, "break")
