@@ -63,7 +63,11 @@ impl Root {
 
     /// sqrt(low + least) sqrt(high), each operation rounded; what is added counts where low is 0 alone.
     pub fn middle(low: f64, high: f64, precision: Precision) -> f64 {
-        let least = number::round(&Self::least(precision), precision);
+        // `least` in numbers: an iteration comes here in each of its last rounds.
+        let least = match precision {
+            Precision::F64 => 1e-300,
+            Precision::F32 => f64::from(1e-37_f32),
+        };
         let settle = |value| number::settle(value, precision);
         settle(settle(settle(low + least).sqrt()) * settle(high.sqrt()))
     }
@@ -205,6 +209,21 @@ impl Op {
                 proposals: r.proposals,
                 rounds: r.rounds,
             }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_root_is_one_number() {
+        for precision in [Precision::F64, Precision::F32] {
+            let least = number::round(&Root::least(precision), precision);
+            // sqrt(0 + least) sqrt(least) is least again, but for roundings.
+            let middle = Root::middle(0.0, least, precision);
+            assert!((middle / least - 1.0).abs() < 1e-6, "{middle:e} {least:e}");
         }
     }
 }
