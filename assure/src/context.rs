@@ -50,9 +50,14 @@ impl Context {
         if self.brief { full.min(2) } else { full }
     }
 
+    /// In how many parts a run divides what is costly.
+    pub fn parts(&self) -> u64 {
+        if self.brief { PARTS } else { 1 }
+    }
+
     /// The part of `all` whose turn it is in a brief run, the next one a day later; else all.
     pub fn in_turn<T>(&self, all: Vec<T>) -> Vec<T> {
-        let parts = if self.brief { PARTS } else { 1 };
+        let parts = self.parts();
         let due = |(index, _): &(u64, T)| index.is_multiple_of(parts);
         (self.day..).zip(all).filter(due).map(|(_, one)| one).collect()
     }

@@ -19,6 +19,16 @@ pub fn spec(keys: &[(&str, &str)]) -> Spec {
     read(&entries).unwrap_or_else(|found| panic!("{keys:?}: {found:?}"))
 }
 
+/// The same; `None` where it is refused.
+pub fn legal(keys: &[(impl AsRef<str>, impl AsRef<str>)]) -> Option<Spec> {
+    let entry = |(key, text): &(_, _)| {
+        let (key, text): (&str, &str) = (AsRef::as_ref(key), AsRef::as_ref(text));
+        let value = parse(key, text, &mut |_| Place(0)).ok()?;
+        Some(Entry { key: key.to_owned(), place: Place(0), value })
+    };
+    read(&keys.iter().map(entry).collect::<Option<Vec<_>>>()?).ok()
+}
+
 /// Every family.
 pub fn families() -> impl Iterator<Item = Family> {
     ptc_codegen::family::FAMILIES.iter().map(|info| info.family)

@@ -9,13 +9,14 @@ pub use ptc_codegen::reference::tolerance::control;
 /// the entries of BB_n hold up to n powers of atoms that are themselves a few roundings off.
 pub const IDENTITY: f64 = 1e-12;
 
-/// u where it is a power -50 of time-to-go, relative to u: as many times the roundings of time-to-go,
-/// and of a power that is iterated.
+/// u where it is a power -50 of time-to-go, relative to u: that many times the roundings of time-to-go, of
+/// the power that is inverted, of its logarithm and of the exponent.
 pub const fn slow(precision: Precision) -> f64 {
-    match precision {
-        Precision::F64 => 1e-13,
-        Precision::F32 => 1e-4,
-    }
+    200.0
+        * match precision {
+            Precision::F64 => f64::EPSILON,
+            Precision::F32 => f32::EPSILON as f64,
+        }
 }
 
 /// A control law on an exact trajectory, relative to the largest |u| of that trajectory.

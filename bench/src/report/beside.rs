@@ -13,7 +13,7 @@ One controller for several axes, `axes = m`: exp in C and f64, guard `full`, cou
 a `step` of all axes, and `tick` once with `axis` for each axis, without the loop and the statuses of all that a
 caller needs, compiled by `gcc -std=c99` with the flags above the column. `step` computes u of all axes in one
 loop without a branch, tests all of them in another, and looks at an axis by itself only where one is not within
-its bounds. With -O2 alone gcc 12 makes vectors of none of the sums, as one state of two axes is not adjacent.";
+its bounds. With -O2 alone gcc 12 does not vectorise the sums, as the states of different axes are not adjacent.";
 
 pub(super) fn axes(text: &mut String, steps: &[Step]) {
     section(text, "Several axes", "axes", AXES);

@@ -121,7 +121,7 @@ impl Code {
             may_change: false,
             changed: false,
         };
-        // The tests know nothing of what is computed before v.
+        // The tests read v, and none of the values computed before it.
         let outer = seen.locals.clone();
         seen.block(&axes.body)?;
         seen.expression(&axes.value)?;

@@ -19,7 +19,7 @@ pub use interpret::{Argument, Called, Instance, Outcome};
 
 use crate::expression::Function as Call;
 use crate::parameter::Precision;
-use crate::program::Root;
+use crate::program::{Root, number};
 
 /// Outcome of a call, with the words of the emitted interfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -217,12 +217,13 @@ impl Solve {
     pub const ROUND: &'static str = "attempt";
 
     /// The geometric middle of the bracket, as [`program::Root::middle`](crate::program::Root::middle)
-    /// computes it, and the test that holds in the rounds that take it; none where none does.
+    /// computes it, and the test that holds in the rounds that take it; `None` without such rounds.
     pub fn bisection(&self, precision: Precision) -> Option<(Test, Expr)> {
         let last = self.proposals.checked_sub(1).filter(|_| self.proposals < self.rounds)?;
         let [low, high] = ["low", "high"].map(|end| Expr::local(format!("{}_{end}", self.unknown)));
-        let least = Expr::Number(Root::least(precision));
-        let above = Expr::binary(Operator::Add, low, least);
+        let [lower, _] = Root::range(precision);
+        let lower = Expr::Number(number::finite(lower));
+        let above = Expr::binary(Operator::Add, low, lower);
         let root = |value| Expr::Call(Call::Sqrt, Box::new(value));
         let middle = Expr::binary(Operator::Mul, root(above), root(high));
         Some((Test::CountLess(Expr::Count(last), Expr::local(Self::ROUND)), middle))

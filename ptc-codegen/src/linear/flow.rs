@@ -46,7 +46,7 @@ pub(crate) fn flow(a: &Rows, length: f64) -> Option<(Rows, Rows)> {
     Some((whole, integral))
 }
 
-/// ||A||, the greatest sum of a row.
+/// ||A||, the largest row sum.
 pub(crate) fn norm(a: &Rows) -> f64 {
     let row = |row: &Vec<f64>| row[..a.len()].iter().map(|a| a.abs()).sum::<f64>();
     a.iter().map(row).fold(0.0, f64::max)

@@ -12,11 +12,11 @@ use crate::expression::{Expression, Function, Subject, Variable};
 use crate::family::Family;
 use crate::mapping::{Form, Kappa, TimeMapping, time};
 use crate::parameter::{Parameter, Precision};
-use crate::program::{Op, Root, Value};
+use crate::program::{Op, Root, Value, number};
 
 /// Rounds of Newton's method for stretched time, before bisection. Where mu decays like an exponential
 /// it converges in three; where it decays like a power of t each round multiplies t by the logarithm
-/// that is left, and twelve reach T/tau = 1e-12; for a small power no number is enough.
+/// that is left, and twelve reach T/tau = 1e-12; for a small power it never arrives.
 const PROPOSALS: u32 = 40;
 
 /// mu(t + z) - mu(t) = r_1 (z + sum_{l>=2} c_l unit^(l-1) z^l).
@@ -182,14 +182,13 @@ fn ratios(b: &mut Builder<'_>, terms: &[Coefficient]) -> Vec<Coefficient> {
 fn stretched_time(b: &mut Builder<'_>, form: &Expression) -> Value {
     let target = b.time_to_go();
     let (low, start) = (b.integer(0), b.integer(0));
-    let (_, far) = Root::range(b.spec.precision);
+    let [_, far] = Root::range(b.spec.precision);
     let small = match b.spec.precision {
         Precision::F64 => 9,
         Precision::F32 => 4,
     };
     let ten = |exponent| num_traits::pow(BigRational::from_integer(10.into()), exponent);
-    let (high, tolerance) =
-        (b.number(ten(far.unsigned_abs() as usize)), b.number(ten(small).recip()));
+    let (high, tolerance) = (b.number(number::finite(far)), b.number(ten(small).recip()));
     let unknown = b.push(Op::Unknown);
     let unknown = b.name(unknown, "y", "stretched time since t0");
     let series = b.series(form, &around(1, Some(unknown)));

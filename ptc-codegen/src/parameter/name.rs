@@ -15,23 +15,21 @@ impl Name {
     /// The name `text`; `None` if it is not an identifier of at most 48 ASCII letters, digits and
     /// underscores, or a word of C, C++ or Rust.
     pub fn new(text: &str) -> Option<Self> {
+        static NAMES: OnceLock<Mutex<BTreeSet<&'static str>>> = OnceLock::new();
+        let mut names =
+            NAMES.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
+        // What is known has been compared with the words of all languages, which takes its time.
+        if let Some(kept) = names.get(text) {
+            return Some(Self(kept));
+        }
         let identifier = text.starts_with(|c: char| c.is_ascii_alphabetic())
             && text.len() <= 48
             && text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
         if !identifier || is_word(text) {
             return None;
         }
-        static NAMES: OnceLock<Mutex<BTreeSet<&'static str>>> = OnceLock::new();
-        let mut names =
-            NAMES.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-        let kept = match names.get(text) {
-            Some(kept) => *kept,
-            None => {
-                let kept: &'static str = Box::leak(text.to_owned().into_boxed_str());
-                names.insert(kept);
-                kept
-            }
-        };
+        let kept: &'static str = Box::leak(text.to_owned().into_boxed_str());
+        names.insert(kept);
         Some(Self(kept))
     }
 

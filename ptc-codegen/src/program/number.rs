@@ -3,6 +3,7 @@
 use num_traits::{FromPrimitive, ToPrimitive, Zero};
 
 use crate::algebra::BigRational;
+use crate::internal::fault;
 use crate::parameter::Precision;
 
 /// `value` rounded to nearest in `precision`, as a double (which holds every float exactly).
@@ -47,6 +48,11 @@ pub fn settle(result: f64, precision: Precision) -> f64 {
 /// The exact value of a finite double.
 pub fn exact(value: f64) -> Option<BigRational> {
     BigRational::from_f64(value)
+}
+
+/// The same of one that is known to be finite.
+pub fn finite(value: f64) -> BigRational {
+    exact(value).unwrap_or_else(|| fault(format!("{value} is not finite")))
 }
 
 /// The shortest decimal literal that reads back as `value`, with a point or an exponent, without

@@ -37,11 +37,11 @@ pub struct Root {
 }
 
 impl Root {
-    /// Exponents of ten of the least root but 0 that bisection tells from 0, and of the greatest one.
-    pub fn range(precision: Precision) -> (i32, i32) {
+    /// Lower and upper bound of the roots but 0 that bisection reaches.
+    pub fn range(precision: Precision) -> [f64; 2] {
         match precision {
-            Precision::F64 => (-300, 300),
-            Precision::F32 => (-37, 37),
+            Precision::F64 => [1e-300, 1e300],
+            Precision::F32 => [1e-37_f32, 1e37].map(f64::from),
         }
     }
 
@@ -54,22 +54,12 @@ impl Root {
         }
     }
 
-    /// The least root but 0 that bisection reaches.
-    pub fn least(precision: Precision) -> BigRational {
-        let (exponent, _) = Self::range(precision);
-        num_traits::pow(BigRational::from_integer(10.into()), exponent.unsigned_abs() as usize)
-            .recip()
-    }
-
-    /// sqrt(low + least) sqrt(high), each operation rounded; what is added counts where low is 0 alone.
+    /// sqrt(low + lower) sqrt(high), each operation rounded, with the lower bound of [`Root::range`], which
+    /// changes no other low than 0.
     pub fn middle(low: f64, high: f64, precision: Precision) -> f64 {
-        // `least` in numbers: an iteration comes here in each of its last rounds.
-        let least = match precision {
-            Precision::F64 => 1e-300,
-            Precision::F32 => f64::from(1e-37_f32),
-        };
+        let [lower, _] = Self::range(precision);
         let settle = |value| number::settle(value, precision);
-        settle(settle(settle(low + least).sqrt()) * settle(high.sqrt()))
+        settle(settle(settle(low + lower).sqrt()) * settle(high.sqrt()))
     }
 
     /// Operands in the order of the fields.
@@ -209,21 +199,6 @@ impl Op {
                 proposals: r.proposals,
                 rounds: r.rounds,
             }),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_least_root_is_one_number() {
-        for precision in [Precision::F64, Precision::F32] {
-            let least = number::round(&Root::least(precision), precision);
-            // sqrt(0 + least) sqrt(least) is least again, but for roundings.
-            let middle = Root::middle(0.0, least, precision);
-            assert!((middle / least - 1.0).abs() < 1e-6, "{middle:e} {least:e}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The loops of [`Op::Rows`](super::Op::Rows), on whatever stands for numbers.
 
-use super::{arithmetic, number};
+use super::{Op, Value, arithmetic, number};
 use crate::parameter::Precision;
 
 /// sum_i weights_i \[z^(i+1)\] p^(j+1) for j = 0, 1, ..., with p(z) = z + sum_d tail_d z^(d+2).
@@ -33,6 +33,22 @@ pub fn rows<T: Copy>(
         }
     }
     rows
+}
+
+/// The same by operations of a program.
+pub(crate) fn by_operations<T: Copy>(
+    tail: &[T],
+    weights: &[T],
+    fused: bool,
+    on: impl Fn(&Op, &[T]) -> T,
+) -> Vec<T> {
+    let [a, b, c] = [0, 1, 2].map(Value);
+    let add = |x, y| on(&Op::Add(a, b), &[x, y]);
+    let more = |x, y, z| match fused {
+        true => on(&Op::Fused(a, b, c), &[x, y, z]),
+        false => add(z, on(&Op::Mul(a, b), &[x, y])),
+    };
+    rows(tail, weights, add, more)
 }
 
 /// The same of numbers: a b + c is rounded once where it is `fused`, else twice.

@@ -138,7 +138,7 @@ impl<'a> Reference<'a> {
             Outcome { status, u, control: Some(control), time_to_go }
         });
         let mut all: Vec<_> = each.collect();
-        // Where one of several is no number none acts, whatever its limit is.
+        // All inputs are 0 where one of several is not finite, whatever its limit is.
         if spec.coupled.is_some() && all.iter().any(|one| is_beyond(spec, one.u)) {
             for one in &mut all {
                 one.status = if is_beyond(spec, one.u) { Status::Range } else { status };

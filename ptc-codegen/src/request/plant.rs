@@ -70,8 +70,8 @@ impl Spec {
         }
     }
 
-    /// The coordinates of the chains, and where they follow a reference their errors in their place; none of a
-    /// chain whose states they are.
+    /// The coordinates of the chains, or their tracking errors with a reference; empty for a chain whose
+    /// states they are.
     pub fn distances(&self) -> Vec<Expression> {
         let errors = self.errors();
         if errors.is_empty() { self.coordinates().cloned().collect() } else { errors }

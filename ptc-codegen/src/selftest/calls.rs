@@ -91,7 +91,7 @@ impl Maker<'_> {
             session.calls.push(Call { t, x, status, inputs: inputs.clone(), axis });
         };
         let full = guard == Guard::Full;
-        // Which of several inputs a state makes no number is no matter of the definition.
+        // The definition does not say which of several inputs a state turns into NaN.
         let several = self.inputs() > 1 && !full;
         let spec = self.spec();
         let wrong_places = (0..if several { 0 } else { n }).filter(|j| spec.reads(*j));

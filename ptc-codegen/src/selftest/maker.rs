@@ -73,7 +73,7 @@ impl<'a> Maker<'a> {
         self.reference.borrow_mut().evaluate_each(&call)
     }
 
-    /// Every u before it is clipped, where the law is asked and says it for certain.
+    /// Every u before it is clipped; `None` where a call does not evaluate the law, or rounding decides.
     pub(super) fn controls(&self, session: &Session, t: f64, x: &[f64]) -> Option<Vec<f64>> {
         let expected = self.expected(session, t, x)?;
         expected.iter().map(|one| Some(one.control.as_ref()?.u())).collect()
@@ -101,7 +101,7 @@ impl<'a> Maker<'a> {
     /// The call, with what it must give.
     pub(super) fn call(&self, session: &Session, t: f64, x: &[f64]) -> Option<Call> {
         let expected = self.expected(session, t, x)?;
-        // Of several inputs the one that is clipped, or no number, tells of all.
+        // The status of the call is that of an input that is clipped or not finite.
         let rank = |one: &&Outcome| {
             [Status::Saturated, Status::Range].iter().position(|s| *s == one.status)
         };

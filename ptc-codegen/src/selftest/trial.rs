@@ -120,7 +120,7 @@ impl Trial<'_> {
             () if held => Status::Hold,
             () => Status::Ok,
         };
-        // Where one of several is no number none acts.
+        // All of them are 0 where one is not finite.
         let bounded = !several || controls.iter().all(|u| u.is_finite());
         let own = |k: usize| {
             let limit = self.spec().axes.as_ref()?.limits.get(k)?.number();

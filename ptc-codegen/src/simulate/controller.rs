@@ -217,7 +217,7 @@ impl Controller {
         let over = self.limits.past.is_some_and(|past| get(past) >= 0.0);
         let ends = over && self.after != After::Hold;
         let late = get(self.limits.late) >= get(self.limits.hold_from);
-        // Where one of several inputs is no number none acts, whatever its limit is.
+        // All inputs are 0 where one of several is not finite, whatever its limit is.
         let lost = self.spec.coupled.is_some() && !self.inputs.are_finite(&self.machine);
         if lost || (self.guard == Guard::Result && !finite) {
             return Status::Range;

@@ -53,7 +53,7 @@ impl<'a> Frame<'a> {
         (if last { self.end } else { since }, last)
     }
 
-    /// What the sensors make of what is measured.
+    /// Adds noise to the measured values and quantises them.
     pub(super) fn measure(&mut self, measured: &mut [f64]) {
         let Self { around, random, .. } = self;
         for (j, own) in measured.iter_mut().enumerate() {
@@ -67,7 +67,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// What the actuator makes of an input.
+    /// The input as the actuator resolves it.
     pub(super) fn actuated(&self, u: f64) -> f64 {
         quantised(u, self.around.u_step)
     }

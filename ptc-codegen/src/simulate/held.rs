@@ -37,7 +37,7 @@ struct Numbers {
 /// A sine or cosine with what it adds to the rates.
 #[derive(Clone, Debug)]
 struct Wave {
-    /// Its angle, and by how much that grows in a second.
+    /// Its angle, and the rate of that in rad/s.
     angle: Value,
     rate: f64,
     is_cosine: bool,

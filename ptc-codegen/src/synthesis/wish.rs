@@ -277,7 +277,7 @@ fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnosti
         return Ok(choice);
     }
     if entries.iter().any(|entry| entry.key.starts_with("model.")) && !in_samples {
-        // A law that has no poles tells how many there have to be.
+        // A law without poles, from which the number of poles of each output follows.
         let several = gives(entries, &["model.inputs"]);
         let value = match several {
             true => Value::Word("extern".to_owned()),

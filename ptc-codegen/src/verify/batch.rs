@@ -30,10 +30,19 @@ pub(super) struct InLanes {
 /// What a scenario is run in.
 #[derive(Clone, Debug)]
 enum Closed {
-    /// Both sides of Theorem 1; the same without an integration, where the loop is linear in stretched time.
-    Theorem(Box<(StretchedLanes, DirectLanes, Option<Exact>)>),
-    /// The loop that runs.
+    /// Both sides of Theorem 1.
+    Theorem(Box<Sides>),
+    /// The sampled loop.
     Running(Box<RunningLanes>),
+}
+
+/// Both sides of Theorem 1 in lanes.
+#[derive(Clone, Debug)]
+struct Sides {
+    stretched: StretchedLanes,
+    direct: DirectLanes,
+    /// The same without an integration, where the loop is linear in stretched time.
+    exact: Option<Exact>,
 }
 
 impl InLanes {
@@ -43,9 +52,12 @@ impl InLanes {
         observer: &Observer,
         campaign: &Campaign,
     ) -> Option<Self> {
-        let exact = Exact::of(campaign);
-        let closed = Box::new((infinite.in_lanes()?, direct.in_lanes()?, exact));
-        Some(Self { closed: Closed::Theorem(closed), observer: observer.in_lanes()? })
+        let sides = Sides {
+            stretched: infinite.in_lanes()?,
+            direct: direct.in_lanes()?,
+            exact: Exact::of(campaign),
+        };
+        Some(Self { closed: Closed::Theorem(Box::new(sides)), observer: observer.in_lanes()? })
     }
 
     /// `None` where the plant is not linear between samples.
@@ -56,14 +68,14 @@ impl InLanes {
 
     /// Whether there is a way without an integration on both sides of Theorem 1.
     pub(super) fn propagates(&self) -> bool {
-        matches!(&self.closed, Closed::Theorem(closed) if closed.2.is_some())
+        matches!(&self.closed, Closed::Theorem(sides) if sides.exact.is_some())
     }
 
     /// The outcomes of the scenarios that go smoothly to their end.
     fn run(&mut self, settings: &[Setting]) -> Vec<Option<Outcome>> {
         let Self { closed, observer } = self;
-        let (stretched, direct, exact) = match closed {
-            Closed::Theorem(closed) => &mut **closed,
+        let Sides { stretched, direct, exact } = match closed {
+            Closed::Theorem(sides) => &mut **sides,
             Closed::Running(lanes) => return running(lanes, observer, settings),
         };
         let mut found = match exact {

@@ -10,7 +10,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::plant::{Bounded, force};
 use crate::request::Feedback;
 
-/// The values of what is fixed.
+/// Values of the fixed parameters.
 pub(super) type Values = BTreeMap<Parameter, BigRational>;
 
 /// A law of gains, on a chain with the gain that it divides by: with an f of the state and time alone
@@ -54,7 +54,7 @@ impl LinearLoop {
     }
 }
 
-/// The values of what is fixed in a design.
+/// Those of a design.
 pub(super) fn values(campaign: &Campaign) -> Values {
     let fixed = campaign.spec.fixed.iter().chain(&campaign.plant.fixed);
     fixed.filter_map(|(name, value)| Some((*name, Fixed::number(value)?.clone()))).collect()

@@ -1,7 +1,6 @@
 //! One point of what is uncertain: a draw, a pure function of the seed and an index, or any other.
 
 use std::f64::consts::TAU;
-use std::sync::LazyLock;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -195,15 +194,6 @@ impl Campaign {
 
 /// The symbols of a disturbance: bias + size sin(rate dt + phase).
 fn wave(d: usize) -> [Parameter; 4] {
-    // A name is held against the words of all languages, which takes longer than a piece of a run.
-    static FIRST: LazyLock<Vec<[Parameter; 4]>> = LazyLock::new(|| (0..NAMED).map(named).collect());
-    FIRST.get(d).copied().unwrap_or_else(|| named(d))
-}
-
-/// Disturbances whose symbols are kept.
-const NAMED: usize = 16;
-
-fn named(d: usize) -> [Parameter; 4] {
     ["bias", "size", "rate", "phase"].map(|part| {
         let name = Name::new(&format!("ptc_disturbance{d}_{part}"));
         name.map_or(Parameter::StartTime, Parameter::Named)

@@ -103,9 +103,7 @@ impl Trial {
             Closed::Theorem(sides) if integrals.is_empty() => {
                 InLanes::of_theorem((&sides.0, &sides.1), &observer, campaign)
             }
-            Closed::Running(sampled)
-                if !campaign.spec.has_model() && campaign.spec.reference.is_none() =>
-            {
+            Closed::Running(sampled) if !campaign.spec.has_model() => {
                 InLanes::of_running(sampled, &observer)
             }
             _ => None,

@@ -231,6 +231,7 @@ fn sampled_loops_have_the_same_bits_in_lanes() {
         "noise_rms = [1e-3, 1e-2]\ndelay = 3\ng_error = [0.9, 1.1]\n",
         "delay = 2\n",
         "delay = 1\nafter = \"zero\"\n",
+        "noise = [1e-3, 0]\nreference = \"0.2*sin(2*t) + 0.1\"\n",
     ];
     for plant in plants {
         for around in loops {
@@ -249,7 +250,7 @@ fn sampled_loops_have_the_same_bits_in_lanes() {
     }
 }
 
-/// A sampled plant under a sine by the exponential, and by an integration where a term next to 0 asks for one.
+/// A sampled plant under a sine by the exponential, and by an integration, which a term close to 0 forces.
 #[test]
 fn sampled_plants_under_sines_are_exact() {
     let outcomes = |f: &str| {

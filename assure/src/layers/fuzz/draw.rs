@@ -1,11 +1,10 @@
 //! Random designs, as keys and values of the command line.
 
 use ptc_codegen::check::examine::examine;
-use ptc_codegen::diagnostic::Place;
-use ptc_codegen::request::{Entry, Spec, read};
-use ptc_codegen::syntax::parse;
+use ptc_codegen::request::Spec;
 
 use crate::harness::random::Random;
+use crate::harness::specs::legal;
 
 /// Keys with their values.
 pub(super) type Keys = Vec<(String, String)>;
@@ -184,11 +183,7 @@ fn law(random: &mut Random, n: u64) -> String {
 
 /// The spec of some keys; `None` if it is refused.
 pub(super) fn spec(keys: &Keys) -> Option<Spec> {
-    let entry = |(key, text): &(String, String)| {
-        let value = parse(key, text, &mut |_| Place(0)).ok()?;
-        Some(Entry { key: key.clone(), place: Place(0), value })
-    };
-    let spec = read(&keys.iter().map(entry).collect::<Option<Vec<_>>>()?).ok()?;
+    let spec = legal(keys)?;
     // What the checks refuse, and what overflows when it is generated, is no controller.
     let report = examine(&spec);
     ptc_codegen::Accepted::of(report.clone()).ok()?;

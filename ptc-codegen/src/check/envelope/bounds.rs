@@ -158,14 +158,8 @@ impl<'a> Bounds<'a> {
     fn rows(&self, tail: &[Value], weights: &[Value], fused: bool) -> Vec<Interval> {
         let [tail, weights] =
             [tail, weights].map(|values| values.iter().map(|v| self.get(*v)).collect::<Vec<_>>());
-        let [a, b, c] = [0, 1, 2].map(Value);
-        let on = |op: Op, of: &[Interval]| apply(&op, of, self.program.precision);
-        let add = |x, y| on(Op::Add(a, b), &[x, y]);
-        let more = |x, y, z| match fused {
-            true => on(Op::Fused(a, b, c), &[x, y, z]),
-            false => add(z, on(Op::Mul(a, b), &[x, y])),
-        };
-        rows::rows(&tail, &weights, add, more)
+        let on = |op: &Op, of: &[Interval]| apply(op, of, self.program.precision);
+        rows::by_operations(&tail, &weights, fused, on)
     }
 
     /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not

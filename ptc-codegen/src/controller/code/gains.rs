@@ -101,8 +101,7 @@ impl Builder<'_> {
         let Some(value) = body.roots.pop() else { fault("an axis without u") };
         let limit = self.limit_of_axis();
         // One test for both, that v is finite and that it is within a bound which may be infinite.
-        let greatest = number::exact(self.spec.precision.greatest());
-        let greatest = Expr::Number(greatest.unwrap_or_else(|| fault("a greatest number")));
+        let greatest = Expr::Number(number::finite(self.spec.precision.greatest()));
         let shared = limit.clone().filter(|limit| matches!(limit, Expr::Field(_)));
         let bound = shared.map(|limit| {
             let less = Test::Less(limit.clone(), greatest.clone());

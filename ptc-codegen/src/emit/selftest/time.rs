@@ -157,7 +157,7 @@ struct Source<'a> {
     eighth: String,
     three_halves: String,
     sixteenth: String,
-    /// How many laws stand in for the user's, where it is not one.
+    /// Number of laws that replace the user's, if there are several.
     laws: Option<usize>,
     /// States of all chains in stretched time.
     chains: usize,

@@ -106,7 +106,7 @@ impl<'a> Sets<'a> {
             least(self.spec),
         ];
         if let Some((least, greatest)) = self.spec.ends(parameter) {
-            values.extend([0.75 * least, least, 1.25 * greatest]);
+            values.extend([0.75 * least, least, greatest, 1.25 * greatest]);
         }
         values
     }

@@ -92,18 +92,13 @@ pub(super) fn error(
             Op::Rows { tail, weights, fused } => {
                 let all = |values: &[Value]| values.iter().map(of).collect::<Option<Vec<_>>>();
                 let precision = program.precision;
-                let on = |op: Op, of: &[Rounded]| {
+                let on = |op: &Op, of: &[Rounded]| {
                     let values: Vec<_> = of.iter().map(|rounded| rounded.value).collect();
-                    let value = crate::check::envelope::apply(&op, &values, precision);
-                    Rounded { value, error: units.of(&op, of, value) }
+                    let value = crate::check::envelope::apply(op, &values, precision);
+                    Rounded { value, error: units.of(op, of, value) }
                 };
-                let [a, b, c] = [0, 1, 2].map(Value);
-                let add = |x, y| on(Op::Add(a, b), &[x, y]);
-                let more = |x, y, z| match fused {
-                    true => on(Op::Fused(a, b, c), &[x, y, z]),
-                    false => add(z, on(Op::Mul(a, b), &[x, y])),
-                };
-                arrays.insert(value, rows::rows(&all(tail)?, &all(weights)?, add, more));
+                let (tail, weights) = (all(tail)?, all(weights)?);
+                arrays.insert(value, rows::by_operations(&tail, &weights, *fused, on));
                 0.0
             }
             Op::Element(array, index) => arrays.get(array)?.get(*index)?.error,

@@ -66,10 +66,9 @@ impl Exact {
         };
         let given = |parameter: &Parameter| spec.fixed.get(parameter).is_some_and(is_number);
         let settled = spec.parameters().iter().all(|own| is_free(own) || given(own));
-        let follows = spec.reference.is_some() || spec.axes.is_some();
-        // The sums of f ask for mu thousands of times, which an iteration makes dearer than the runs.
+        // The sums of f evaluate mu thousands of times, which costs more than the runs where it is iterated.
         let iterates = spec.is_iterated();
-        if !settled || follows || iterates || campaign.drawn().is_some() || !scales(campaign) {
+        if !settled || iterates || campaign.drawn().is_some() || !scales(campaign) {
             return None;
         }
         let rate = unit_rate(&gains)?.to_f64()?;

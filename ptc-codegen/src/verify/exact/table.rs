@@ -216,7 +216,7 @@ impl Run<'_> {
         Some((0..n).map(|i| state[i] * self.unit(i)).collect())
     }
 
-    /// e^(A s) v where ||A s|| is small; A v is v but for its first entry, and the last row times v.
+    /// e^(A s) v where ||A s|| is small; A v is v shifted by one entry, with the last row times v at its end.
     fn exponential(&self, v: &mut Vector, s: f64) {
         let n = self.n;
         let mut term = *v;

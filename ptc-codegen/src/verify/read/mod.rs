@@ -6,21 +6,21 @@ mod drawn;
 mod integral;
 mod objective;
 mod running;
+mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::ToPrimitive;
-
 use integral::Integral;
+use value::{number, to_f64};
 
 use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::keys::verify::KEYS;
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::Parameter;
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec, known};
 use crate::simulate::Loop;
-use crate::syntax::{Node, Value, number as exact, real};
+use crate::syntax::{Node, number as exact};
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
@@ -347,82 +347,4 @@ impl Reader<'_> {
         }
         Some(until)
     }
-
-    /// `[lower, upper]`, or one number for both.
-    fn interval(&mut self, table: &str, name: &str, given: &Given<'_>) -> Option<Interval> {
-        let (_, node) = given.get(name)?;
-        let ends = match &node.value {
-            Value::List(items) => match items.as_slice() {
-                [low, high] => number(low).zip(number(high)),
-                _ => None,
-            },
-            _ => number(node).map(|value| (value, value)),
-        };
-        match ends {
-            Some((low, high)) if low <= high => return Some((low, high)),
-            Some((low, high)) => self.wrong(
-                &format!("{table}.{name}"),
-                Some(node.place),
-                format!("the interval of {name} is empty: {low} > {high}"),
-                "an interval is [lower, upper]",
-            ),
-            None => self.wrong(
-                &format!("{table}.{name}"),
-                Some(node.place),
-                format!("{table}.{name} is not an interval"),
-                "an interval is [lower, upper] of finite numbers, or one number",
-            ),
-        }
-        None
-    }
-
-    fn integer(
-        &mut self,
-        key: &'static str,
-        given: &Given<'_>,
-        (least, most): (u64, u64),
-        otherwise: u64,
-    ) -> Option<u64> {
-        let Some((_, node)) = given.get(key) else { return Some(otherwise) };
-        let value = real(node).and_then(|value| value.number().cloned());
-        let whole = value.filter(|value| value.is_integer()).and_then(|value| value.to_u64());
-        let legal = whole.filter(|value| (least..=most).contains(value));
-        if legal.is_none() {
-            self.legal(key, node.place);
-        }
-        legal
-    }
-
-    fn number(
-        &mut self,
-        key: &'static str,
-        given: &Given<'_>,
-        legal: &dyn Fn(f64) -> bool,
-    ) -> Option<f64> {
-        let (_, node) = given.get(key)?;
-        let value = number(node).filter(|value| legal(*value));
-        if value.is_none() {
-            self.legal(key, node.place);
-        }
-        value
-    }
-
-    fn legal(&mut self, key: &'static str, place: Place) {
-        let info = KEYS.iter().find(|info| info.key == key);
-        let legal = info.map_or("", |info| info.legal);
-        self.wrong(
-            &format!("verify.{key}"),
-            Some(place),
-            format!("verify.{key} is not legal"),
-            &format!("{key} is {legal}"),
-        );
-    }
-}
-
-fn number(node: &Node) -> Option<f64> {
-    real(node).as_ref().and_then(to_f64).filter(|value| value.is_finite())
-}
-
-fn to_f64(value: &Fixed) -> Option<f64> {
-    value.number().and_then(ToPrimitive::to_f64)
 }

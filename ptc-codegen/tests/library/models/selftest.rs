@@ -1,4 +1,4 @@
-//! Self-tests of plants with several inputs: they find nothing wrong of the controller, and what is wrong of another.
+//! Self-tests of plants with several inputs: the controller passes, and altered ones fail.
 
 use super::coupled::{MIX, following, plants};
 use super::in_c::{selftest, selftest_of};

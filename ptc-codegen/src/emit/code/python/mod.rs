@@ -5,14 +5,14 @@ mod batch;
 mod class;
 mod inputs;
 mod module;
+mod statement;
 
 use std::collections::BTreeMap;
 
-use super::block::{Block, Branch, either};
+use super::block::Block;
 use super::gives::Gives;
-use super::legal::checks;
 use super::text::{Level, Lines, Text, bare};
-use crate::code::{AXIS, Code, Ending, Expr, Shape, Solve, Status, Test};
+use crate::code::{AXIS, Code, Expr, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};
 use crate::parameter::Precision;
 
@@ -208,153 +208,6 @@ fn boxed_test(test: &str) -> String {
     match test.split_once(" < ") {
         Some((a, b)) => format!("{} < {}", boxed(a), boxed(b)),
         None => test.to_owned(),
-    }
-}
-
-impl Block for Python<'_> {
-    fn as_block(&mut self) -> &mut dyn Block {
-        self
-    }
-
-    fn out(&mut self) -> &mut Lines {
-        &mut self.out
-    }
-
-    fn lines(&self) -> &Lines {
-        &self.out
-    }
-
-    fn branch(&self) -> Branch {
-        let joint = "\n    and ";
-        Branch { open: "if ", turn: "elif ", then: ":", joint, otherwise: "else:", end: "" }
-    }
-
-    fn comment(&self) -> (&'static str, &'static str) {
-        ("# ", "")
-    }
-
-    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
-        format!("{name} = {value}")
-    }
-
-    fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
-        None
-    }
-
-    fn assign(&self, place: &str, value: &str) -> String {
-        format!("{place} = {value}")
-    }
-
-    fn value(&self, value: &Expr) -> String {
-        match value {
-            Expr::Number(_) => boxed(&self.alone(value)),
-            value => self.alone(value),
-        }
-    }
-
-    /// In brackets where it takes several lines.
-    fn opened(&self, start: &str, tests: &[&Test]) -> String {
-        let parts = match tests {
-            [test] => self.parts(test),
-            tests => vec![either(self, tests)],
-        };
-        let line = self.out.joined(start, &parts, ("and", self.branch().joint), ":");
-        match line.strip_prefix(start).and_then(|test| test.strip_suffix(':')) {
-            Some(test) if test.contains('\n') => format!("{start}(\n    {test}\n):"),
-            _ => line,
-        }
-    }
-
-    fn require(&mut self, test: &Test, status: Status) {
-        let Some(wrong) = self.raises.clone() else {
-            let line = self.refused(test);
-            self.out.open(line);
-            self.fail(status);
-            return self.out.leave();
-        };
-        for check in checks(test, &self.copies) {
-            let line = self.refused(&check.test);
-            self.out.open(line);
-            let name = match &check.parameter {
-                Some((name, Some(index))) => format!("{name}[{index}]"),
-                Some((name, None)) => name.clone(),
-                None => String::new(),
-            };
-            self.out.line(match name.as_str() {
-                "" => format!("raise ValueError(\"{wrong}\")"),
-                name => {
-                    format!(
-                        "raise ValueError(f\"params.{name} is {{params.{name}}}; legal: {}\")",
-                        check.legal
-                    )
-                }
-            });
-            self.out.leave();
-        }
-    }
-
-    fn array(&mut self, name: &str, values: &[Expr]) {
-        let list = self.list(values).join(", ");
-        self.out.line(format!("{name} = np.stack(np.broadcast_arrays({list}), axis=-1)"));
-    }
-
-    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
-        let [weights, tail] = [weights, tail].map(|values| self.list(values).join(", "));
-        self.out.line(format!("{name} = _rows([{weights}], [{tail}])"));
-    }
-
-    fn laws(&mut self, name: &str, callback: &str, [array, time, rate]: &[&str; 3], count: usize) {
-        self.out.line(format!(
-            "{name} = np.asarray({callback}({array}, np.asarray({time}), np.asarray({rate})), dtype=_R)"
-        ));
-        self.out.open(format!("if {name}.ndim == 0 or {name}.shape[-1] != {count}:"));
-        self.out.line(format!(
-            "raise ValueError(f\"{callback} gives shape {{{name}.shape}}; legal: (..., {count})\")"
-        ));
-        self.out.leave();
-    }
-
-    fn rounds(&self, rounds: u32, counted: bool) -> [String; 2] {
-        let round = if counted { Solve::ROUND } else { "_" };
-        [format!("for {round} in range({rounds}):"), String::new()]
-    }
-
-    fn leave(&self) -> &'static str {
-        "break"
-    }
-
-    fn begin(&self, name: &str, value: &str) -> String {
-        format!("{name} = np.asarray({value})")
-    }
-
-    fn give(&mut self, values: &[Expr], ending: Ending) {
-        let list: Vec<_> = values.iter().map(|value| self.value(value)).collect();
-        let list = list.join(", ");
-        let status = match ending {
-            Ending::Known(status) => format!("Status.{}", word(status)),
-            Ending::OfGains => "self.status".to_owned(),
-        };
-        self.out.line(match self.gives {
-            Gives::Nothing
-            | Gives::Status
-            | Gives::Gains
-            | Gives::Rate
-            | Gives::Value
-            | Gives::Values
-            | Gives::Axes => return,
-            Gives::Control => format!("return Control({list}, {status})"),
-            Gives::Progress => format!("return {status}"),
-            Gives::Array => format!("return np.array([{list}], dtype=_R)"),
-            Gives::Number => format!("return {list}"),
-        });
-    }
-
-    fn fail(&mut self, status: Status) {
-        let word = word(status);
-        self.out.line(match self.gives {
-            Gives::Progress => format!("return Status.{word}"),
-            _ => format!("return Control(_R(0.0), Status.{word})"),
-        });
     }
 }
 
