@@ -5,7 +5,7 @@ mod course;
 use num_traits::ToPrimitive;
 use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::parameter::{Fixed, Parameter};
-use ptc_codegen::plant::Plant;
+use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::request::{Spec, one_or_each};
 use ptc_codegen::simulate::{Loop, Values};
 use serde_json::{Value, json};
@@ -22,16 +22,22 @@ pub(crate) fn runs(
     (report, plant): (&Report, Option<Plant>),
     request: &Value,
 ) -> Value {
-    let spec = &report.spec;
-    let x0 = match start(spec, request["x0"].as_str().unwrap_or_default()) {
+    let (spec, plant) = plant::as_one(report.spec.clone(), plant);
+    let x0 = match start(&spec, request["x0"].as_str().unwrap_or_default()) {
         Ok(x0) => x0,
         Err(problem) => return json!({ "problem": problem }),
     };
     let seed = request["seed"].as_u64().unwrap_or(0);
-    let own = one(spec.mapping_name(), report, plant, (&x0, seed));
+    let refused = |report: &Report| report.refusals().map(|outcome| outcome.name).collect();
+    let own = one(spec.mapping_name(), (&spec, refused(report)), plant, (&x0, seed));
     let others = request["overlays"].as_array().into_iter().flatten().filter_map(Value::as_str);
     let others = others.take(OVERLAYS).map(|text| match design.with_mapping(text) {
-        Ok((spec, plant)) => one(text, &examine(&spec), plant, (&x0, seed)),
+        Ok((spec, plant)) => {
+            let report = examine(&spec);
+            let refused = refused(&report);
+            let (spec, plant) = plant::as_one(report.spec, plant);
+            one(text, (&spec, refused), plant, (&x0, seed))
+        }
         Err(problem) => json!({ "label": text, "problem": problem }),
     });
     let series: Vec<_> = std::iter::once(own).chain(others).collect();
@@ -61,9 +67,12 @@ fn start(spec: &Spec, text: &str) -> Result<Vec<f64>, String> {
 }
 
 /// A run, with its label.
-fn one(label: &str, report: &Report, plant: Option<Plant>, (x0, seed): (&[f64], u64)) -> Value {
-    let refusals: Vec<_> = report.refusals().map(|outcome| outcome.name).collect();
-    let spec = &report.spec;
+fn one(
+    label: &str,
+    (spec, refusals): (&Spec, Vec<&str>),
+    plant: Option<Plant>,
+    (x0, seed): (&[f64], u64),
+) -> Value {
     let plant = plant.unwrap_or_else(|| Plant::own(spec));
     match values(spec, &plant).and_then(|(values, assumed)| {
         let course = Course::of(spec, &plant, &Around { values: &values, x0, seed })?;

@@ -201,6 +201,12 @@ ptc_status ptc_exp2_axes3_step(
                 axes[axis] = now;
             }
         }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                u[i] = 0.0;
+            }
+        }
     }
     return status;
 }

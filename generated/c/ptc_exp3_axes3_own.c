@@ -125,8 +125,8 @@ ptc_status ptc_exp3_axes3_own_axis(
             const double s1 = gains->gain[3U * axis] * x[0];
             const double s2 = s1 + (gains->gain[(3U * axis) + 1U] * x[1]);
             const double v1 = s2 + (gains->gain[(3U * axis) + 2U] * x[2]);
-            const double s3 = gains->input_gain[axis];
-            const double v = v1 / (((s3 < 0.0) || (s3 > 0.0)) ? s3 : (double)NAN);
+            const double input_gain = gains->input_gain[axis];
+            const double v = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
@@ -174,8 +174,8 @@ ptc_status ptc_exp3_axes3_own_step(
                 const double s1 = gains.gain[3U * axis] * x[axis][0];
                 const double s2 = s1 + (gains.gain[(3U * axis) + 1U] * x[axis][1]);
                 const double v1 = s2 + (gains.gain[(3U * axis) + 2U] * x[axis][2]);
-                const double s3 = gains.input_gain[axis];
-                v[axis] = v1 / (((s3 < 0.0) || (s3 > 0.0)) ? s3 : (double)NAN);
+                const double input_gain = gains.input_gain[axis];
+                v[axis] = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
             }
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 beyond |= ((isfinite(v[axis]) != 0) && (fabs(v[axis]) <= gains.u_max[axis])) ? 0U : 1U;
@@ -221,6 +221,12 @@ ptc_status ptc_exp3_axes3_own_step(
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 u[axis] = 0.0;
                 axes[axis] = now;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                u[i] = 0.0;
             }
         }
     }

@@ -368,9 +368,9 @@ impl PtcExp3Axes3OwnGains {
         let s1 = self.gain[3 * axis as usize] * x[0];
         let s2 = s1 + (self.gain[3 * axis as usize + 1] * x[1]);
         let v1 = s2 + (self.gain[3 * axis as usize + 2] * x[2]);
-        let s3 = self.input_gain[axis as usize];
-        let v = if s3 < 0.0 || s3 > 0.0 {
-            v1 / s3
+        let input_gain = self.input_gain[axis as usize];
+        let v = if input_gain < 0.0 || input_gain > 0.0 {
+            v1 / input_gain
         } else {
             f64::NAN
         };

@@ -3,7 +3,7 @@
 use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::internal::guarded;
 use ptc_codegen::parameter::Parameter;
-use ptc_codegen::plant::Plant;
+use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::record::{self, Asked, Row, instant};
 use ptc_codegen::simulate::{Failure, Loop, MAX_SAMPLES, Values, grid, tracking_error};
@@ -67,17 +67,18 @@ pub(crate) fn simulate<'py>(
     let spec = &design.spec;
     let knows = spec
         .needs_law("simulate")
-        .and_then(|()| spec.needs_one_plant("simulate"))
         .and_then(|()| spec.needs_known_reference("simulate"));
     knows.map_err(|found| design.wrong(py, found))?;
-    let plant = design.plant.clone().unwrap_or_else(|| Plant::own(spec));
+    let (spec, plant) = plant::as_one(spec.clone(), design.plant.clone());
+    let spec = &spec;
+    let plant = plant.unwrap_or_else(|| Plant::own(spec));
     let wrong = |message: String, help: &str| mistake(py, "bad-value", message, help.to_owned());
-    let around = around(design, (seed, until, arm_at), &wrong)?;
+    let around = around((design, spec), (seed, until, arm_at), &wrong)?;
     if let (Some(_), Some(_)) = (&at, &around) {
         let help = "the sampled loop reports every sample: leave `at` out";
         return Err(wrong("`at` gives instants between the samples".to_owned(), help));
     }
-    let asked = asked(design, (x0, at.as_deref()), &wrong)?;
+    let asked = asked(spec, (x0, at.as_deref()), &wrong)?;
     // The checks of the emitted controller set eps where a sample period or an error is promised.
     let emitted = around.is_some() || spec.has_model();
     let report = match emitted {
@@ -117,11 +118,10 @@ pub(crate) fn simulate<'py>(
 
 /// The sampled loop, if a run of the design is one.
 fn around(
-    design: &Design,
+    (design, spec): (&Design, &Spec),
     (seed, until, arm_at): (u64, Option<f64>, Vec<f64>),
     wrong: &dyn Fn(String, &str) -> PyErr,
 ) -> PyResult<Option<Loop>> {
-    let spec = &design.spec;
     let Some(asked) = Loop::asked(spec, design.gives("sample_time")) else {
         if until.is_some() || !arm_at.is_empty() {
             let help = "give `Design` a sample_time, or a clock in samples: the law itself ends at the deadline, where its gains are infinite";
@@ -156,11 +156,11 @@ fn around(
 }
 
 fn asked(
-    design: &Design,
+    spec: &Spec,
     (x0, at): (Vec<f64>, Option<&[f64]>),
     wrong: &dyn Fn(String, &str) -> PyErr,
 ) -> PyResult<Asked> {
-    let states = design.spec.state_names();
+    let states = spec.state_names();
     if x0.len() != states.len() || x0.iter().any(|x| !x.is_finite()) {
         let message = format!("x0 is not {} finite numbers", states.len());
         let help = format!("give one for each of {}", states.join(", "));

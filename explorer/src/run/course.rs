@@ -46,9 +46,7 @@ pub(super) struct Course {
 impl Course {
     pub(super) fn of(spec: &Spec, plant: &Plant, around: &Around<'_>) -> Result<Self, String> {
         let page = "the page";
-        for knows in
-            [spec.needs_law(page), spec.needs_one_plant(page), spec.needs_known_reference(page)]
-        {
+        for knows in [spec.needs_law(page), spec.needs_known_reference(page)] {
             knows.map_err(|found| found.into_iter().map(|one| one.message).collect::<String>())?;
         }
         let size = (spec.states(), spec.input_names().len());

@@ -51,11 +51,11 @@ impl Outline {
         };
         Self {
             n: spec.states(),
-            shape: match spec.coupled.as_ref().filter(|coupled| coupled.is_of_axes) {
-                Some(coupled) => format!("[{}][{}]", coupled.inputs.len(), spec.n),
+            shape: match spec.rows_of_axes() {
+                Some((count, order)) => format!("[{count}][{order}]"),
                 None => format!("[{}]", spec.states()),
             },
-            inputs: spec.coupled.as_ref().map(|coupled| coupled.inputs.len()),
+            inputs: spec.axes.as_ref().map(|axes| axes.count),
             references: spec.references(),
             real: c::real(spec),
             zero: if spec.precision == Precision::F32 { "0.0f" } else { "0.0" },

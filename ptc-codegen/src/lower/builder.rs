@@ -91,7 +91,7 @@ impl<'a> Builder<'a> {
             complement: None,
             plant: None,
             axis: None,
-            outputs: spec.coupled.as_ref().map_or(1, |coupled| coupled.outputs.len()),
+            outputs: spec.decoupled().map_or(1, |coupled| coupled.outputs.len()),
         }
     }
 

@@ -53,7 +53,7 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
 fn controller(spec: &Spec, law: &Law) -> Program {
     let designs = spec.designs();
     let mut b = Builder::of(spec, law);
-    let (step, others, determinant, shared) = match &spec.coupled {
+    let (step, others, determinant, shared) = match spec.decoupled() {
         Some(coupled) => {
             let (first, others, determinant) = coupled::controls(&mut b, law, coupled, &designs);
             (first, others, determinant, Shared::default())

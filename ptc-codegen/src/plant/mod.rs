@@ -13,13 +13,18 @@
 //!
 //! With a model the plant is the model, of which `[plant]` may give other rates under `dynamics`, and
 //! other numbers for its parameters; of a mechanical one another `inertia` and `bias`.
+//!
+//! Of several axes f and g are those of each, or `dynamics` gives the rates of `x{i}_{j}`, state i of axis j,
+//! with the inputs `u{j}`.
 
+mod axes;
 mod force;
 mod model;
 mod read;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+pub use axes::as_one;
 #[cfg(feature = "lab")]
 pub(crate) use force::{Bounded, force};
 pub use read::{read, read_partly};

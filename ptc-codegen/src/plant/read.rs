@@ -56,6 +56,9 @@ pub fn read_partly(entries: &[Entry], spec: &Spec) -> (Option<Plant>, Vec<Diagno
 fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
     match spec.has_model() {
         true => super::model::read(given, spec, found),
+        false if spec.axes.is_some() && given.contains_key("dynamics") => {
+            super::model::read(given, &spec.clone().as_one_plant(), found)
+        }
         false => chain(given, spec, found),
     }
 }

@@ -178,6 +178,8 @@ pub fn checks(spec: &Spec, program: &Program) -> Vec<Condition> {
     for value in needed.iter().filter(|value| !is_known(**value)) {
         program.get(*value).op.operands().into_iter().for_each(|operand| used[operand.0] = true);
     }
+    // `axis` reads what `tick` hands over.
+    program.handed_over().for_each(|value| used[value.0] = true);
     for value in needed.into_iter().filter(|value| is_known(*value)) {
         let op = &program.get(value).op;
         let mut size = Size::of(spec, op, |of| sizes[of.0]);

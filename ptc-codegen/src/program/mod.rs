@@ -13,6 +13,7 @@
 //! [`Program::fma`] is; the interpreter fuses likewise.
 
 mod arithmetic;
+mod axes;
 pub mod cost;
 pub mod digits;
 pub mod dump;

@@ -22,9 +22,12 @@ impl Arithmetic {
     ) -> Option<Vec<Term>> {
         // What a call is given behind the state is a row for each output.
         let (states, row) = (spec.states(), spec.references());
+        // An axis knows its own state alone.
+        let (stride, length) = if spec.joins_axes() { (spec.n, spec.n) } else { (0, states) };
         let given = |index: usize| -> Vec<f64> {
             let behind = call.x.iter().skip(states + index * row).take(row);
-            call.x.iter().take(states).chain(behind).copied().collect()
+            let own = call.x.iter().take(states).skip(index * stride).take(length);
+            own.chain(behind).copied().collect()
         };
         let rows: Vec<_> = (0..designs.len()).map(given).collect();
         let call_of = |index: usize| {
@@ -46,7 +49,7 @@ impl Arithmetic {
                 self.control(own, (&call, to_go), points, (&chains[index], &all), &parameter)
             })
             .collect();
-        match &spec.coupled {
+        match spec.decoupled() {
             None => wanted,
             Some(coupled) => Some(self.inputs((spec, coupled), call, &wanted?)),
         }

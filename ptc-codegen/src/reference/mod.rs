@@ -85,8 +85,8 @@ impl<'a> Reference<'a> {
 
     /// The same with a bound of its work, beyond which no call is known.
     pub(crate) fn within(spec: &'a Spec, work: Work) -> Option<Self> {
-        let designs = match spec.coupled {
-            Some(_) => spec.designs(),
+        let designs = match &spec.coupled {
+            Some(coupled) => (0..coupled.outputs.len()).map(|index| spec.axis(index)).collect(),
             None => vec![spec.clone()],
         };
         let order = designs.iter().map(|own| own.n).max().unwrap_or(spec.n);
@@ -138,8 +138,8 @@ impl<'a> Reference<'a> {
             Outcome { status, u, control: Some(control), time_to_go }
         });
         let mut all: Vec<_> = each.collect();
-        // All inputs are 0 where one of several is not finite, whatever its limit is.
-        if spec.coupled.is_some() && all.iter().any(|one| is_beyond(spec, one.u)) {
+        // All inputs are 0 where one that follows from all outputs is not finite, whatever its limit is.
+        if spec.decoupled().is_some() && all.iter().any(|one| is_beyond(spec, one.u)) {
             for one in &mut all {
                 one.status = if is_beyond(spec, one.u) { Status::Range } else { status };
                 one.u = 0.0;
@@ -147,7 +147,13 @@ impl<'a> Reference<'a> {
             return Some(all);
         }
         let limits = self.designs.iter().map(|own| value_of(own, Parameter::UMax, call.parameter));
-        Some(all.into_iter().zip(limits).map(|(one, limit)| clipped(spec, one, limit)).collect())
+        let each = all.into_iter().zip(limits);
+        let mut all: Vec<_> = each.map(|(one, limit)| clipped(spec, one, limit)).collect();
+        // An axis that fails ends all.
+        if all.iter().any(|one| one.status == Status::Range) {
+            all.iter_mut().for_each(|one| one.u = 0.0);
+        }
+        Some(all)
     }
 
     fn refused(&self, status: Status) -> Vec<Outcome> {

@@ -1,5 +1,7 @@
 //! Several axes that share one deadline and one mapping.
 
+use std::iter::repeat_with;
+
 use super::{Feedback, Reference, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
@@ -39,11 +41,47 @@ impl Axes {
 }
 
 impl Spec {
+    /// The chains of all axes as one plant; none for what has no axes, or is one plant already.
+    pub fn chains(&self) -> Option<Coupled> {
+        let axes = self.axes.as_ref().filter(|_| self.coupled.is_none())?;
+        let one = || self.input_gain.clone().unwrap_or(Expression::integer(1));
+        let own = axes.input_gains.iter().cloned();
+        let gains: Vec<_> = own.chain(repeat_with(one)).take(axes.count).collect();
+        Coupled::of_axes(self.n, &gains)
+    }
+
+    /// The design with its axes as one plant, for what runs them together.
+    #[must_use]
+    pub fn as_one_plant(mut self) -> Self {
+        if let Some(chains) = self.chains() {
+            self.coupled = Some(Box::new(chains));
+        }
+        self
+    }
+
+    /// Number of axes and their order, where a call is given the state of each in a row.
+    pub fn rows_of_axes(&self) -> Option<(usize, usize)> {
+        let of_axes = self.coupled.as_ref().is_none_or(|coupled| coupled.is_of_axes);
+        self.axes.as_ref().filter(|_| of_axes).map(|axes| (axes.count, self.n))
+    }
+
+    /// The plant whose inputs follow from the laws of all its outputs; none where each input is that of a
+    /// chain alone.
+    pub fn decoupled(&self) -> Option<&Coupled> {
+        self.coupled.as_deref().filter(|_| !self.joins_axes())
+    }
+
+    /// Whether it is [`Self::as_one_plant`] of axes whose laws know nothing of one another.
+    pub fn joins_axes(&self) -> bool {
+        let of_axes = self.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);
+        of_axes && self.feedback == Feedback::Linear
+    }
+
     /// The controller of one axis, from 0, alone.
     #[must_use]
     pub fn axis(&self, index: usize) -> Self {
         let mut spec = Self { axes: None, coupled: None, ..self.clone() };
-        if let Some(coupled) = &self.coupled
+        if let Some(coupled) = self.decoupled()
             && let Some(output) = coupled.outputs.get(index)
         {
             spec.of_output(coupled, index, output);
@@ -88,7 +126,7 @@ impl Spec {
     /// The controllers of one axis that differ: one where all axes are chains that share everything.
     pub fn designs(&self) -> Vec<Self> {
         match &self.axes {
-            Some(axes) if axes.differ() || self.coupled.is_some() => {
+            Some(axes) if axes.differ() || self.decoupled().is_some() => {
                 (0..axes.count).map(|index| self.axis(index)).collect()
             }
             _ => vec![self.axis(0)],

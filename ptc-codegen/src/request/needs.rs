@@ -35,14 +35,6 @@ impl Spec {
             let help = "`simulate` and `verify` do, and `emit` writes its code";
             return unless(true, ("axes", "inputs"), message, help);
         }
-        self.needs_one_plant(what)
-    }
-
-    /// Refuses several axes for what runs one plant, of whatever inputs.
-    ///
-    /// # Errors
-    /// That `what` knows one.
-    pub fn needs_one_plant(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
         let message = format!("{what} knows one chain, not several axes");
         let help = match self.axes.as_ref().is_some_and(super::Axes::differ) {
             true => {
@@ -50,7 +42,7 @@ impl Spec {
             }
             false => "leave `axes` out: each axis is the same chain",
         };
-        unless(self.axes.is_some() && self.coupled.is_none(), ("axes", "axes"), message, help)
+        unless(self.axes.is_some(), ("axes", "axes"), message, help)
     }
 
     /// Refuses fused operations for what knows an operation with one rounding of its own alone.

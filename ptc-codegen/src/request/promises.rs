@@ -40,10 +40,10 @@ pub struct Promises {
     pub plant: Option<PlantBounds>,
 }
 
-/// Number `j`, from 0, of a list that holds one for all, or one each.
+/// Number `j`, from 0, of a list that holds one for all, or one each; of several axes one for each
+/// state of an axis.
 pub fn one_or_each(values: &[Fixed], j: usize) -> Option<f64> {
-    let value = if values.len() == 1 { values.first() } else { values.get(j) };
-    value?.number()?.to_f64()
+    values.get(j.checked_rem(values.len())?)?.number()?.to_f64()
 }
 
 /// Bounds of f and g of the plant, for the sampled loop.

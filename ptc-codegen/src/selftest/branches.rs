@@ -4,16 +4,17 @@ use super::maker::Maker;
 use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable, Wanted};
 use crate::code::Solve;
 use crate::parameter::Parameter;
-use crate::program::Op;
 use crate::program::number::settle;
+use crate::program::{Op, Value};
 use crate::reference::Status;
+use crate::request::Guard;
 
 /// As many where an iteration has branches that few numbers take.
 const ITERATED: usize = 4000;
 
 impl Maker<'_> {
-    /// The branches of iterations and divisions that no call takes.
-    pub(super) fn never(&self) -> Vec<Unreachable> {
+    /// The branches of iterations, of divisions and of the test of u alone that no call takes.
+    pub(super) fn never(&self, sessions: &[Session]) -> Vec<Unreachable> {
         let program = self.controller.program;
         let mut never = Vec::new();
         let mut add = |condition: String, what: &str| {
@@ -21,8 +22,28 @@ impl Maker<'_> {
             let reason = format!("{what} in {tried} random calls, nor at the ends of the range");
             never.push(Unreachable { condition: Always::Written(condition), reason });
         };
-        for value in program.needed(&program.controls()) {
-            let missing = |way| !self.taken.contains(&(value, way));
+        let fails = |call: &Call| call.status == Status::Range;
+        let is_one = self.spec().coupled.is_none();
+        if is_one
+            && self.spec().guard != Guard::Full
+            && !sessions.iter().flat_map(|session| &session.calls).any(fails)
+        {
+            add("isnan(margin)".to_owned(), "u was not beyond the range");
+        }
+        let needed = program.needed(&program.controls());
+        let divides = |value: &&Value| matches!(program.get(**value).op, Op::Quotient(..));
+        let divisions: Vec<_> = match self.spec().joins_axes() {
+            true => needed.iter().filter(divides).copied().collect(),
+            false => Vec::new(),
+        };
+        for value in needed {
+            // The divisions of several axes are one in the code.
+            let same = match divisions.contains(&value) {
+                true if divisions[0] != value => continue,
+                true => divisions.as_slice(),
+                false => &[value],
+            };
+            let missing = |way| !same.iter().any(|value| self.taken.contains(&(*value, way)));
             match &program.get(value).op {
                 Op::Root(root) => {
                     let name = program.get(value).name.as_ref().map_or("y", |(name, _)| name);
@@ -51,10 +72,10 @@ impl Maker<'_> {
                     let name = program.get(*divisor).name.as_ref();
                     let name = name.map_or("input_gain", |(name, _)| name);
                     if missing("negative") {
-                        add(format!("({name} < 0.0"), "g was not negative");
+                        add(format!("{name} < 0.0"), "g was not negative");
                     }
                     if missing("zero") {
-                        add(format!("({name} > 0.0"), "g was not 0");
+                        add(format!("{name} > 0.0"), "g was not 0");
                     }
                 }
                 _ => {}

@@ -40,7 +40,7 @@ pub(super) fn sessions(
     sessions.extend(maker.out_of_range());
     sessions.extend(maker.branches());
     sessions.retain(|session| !session.calls.is_empty());
-    let never = maker.never();
+    let never = maker.never(&sessions);
     (sessions, never)
 }
 
@@ -86,19 +86,42 @@ impl Maker<'_> {
         };
         let has_axis = self.controller.program.axis.is_some();
         let inputs = vec![Wanted::none(status); self.inputs()];
+        let full = guard == Guard::Full;
+        let alone = self.spec().joins_axes();
+        // An axis whose own state is finite says so.
+        let each = match self.call(session, t, &x) {
+            Some(call) if alone => call.inputs.iter().map(|one| Wanted::none(one.status)).collect(),
+            None if alone => return,
+            _ => inputs.clone(),
+        };
+        let spec = self.spec();
+        let axis_of = |place: usize| match place.checked_sub(spec.states()) {
+            None => place / spec.n,
+            Some(behind) => behind / spec.references(),
+        };
         let mut refuse = |t: f64, x: Vec<f64>, axis: bool| {
             let axis = (has_axis && axis).then_some(status);
-            session.calls.push(Call { t, x, status, inputs: inputs.clone(), axis });
+            let place = x.iter().position(|x| !x.is_finite()).filter(|_| alone);
+            let inputs = match place {
+                Some(place) => {
+                    let mut each = each.clone();
+                    each[axis_of(place)] = Wanted::none(status);
+                    each
+                }
+                None => inputs.clone(),
+            };
+            session.calls.push(Call { t, x, status, inputs, axis });
         };
-        let full = guard == Guard::Full;
         // The definition does not say which of several inputs a state turns into NaN.
         let several = self.inputs() > 1 && !full;
-        let spec = self.spec();
         let wrong_places = (0..if several { 0 } else { n }).filter(|j| spec.reads(*j));
         // Behind the result alone, an infinite state is clipped and a tick without time is held.
         let wrong: &[f64] =
             if full { &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY] } else { &[f64::NAN] };
-        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        // Nor has the tick of several axes a time to be held.
+        let times: &[f64] =
+            if alone && !full { &[] } else { &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY] };
+        for &value in times {
             refuse(value, x.clone(), full);
         }
         for value in wrong {

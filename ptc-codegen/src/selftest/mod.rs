@@ -15,6 +15,7 @@ pub mod samples;
 mod trial;
 mod zero;
 
+use crate::check::examine::Report;
 use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
@@ -123,7 +124,20 @@ impl SelfTest {
                 "leave out `--selftest`, or `what = associated`",
             ));
         }
-        spec.needs_one_plant("a self-test")?;
+        match &spec.axes {
+            Some(axes) if spec.coupled.is_none() => {
+                let program = controller.program.clone().of_all_axes(spec.n, axes.count);
+                let spec = spec.clone().as_one_plant();
+                let report = Report { spec, ..controller.report.clone() };
+                Self::of(&Controller { report: &report, program: &program, ..*controller })
+            }
+            _ => Self::of(controller),
+        }
+    }
+
+    /// That of one plant.
+    fn of(controller: &Controller<'_>) -> Result<Self, Vec<Diagnostic>> {
+        let spec = controller.spec();
         let chosen = parameters::Chosen::new(controller);
         let machine = Machine::new(controller.program, &[]);
         let trials = Trials::new(controller);

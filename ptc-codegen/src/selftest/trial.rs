@@ -92,7 +92,7 @@ impl Trial<'_> {
     /// Runs `step`, and `tick` with `axis` where there are gains.
     pub(super) fn run(&self) -> Seen {
         let of_chains = |t: f64, xi: &[f64]| xi.iter().fold(t / 8.0, |sum, xi| sum - 1.5 * xi);
-        let several = self.spec().coupled.is_some();
+        let several = self.spec().decoupled().is_some();
         let of_all = self.spec().laws_at_once().is_some();
         let law = |arguments: &[f64]| match arguments {
             [xi @ .., t, rate, place] if of_all => {
@@ -120,7 +120,7 @@ impl Trial<'_> {
             () if held => Status::Hold,
             () => Status::Ok,
         };
-        // All of them are 0 where one is not finite.
+        // All of them are 0 where one that follows from all outputs is not finite.
         let bounded = !several || controls.iter().all(|u| u.is_finite());
         let own = |k: usize| {
             let limit = self.spec().axes.as_ref()?.limits.get(k)?.number();

@@ -46,7 +46,10 @@ impl Controller {
     pub fn new(spec: &Spec) -> Result<Self, Failure> {
         has_text(spec, true)?;
         let spec = Spec { what: What::Controller, ..spec.clone() };
-        let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
+        let mut program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
+        if let (Some(axes), None) = (&spec.axes, spec.decoupled()) {
+            program = program.of_all_axes(spec.n, axes.count);
+        }
         let mut outputs = program.outputs();
         let of_axis = |value: &Value| program.handed_over().any(|handed| handed == value);
         outputs.retain(|value| Some(*value) != program.axis && !of_axis(value));
@@ -217,13 +220,16 @@ impl Controller {
         let over = self.limits.past.is_some_and(|past| get(past) >= 0.0);
         let ends = over && self.after != After::Hold;
         let late = get(self.limits.late) >= get(self.limits.hold_from);
-        // All inputs are 0 where one of several is not finite, whatever its limit is.
-        let lost = self.spec.coupled.is_some() && !self.inputs.are_finite(&self.machine);
+        // All inputs are 0 where one that follows from all outputs is not finite, whatever its limit is.
+        let lost = self.spec.decoupled().is_some() && !self.inputs.are_finite(&self.machine);
         if lost || (self.guard == Guard::Result && !finite) {
             return Status::Range;
         }
         let saturated = self.inputs.clipped(&self.machine, ends);
+        // One axis that fails ends all, also where another one is clipped.
+        let lost = self.spec.axes.is_some() && !self.inputs.last().iter().all(|u| u.is_finite());
         match () {
+            () if lost => Status::Range,
             () if saturated => Status::Saturated,
             () if !self.inputs.last().iter().all(|u| u.is_finite()) => Status::Range,
             () if over => Status::After,

@@ -58,7 +58,9 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("cart.toml"), CART).expect("writable");
     assert_eq!(blocks_of(REFERENCES, "toml"), [TRACK]);
     fs::write(folder.join("track.toml"), TRACK).expect("writable");
-    assert_eq!(blocks_of(AXES, "toml"), [GANTRY]);
+    let [gantry, coupling] = &blocks_of(AXES, "toml")[..] else { panic!("a gantry and a plant") };
+    assert_eq!(gantry, GANTRY);
+    fs::write(folder.join("coupled.toml"), format!("{GANTRY}\n{coupling}")).expect("writable");
     fs::write(folder.join("gantry.toml"), GANTRY).expect("writable");
     assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
     fs::write(folder.join("table.toml"), TABLE).expect("writable");

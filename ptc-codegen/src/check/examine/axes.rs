@@ -32,13 +32,13 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
         }
     }
     let names = reports.first().map(|report| report.outcomes.len()).unwrap_or_default();
-    let each = if spec.coupled.is_some() { "output" } else { "axis" };
+    let each = if spec.decoupled().is_some() { "output" } else { "axis" };
     let of_check = |check: usize| {
         let outcomes = reports.iter().filter_map(|report| report.outcomes.get(check));
         joined(&outcomes.collect::<Vec<_>>(), each)
     };
     let mut outcomes: Vec<Outcome> = (0..names).filter_map(of_check).collect();
-    if let Some(coupled) = &spec.coupled {
+    if let Some(coupled) = spec.decoupled() {
         // These are of the whole plant.
         outcomes.retain(|outcome| outcome.name != "envelope");
         outcomes.push(envelope::outcome(&spec, expanded));

@@ -10,7 +10,7 @@ mod run;
 pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::plant::Plant;
+use ptc_codegen::plant::{self, Plant};
 use run::{Run, continuous, sampled};
 
 use super::output::{self, Outputs};
@@ -50,16 +50,18 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for (source, x0) in all {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        let knows = spec
-            .needs_law("simulate")
-            .and_then(|()| spec.needs_one_plant("simulate"))
-            .and_then(|()| spec.needs_known_reference("simulate"));
+        let knows =
+            spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
         if let Err(found) = knows {
             return given.finish(None, found);
         }
+        let (spec, plant) = plant::as_one(spec, plant);
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
             let plant = match (spec.has_model(), &spec.drift) {
+                _ if spec.decoupled().is_none() && spec.axes.is_some() => {
+                    "chains of integrators".to_owned()
+                }
                 (true, _) => "its model".to_owned(),
                 (false, f) => {
                     let f = f.as_ref().map_or("0".to_owned(), ToString::to_string);

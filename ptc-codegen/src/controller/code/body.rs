@@ -113,6 +113,12 @@ impl Writer<'_> {
             return;
         }
         let known = match &definition.op {
+            Op::Input(Input::Divisor) if self.plan.program.divisors.len() > 1 => {
+                let own = Expr::OfAxis("input_gain".to_owned(), 1, 0);
+                let name = Input::Divisor.name();
+                self.statements.push(Statement::Let(name.clone(), Shape::Real, own));
+                Expr::local(name)
+            }
             Op::Input(input) => self.input(*input),
             Op::Root(root) => self.root(root),
             Op::Law(arguments) if !self.plan.program.others.is_empty() => {
@@ -210,7 +216,7 @@ impl Writer<'_> {
             },
             Input::Divisor => match self.plan.program.divisors.len() {
                 1 => Expr::field("input_gain"),
-                _ => Expr::OfAxis("input_gain".to_owned(), 1, 0),
+                _ => fault("an input gain of each axis that is not read first"),
             },
             Input::Drift => Expr::local("f"),
             Input::Control => fault("a controller does not take u"),

@@ -29,7 +29,7 @@ pub(super) static ERRORS: [Explanation; 29] = [
     flags(
         "axes",
         "The command handles one chain of integrators, not several axes.",
-        "ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --poles=-4,-5 --axes 2 --tau 1 --x0 1,0",
+        "ptc-codegen emit --lang c --acsl --n 2 --mu \"exp(a=1)\" --poles=-4,-5 --axes 2",
         "leave `axes` out and run each axis as a chain, with its own gains, limit and g",
     ),
     flags(

@@ -8,7 +8,7 @@ use crate::controller::Controller;
 use crate::emit::outline::Outline;
 use crate::emit::{File, Language, code, program};
 use crate::reference::tolerance;
-use crate::request::{After, Feedback, Guard, Spec};
+use crate::request::{After, Axes, Feedback, Guard, Spec};
 use crate::selftest::{Always, Call, SelfTest, Session, Wanted};
 
 /// The header and the source.
@@ -32,7 +32,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
             .collect(),
     };
     let calls: Vec<_> = test.sessions.iter().flat_map(|session| &session.calls).collect();
-    let has_gains = controller.program.axis.is_some();
+    let has_gains = has_gains(controller);
     let mut first = 0;
     let sessions: Vec<_> = test
         .sessions
@@ -55,10 +55,13 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         largest: numbers.number(spec.precision.greatest()),
         pi0: format!("{name}_selftest_pi0"),
         after: format!("{name}_selftest_after"),
-        result: if spec.coupled.is_some() { "u" } else { "&u" },
+        result: if spec.axes.is_some() { "u" } else { "&u" },
         is_after: spec.after == After::Extern,
         has_context: spec.after == After::Extern || spec.feedback == Feedback::Extern,
         has_gains,
+        has_axes: controller.program.axis.is_some() && spec.axes.is_some(),
+        axis_pointers: pointers(spec),
+        numbers_axes: spec.axes.as_ref().is_some_and(Axes::differ),
         tau_is_kept: test.tau_is_kept,
         sessions: &sessions,
         calls: &calls.iter().map(|call| numbers.call(call, spec, has_gains)).collect::<Vec<_>>(),
@@ -71,6 +74,23 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         frame: &frame,
     };
     both(spec, &about, source.render())
+}
+
+/// Whether `tick` and `axis` are called beside `step`, which calls them itself for several axes.
+fn has_gains(controller: &Controller<'_>) -> bool {
+    controller.program.axis.is_some() && controller.spec().axes.is_none()
+}
+
+/// The arguments of `axis`, each time with one of them missing.
+fn pointers(spec: &Spec) -> Vec<[&'static str; 4]> {
+    let whole = ["&gains", "call.x[0]", "call.r[0]", "&own"];
+    let given = (0..whole.len()).filter(|at| *at != 2 || spec.references() > 0);
+    let without = |at: usize| {
+        let mut lacking = whole;
+        lacking[at] = "NULL";
+        lacking
+    };
+    given.map(without).collect()
 }
 
 /// Where the expected u comes from.
@@ -110,14 +130,15 @@ impl Numbers<'_> {
     }
 
     fn call(&self, call: &Call, spec: &Spec, has_gains: bool) -> String {
-        let (x, reference) = call.x.split_at(spec.states());
-        let several = spec.coupled.is_some();
+        let of_axes = spec.rows_of_axes();
+        let states = of_axes.map_or(spec.states(), |(count, order)| count * order);
+        let (x, reference) = call.x.split_at(states);
+        let several = spec.axes.is_some();
         let rows = |all: &[f64], length: usize| {
             let each = all.chunks(length).map(|row| format!("{{{}}}", self.list(row)));
             each.collect::<Vec<_>>().join(", ")
         };
-        let is_of_axes = spec.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);
-        let states = if is_of_axes { rows(x, spec.n) } else { self.list(x) };
+        let states = of_axes.map_or_else(|| self.list(x), |(_, order)| rows(x, order));
         // One number, or a list of them.
         let each = |of: &dyn Fn(&Wanted) -> f64| {
             let list = self.list(&call.inputs.iter().map(of).collect::<Vec<_>>());
@@ -173,6 +194,11 @@ struct Source<'a> {
     is_after: bool,
     has_context: bool,
     has_gains: bool,
+    /// Whether `step` of several axes calls `tick` and `axis`, and whether that takes the axis.
+    has_axes: bool,
+    numbers_axes: bool,
+    /// Calls of `axis` of which each lacks a pointer: gains, x, r and u.
+    axis_pointers: Vec<[&'static str; 4]>,
     tau_is_kept: bool,
     /// The fields of each entry of the tables.
     sessions: &'a [String],

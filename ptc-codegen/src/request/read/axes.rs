@@ -4,7 +4,6 @@ use super::{Reader, count, items, shown};
 use crate::diagnostic::counted;
 use crate::expression::{self, Expression};
 use crate::limits::AXES;
-use crate::model::Coupled;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Axes, Feedback, Reference, Spec, What};
 use crate::syntax::{Node, Value};
@@ -107,18 +106,6 @@ impl<'a> Reader<'a> {
             spec.fixed.insert(Parameter::UMax, limit.clone());
         }
         spec.axes = Some(axes);
-    }
-
-    /// The chains of the axes as one plant, where one law of the user's program knows all of them.
-    pub(super) fn chains(spec: &Spec) -> Option<Coupled> {
-        let axes = spec.axes.as_ref().filter(|_| spec.coupled.is_none())?;
-        if spec.feedback != Feedback::Extern {
-            return None;
-        }
-        let one = || spec.input_gain.clone().unwrap_or(Expression::integer(1));
-        let own = axes.input_gains.iter().cloned();
-        let gains: Vec<_> = own.chain(std::iter::repeat_with(one)).take(axes.count).collect();
-        Coupled::of_axes(spec.n, &gains)
     }
 
     /// Refuses what has no meaning for several axes, or beside none.

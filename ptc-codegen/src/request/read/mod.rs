@@ -20,7 +20,7 @@ pub(crate) use parameters::known;
 pub(crate) use values::items;
 use values::{count, shown, suggestion, whole};
 
-use super::{After, Clock, Guard, MAX_ORDER, Spec, What};
+use super::{After, Clock, Feedback, Guard, MAX_ORDER, Spec, What};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, counted, near_miss, shorten};
 use crate::expression::Expression;
 use crate::family::Family;
@@ -236,7 +236,8 @@ impl<'a> Reader<'a> {
         self.fits_coupled(&spec, samples);
         self.fits_reference(&spec, samples);
         self.fits_units(&spec);
-        if let Some(chains) = Self::chains(&spec) {
+        // A law of the user's program knows all of them.
+        if let (Feedback::Extern, Some(chains)) = (&spec.feedback, spec.chains()) {
             spec.coupled = Some(Box::new(chains));
         }
         let complete = self.found.is_empty();

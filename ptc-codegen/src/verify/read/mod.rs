@@ -32,12 +32,12 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
     spec.needs_law("a campaign")?;
-    spec.needs_one_plant("a campaign")?;
     spec.needs_known_reference("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let mut spec = spec.clone();
     let twice = plant::promised(&mut spec, plant.as_ref(), entries);
     found.extend(twice.err().unwrap_or_default());
+    let (spec, plant) = plant::as_one(spec, plant);
     let spec = &spec;
     // What has a sample period runs with a chain, or with the plant that it was designed for.
     let knows = Loop::of(spec).is_some() || spec.has_model();

@@ -5,10 +5,12 @@ use ptc_codegen::code::Instance;
 use ptc_codegen::controller::{self, Controller as Emitted};
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
+use ptc_codegen::plant::{Plant, as_one};
 use ptc_codegen::program::passes;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::{Controller, Values};
 
+use super::of_axes::{GANTRY, SHARED};
 use super::support::design;
 use super::{UNICYCLE, example};
 
@@ -24,15 +26,17 @@ impl Draw {
 }
 
 /// Every u and the status of calls at random times and states, each from both; how often each status was met.
-fn agree(spec: &Spec, values: &Values, scale: &[f64], met: &mut [usize; 7]) {
+fn agree((spec, plant): (&Spec, Plant), scale: &[f64], met: &mut [usize; 7]) {
+    let (one, plant) = as_one(spec.clone(), Some(plant));
+    let values = Values::of(&one, &plant.unwrap_or_default());
     let (report, law) = (examine(spec), Law::of(spec));
     let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
     let emitted = Emitted { report: &report, law: &law, program: &program, measured: &[] };
     let code = controller::whole(&emitted);
     let given = spec.run_time_parameters().map(|parameter| (parameter, values.get(parameter)));
     let mut whole = Instance::with_parameters(&code, given).expect("legal parameters");
-    let mut simulated = Controller::new(spec).expect("a controller");
-    simulated.init(values, &vec![0.0; scale.len()]).expect("legal parameters");
+    let mut simulated = Controller::new(&one).expect("a controller");
+    simulated.init(&values, &vec![0.0; scale.len()]).expect("legal parameters");
     let tau = values.get(ptc_codegen::parameter::Parameter::Tau);
     let mut draw = Draw(7);
     for call in 0..2000 {
@@ -64,9 +68,12 @@ fn the_whole_code_gives_the_same_bits() {
         (example("tank.toml"), &[0.9, 40.0, 40.0]),
         (UNICYCLE.to_owned(), &[1.0, 1.0, 2.0, 3.0]),
         (UNICYCLE.replace("u_max = inf", "u_max = 12"), &[1.0, 1.0, 2.0, 3.0]),
+        (GANTRY.to_owned(), &[1.0, 9.0, 1.0, 9.0, 1.0, 9.0]),
+        (GANTRY.replace("name =", "guard = \"none\"\nname ="), &[1.0, 9.0, 1.0, 9.0, 1.0, 9.0]),
+        (SHARED.to_owned(), &[1e300, 1e300, 1e300, 1.0]),
     ] {
         let (spec, plant) = design(&text);
-        agree(&spec, &Values::of(&spec, &plant), scale, &mut met);
+        agree((&spec, plant), scale, &mut met);
     }
     // E_RANGE, E_INPUT, OK, HOLD and SATURATED are all met; parameters are legal, and no law follows the deadline.
     for (status, met) in [-3, -2, 0, 1, 2]

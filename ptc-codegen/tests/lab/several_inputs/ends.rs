@@ -78,7 +78,4 @@ fn what_has_no_meaning_says_so() {
     assert!(told.contains("nothing of the plant is called `inertia`"), "{told}");
     let (_, told) = ended("states", &arm, &["--x0", "1,2,3"]);
     assert!(told.contains("give one number for each of q1, q2, w1, w2"), "{told}");
-    let axes = "n = 2\nmu = \"exp(a=1)\"\ngains = [6, 5]\naxes = 2\ntau = 1\n";
-    let (_, told) = ended("axes", axes, &["--x0", "1,0"]);
-    assert!(told.contains("simulate knows one chain, not several axes"), "{told}");
 }

@@ -6,6 +6,7 @@ mod by_hand;
 mod campaigns;
 mod code;
 mod ends;
+mod of_axes;
 mod runs;
 mod sampled;
 

@@ -24,6 +24,19 @@ fn they_find_nothing_wrong() {
              g = [\"2\", \"1/mass\", \"1\"]\nlimits = [9, 20, 30]\n"
                 .to_owned(),
         ),
+        ("alike", "n = 2\naxes = 3\nmu = \"exp\"\n".to_owned()),
+        (
+            "own",
+            "name = \"own\"\nn = 3\naxes = 2\nmu = \"tan\"\ng = [\"b\", \"-c\"]\nlimits = [3, 40]\nprecision = \"f32\"\n\
+             poles = [[-4, -5, -6], [-7, -5, -6]]\n"
+                .to_owned(),
+        ),
+        (
+            "following",
+            "name = \"following\"\nn = 2\naxes = 2\nmu = \"rational(a=1)\"\ng = \"b\"\nguard = \"result\"\n\
+             reference = \"input\"\n"
+                .to_owned(),
+        ),
         (
             "all",
             MIX.replace("poles = [[-4, -5], [-3]]", "pi0 = \"extern\"\nreference = \"input\"")
@@ -38,6 +51,7 @@ fn they_find_nothing_wrong() {
 #[test]
 fn they_find_what_is_wrong() {
     let arm = example("two_link.toml");
+    let axes = "name = \"axes\"\nn = 2\naxes = 2\nmu = \"exp\"\npoles = [[-4, -5], [-3, -6]]\ng = [\"2\", \"1\"]\nlimits = [3, 8]\n";
     let follows = MIX.replace("mu =", "reference = [\"sin(t)\", \"cos(t)\"]\nmu =");
     for (index, (text, from, to)) in [
         (MIX, "[-3]", "[-3.000001]"),
@@ -46,6 +60,9 @@ fn they_find_what_is_wrong() {
         (&arm, "[120, 60]", "[120, 60.001]"),
         (&arm, "(m1 + m2)*grav", "(m1 + 1.000001*m2)*grav"),
         (&follows, "cos(t)", "1.000001*cos(t)"),
+        (axes, "[-3, -6]", "[-3, -6.000001]"),
+        (axes, "limits = [3", "limits = [3.000001"),
+        (axes, "\"2\"", "\"2.000001\""),
     ]
     .into_iter()
     .enumerate()

@@ -2,7 +2,7 @@
 
 use super::super::text::{Text, bare};
 use super::C;
-use crate::code::{Axes, Function, Shape};
+use crate::code::{Axes, Finish, Function, Shape};
 use crate::internal::fault;
 
 impl C<'_> {
@@ -18,7 +18,11 @@ impl C<'_> {
         let lists = function.arguments.iter().filter(|a| matches!(a.shape, Shape::Lists(..)));
         self.rows = lists.map(|argument| argument.name.clone()).chain(["v".to_owned()]).collect();
         self.owner = "gains.";
-        self.out.open("if (now >= PTC_OK) {");
+        let tick = self.code.function("tick");
+        let fails = tick.is_some_and(|tick| !tick.failures.is_empty());
+        if fails {
+            self.out.open("if (now >= PTC_OK) {");
+        }
         if let Some(bound) = &axes.bound {
             let bound = self.alone(bound);
             self.out.line(format!("const {real} bound = {bound};"));
@@ -41,15 +45,24 @@ impl C<'_> {
             this.out.line("if (status >= PTC_OK) {\n    status = axes[axis];\n}");
             this.out.close("}");
         });
-        self.out.open("if (status < PTC_OK) {");
+        let mut clips = false;
+        axes.otherwise.each(&mut |end| clips |= matches!(end, Finish::Give(..)));
+        // Without a bound what is not legal fails.
+        if clips {
+            self.out.open("if (status < PTC_OK) {");
+        }
         self.each(axes, |this| this.out.line(format!("u[axis] = {zero};")));
+        if clips {
+            self.out.close("}");
+        }
         self.out.close("}");
-        self.out.close("}");
-        self.out.turn("} else {");
-        self.each(axes, |this| {
-            this.out.line(format!("u[axis] = {zero};\naxes[axis] = now;"));
-        });
-        self.out.close("}");
+        if fails {
+            self.out.turn("} else {");
+            self.each(axes, |this| {
+                this.out.line(format!("u[axis] = {zero};\naxes[axis] = now;"));
+            });
+            self.out.close("}");
+        }
         self.rows.clear();
     }
 

@@ -111,10 +111,25 @@ impl C<'_> {
             }
         });
         if function.guarded {
+            self.without_pointers(function);
             self.out.close("}");
         }
         self.out.line("return status;");
         self.out.close("}");
+    }
+
+    /// A list of results is 0 where a pointer is missing, as one is from the start.
+    fn without_pointers(&mut self, function: &Function) {
+        let zero = self.literal("0.0");
+        for result in &function.results {
+            let (Shape::Reals(count), name) = (result.shape, &result.name) else { continue };
+            self.out.turn("} else {");
+            self.out.open(format!("if ({name} != NULL) {{"));
+            self.out.open(format!("for (uint32_t i = 0U; i < {count}U; i++) {{"));
+            self.out.line(format!("{name}[i] = {zero};"));
+            self.out.close("}");
+            self.out.close("}");
+        }
     }
 
     /// The local value that is the only result on every way, or on the first one, which is taken most

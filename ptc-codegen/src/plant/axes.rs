@@ -1,0 +1,46 @@
+//! Several axes as one plant.
+
+use super::Plant;
+use crate::expression::{Expression, Node, Variable};
+use crate::request::{PlantBounds, Spec};
+
+/// A design and its plant for what runs them: several axes are one plant, whose states are those of the
+/// chains, one after the other.
+pub fn as_one(spec: Spec, plant: Option<Plant>) -> (Spec, Option<Plant>) {
+    let n = spec.n;
+    let is_of_axes = spec.axes.is_some() && spec.coupled.is_none();
+    let mut spec = spec.as_one_plant();
+    if is_of_axes {
+        let why = "proofs are of one chain of integrators, not of several axes";
+        spec.promises.plant = Some(PlantBounds::Unknown(why.to_owned()));
+    }
+    let of_all = |plant: Plant| match is_of_axes && plant.is_chain() {
+        true => of_all(plant, n, &spec),
+        false => plant,
+    };
+    let plant = plant.map(of_all);
+    (spec, plant)
+}
+
+/// f and g of one axis, on each.
+fn of_all(plant: Plant, n: usize, spec: &Spec) -> Plant {
+    let states = spec.states();
+    let rate = |(place, own): (usize, Expression)| {
+        let axis = place / n;
+        if place % n + 1 < n {
+            return own;
+        }
+        let input = Expression::from(Variable::State(states + axis + 1));
+        let of_axis = |e: &Expression| {
+            e.substitute(&|leaf| match leaf.node() {
+                Node::Variable(Variable::State(j)) => Some(Variable::State(axis * n + j).into()),
+                Node::Variable(Variable::Control) => Some(input.clone()),
+                _ => None,
+            })
+        };
+        let moved = plant.g.as_ref().map_or(own, |g| of_axis(g).mul(input.clone()));
+        of_axis(&plant.f).add(moved)
+    };
+    let dynamics = Plant::own(spec).dynamics.into_iter().enumerate().map(rate).collect();
+    Plant { dynamics, f: Expression::integer(0), g: None, ..plant }
+}
