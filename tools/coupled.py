@@ -8,7 +8,7 @@ inputs solve linear equations by elimination. Needs mpmath.
 
 import random
 
-from mpmath import cos, lu_solve, matrix, mp, mpf, sin
+from mpmath import cos, lu_solve, matrix, mp, mpf, sin, tan
 
 mp.dps = 50
 
@@ -65,7 +65,46 @@ def three(t, x):
     return list(lu_solve(matrix([[3, p, q], [sin(r), 4, p], [q, r, 5]]), matrix(wanted)))
 
 
-PLANTS = [("two_link", two_link, 4, 18), ("mix", mix, 3, 0.95), ("unicycle", unicycle, 4, 0.95), ("three", three, 3, 0.95)]
+def four(t, x):
+    """Dense but for zeros where the first pivots would be."""
+    p, q, r, s = x
+    rates = [exp_law([e], [3], mpf(1), t) for e in x]
+    wanted = [rates[0], rates[1] - p * r, rates[2], rates[3] - cos(s)]
+    rows = [[0, sin(q), 3, r], [2, p, 0, 1], [r, 3 + q**2, s, 0], [1, 0, -p, 4]]
+    return list(lu_solve(matrix(rows), matrix(wanted)))
+
+
+def quadrotor(t, x):
+    """Height and Euler angles of a rigid body, by the thrust beyond its weight and three moments."""
+    z, vz, roll, pitch, yaw, p, q, r = x
+    m, jx, jy, jz, g = mpf("1.2"), mpf("0.02"), mpf("0.025"), mpf("0.04"), mpf("9.81")
+    s, c, tp, cp = sin(roll), cos(roll), tan(pitch), cos(pitch)
+    to_rates = [[1, s * tp, c * tp], [0, c, -s], [0, s / cp, c / cp]]
+    rate, tilt, turn = [sum(w * o for w, o in zip(row, (p, q, r))) for row in to_rates]
+    # What the angles' rates change by while the moments are 0.
+    spin = [(jy - jz) * q * r / jx, (jz - jx) * p * r / jy, (jx - jy) * p * q / jz]
+    along = q * s + r * c
+    across = q * c - r * s
+    changes = [
+        rate * tp * across + tilt * along / cp**2,
+        -rate * along,
+        rate * across / cp + tilt * along * tp / cp,
+    ]
+    drift = [change + sum(w * o for w, o in zip(row, spin)) for change, row in zip(changes, to_rates)]
+    laws = [exp_law(e, [20, 9], mpf(2), t) for e in ([z, vz], [roll, rate], [pitch, tilt], [yaw, turn])]
+    moments = lu_solve(matrix(to_rates), matrix([law - f for law, f in zip(laws[1:], drift)]))
+    thrust = m * (laws[0] + g) / (c * cp) - m * g
+    return [thrust, *(j * moment for j, moment in zip((jx, jy, jz), moments))]
+
+
+PLANTS = [
+    ("two_link", two_link, 4, 18),
+    ("mix", mix, 3, 0.95),
+    ("unicycle", unicycle, 4, 0.95),
+    ("three", three, 3, 0.95),
+    ("four", four, 4, 0.95),
+    ("quadrotor", quadrotor, 8, 1.9),
+]
 
 if __name__ == "__main__":
     draw = random.Random(1)

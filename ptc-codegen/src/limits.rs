@@ -84,9 +84,6 @@ table! {
     /// States of a model.
     STATES = 16 "states", "each is differentiated by in each derivative of the output",
         "leave out states that the output does not depend on";
-    /// Outputs that are decoupled in closed form.
-    OUTPUTS = 3 "outputs", "a determinant has as many products as its rows have orders",
-        "give a mechanical plant by `inertia` and `bias`, which needs no inverse, or close inner loops outside";
     /// Axes of a controller.
     AXES = 16 "axes", "gains of its own for each are lines of the emitted step",
         "make several controllers, armed at the same t0 with the same tau";

@@ -52,6 +52,17 @@ pub(super) fn coupled() -> Vec<Spec> {
     let with = |keys: &[(&str, &str)], further: &[(&str, &str)]| {
         spec(&[keys, &[("allow", "zeros")], further].concat())
     };
+    // Solved by elimination, with zeros where the first pivots would be.
+    let four = [
+        ("mu", "rational"),
+        ("states", "p, q, r, s"),
+        ("inputs", "a, b, c, d"),
+        ("outputs", "p, q, r, s"),
+        (
+            "dynamics",
+            "sin(q)*b + 3*c + r*d, 2*a + p*b + m*d + p*r, r*a + (3 + q^2)*b + s*c, a - p*c + 4*d",
+        ),
+    ];
     let unruled: Vec<_> = mixed.into_iter().filter(|(key, _)| *key != "poles").collect();
     vec![
         with(&mixed, &[("name", "mixed")]),
@@ -66,6 +77,16 @@ pub(super) fn coupled() -> Vec<Spec> {
             ("outputs", "p, q, r"),
             ("dynamics", "m*a + p*b + q*c + q^2, r*a + 4*b + p*c - p*r, q*a + r*b + 5*c"),
         ]),
+        with(&four, &[("name", "four")]),
+        with(
+            &four,
+            &[
+                ("name", "four_small"),
+                ("precision", "f32"),
+                ("limits", "9,8,7,6"),
+                ("guard", "none"),
+            ],
+        ),
         spec(&[
             ("mu", "tanh(a=0.5)"),
             ("name", "arm"),

@@ -206,6 +206,13 @@ impl Seen<'_> {
                 }
                 self.define(name)
             }
+            Statement::Elimination { name, matrix, right } => {
+                matrix.iter().chain(right).try_for_each(|value| self.expression(value))?;
+                if right.is_empty() || matrix.len() != right.len() * right.len() {
+                    return Err(format!("{name} has no square matrix"));
+                }
+                self.define(name)
+            }
             Statement::Call { name, callback, array, times, .. } => {
                 times.iter().try_for_each(|value| self.expression(value))?;
                 if !self.callbacks.contains(callback) || !self.locals.contains(array) {

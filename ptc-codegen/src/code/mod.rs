@@ -133,6 +133,15 @@ pub enum Statement {
         /// Whether each product and its sum are rounded once.
         fused: bool,
     },
+    /// A local array: the solution of a x = b that [`program::elimination`](crate::program::elimination) gives.
+    Elimination {
+        /// Its name.
+        name: String,
+        /// a, row by row.
+        matrix: Vec<Expr>,
+        /// b.
+        right: Vec<Expr>,
+    },
     /// A local array: what a function of the user's gives for an array, a time and kappa'.
     Call {
         /// Its name.

@@ -16,6 +16,9 @@ impl Statement {
             Self::Rows { tail, weights, .. } => {
                 tail.iter().chain(weights).for_each(|value| value.visit(look));
             }
+            Self::Elimination { matrix, right, .. } => {
+                matrix.iter().chain(right).for_each(|value| value.visit(look));
+            }
             Self::Solve(solve) => {
                 for value in [&solve.start, &solve.low, &solve.high, &solve.residual] {
                     value.visit(look);
@@ -62,6 +65,14 @@ impl super::Function {
     /// Whether a statement of its body, not within another one, is as asked.
     pub fn has(&self, is: impl Fn(&Statement) -> bool) -> bool {
         self.body.iter().any(is)
+    }
+
+    /// The unknowns of the equations that it solves by elimination.
+    pub fn unknowns(&self) -> Option<usize> {
+        self.body.iter().find_map(|statement| match statement {
+            Statement::Elimination { right, .. } => Some(right.len()),
+            _ => None,
+        })
     }
 }
 

@@ -43,6 +43,10 @@ pub fn law(coupled: &Coupled) -> Vec<String> {
             lines.push(format!("  det(D) = {}", coupled.text(determinant)));
             lines.push(format!("  adj(D) = {}", coupled.matrix(adjugate)));
         }
+        Inverse::Elimination { matrix, .. } => {
+            lines.push("u of D u = w with w_i = v_i - f_i, by elimination with pivots:".to_owned());
+            lines.push(format!("  D = {}", coupled.matrix(matrix)));
+        }
         Inverse::Inertia { .. } => {
             lines.push("u = M v + bias".to_owned());
         }

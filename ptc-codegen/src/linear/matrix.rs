@@ -20,6 +20,11 @@ const ROUNDING: u64 = 1 << 11;
 pub(crate) struct Matrix(Vec<Vec<BigRational>>);
 
 impl Matrix {
+    /// The matrix with these rows.
+    pub(crate) fn of(rows: Vec<Vec<BigRational>>) -> Self {
+        Self(rows)
+    }
+
     /// The matrix with `entry(i, j)` in row i and column j, from 0.
     pub(crate) fn new(
         rows: usize,

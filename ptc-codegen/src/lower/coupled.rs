@@ -61,6 +61,14 @@ pub(super) fn controls<'a>(
             };
             adjugate.iter().map(times).collect()
         }
+        Inverse::Elimination { matrix, .. } => {
+            let entries = matrix.iter().flatten().map(|entry| b.scalar(entry)).collect();
+            let m = wanted.len();
+            let solved = b.push(Op::Elimination { matrix: entries, right: wanted });
+            let solved = b.name(solved, "inputs", "those that decouple the outputs");
+            divisor = Some(b.push(Op::Element(solved, m)));
+            (0..m).map(|index| b.push(Op::Element(solved, index))).collect()
+        }
         Inverse::Inertia { inertia, bias } => {
             let force = |(row, bias): (&Vec<Expression>, &Expression)| {
                 let bias = (*bias != Expression::integer(0)).then(|| b.scalar(bias));

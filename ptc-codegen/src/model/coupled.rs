@@ -1,15 +1,20 @@
 //! Plants with several inputs and outputs: each output with its derivatives is a chain of integrators,
 //! and a matrix says which input moves the last rate of which.
 
-use super::decide::is_zero;
+use super::decide::{is_regular, is_zero};
 use super::lie::{Affine, Ill};
 use super::{Values, named};
 use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
 use crate::expression::normal::{normal, shorter};
 use crate::expression::{Expression, Variable};
-use crate::limits::OUTPUTS;
 use crate::parameter::{Name, Parameter};
+
+/// Outputs that are decoupled in closed form: a determinant has as many products as its rows have orders.
+const CLOSED: usize = 3;
+
+/// Outputs up to which their determinant is still written out to see whether it is 0.
+const DECIDED: usize = 6;
 
 /// A plant with as many outputs as inputs. Its states are `x_1`..`x_N` in its expressions, and its
 /// inputs stand behind them, `x_(N+1)`..`x_(N+m)`, in its dynamics alone.
@@ -48,6 +53,13 @@ pub enum Inverse {
         determinant: Expression,
         /// Its adjugate.
         adjugate: Vec<Vec<Expression>>,
+    },
+    /// The same of more outputs than have a closed form: u solves D u = w.
+    Elimination {
+        /// The rate of each state.
+        dynamics: Vec<Expression>,
+        /// D.
+        matrix: Vec<Vec<Expression>>,
     },
     /// u = M(q) w + bias(q, q') of a plant M q'' + bias = u, without an inverse.
     Inertia {
@@ -91,6 +103,19 @@ impl Coupled {
             };
             let chains = outputs.iter().enumerate().map(chain).collect::<Result<Vec<_>, _>>()?;
             let (outputs, matrix): (Vec<_>, Vec<_>) = chains.into_iter().unzip();
+            if matrix.len() > CLOSED {
+                let text = |e: &Expression| plant.text(e);
+                let regular = is_regular(&matrix, values).then_some(true);
+                match regular.or_else(|| decided(&matrix, values)) {
+                    Some(true) => {}
+                    Some(false) => return Err(IllCoupled::Singular(rows(&text, &matrix))),
+                    None => {
+                        return Err(IllCoupled::Open(format!("det {}", rows(&text, &matrix))));
+                    }
+                }
+                let inverse = Inverse::Elimination { dynamics, matrix };
+                return Ok(Self { states, inputs, outputs, inverse, is_of_axes: false });
+            }
             let (determinant, adjugate) = inverse(&matrix);
             match is_zero(&determinant, values) {
                 Some(false) => {}
@@ -118,7 +143,7 @@ impl Coupled {
         bounded(|| {
             let m = inputs.len();
             // Of a larger one the determinant takes m! products, and the law takes none.
-            if m <= OUTPUTS.size() && is_zero(&determinant(&inertia), values) == Some(true) {
+            if m <= CLOSED && is_zero(&determinant(&inertia), values) == Some(true) {
                 let text = |e: &Expression| named(&states, None, e).to_string();
                 return Err(IllCoupled::Singular(rows(&text, &inertia)));
             }
@@ -196,7 +221,7 @@ impl Coupled {
             }
         };
         matrix("inertia", inertia);
-        if inertia.len() <= OUTPUTS.size() {
+        if inertia.len() <= CLOSED {
             let (determinant, adjugate) = inverse(inertia);
             let over = Expression::integer(1).div(determinant);
             let times = |e: &Expression| e.clone().mul(over.clone());
@@ -262,6 +287,7 @@ impl Coupled {
             Inverse::Adjugate { determinant, adjugate, .. } => {
                 (adjugate, std::slice::from_ref(determinant))
             }
+            Inverse::Elimination { matrix, .. } => (matrix, [].as_slice()),
             Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
         };
         chains.chain(matrix.iter().flatten()).chain(others)
@@ -270,7 +296,7 @@ impl Coupled {
     /// The rate of each state, where they are given.
     pub fn dynamics(&self) -> &[Expression] {
         match &self.inverse {
-            Inverse::Adjugate { dynamics, .. } => dynamics,
+            Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => dynamics,
             Inverse::Inertia { .. } => &[],
         }
     }
@@ -278,7 +304,7 @@ impl Coupled {
     /// Its lines: the rate of each state, and the outputs.
     pub fn lines(&self) -> Vec<String> {
         match &self.inverse {
-            Inverse::Adjugate { dynamics, .. } => {
+            Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => {
                 let output = |i: usize| format!("output {} = {}", i + 1, self.text(self.output(i)));
                 let outputs = (0..self.inputs.len()).map(output);
                 self.rates(dynamics).into_iter().chain(outputs).collect()
@@ -362,9 +388,15 @@ fn inverse(matrix: &[Vec<Expression>]) -> (Expression, Vec<Vec<Expression>>) {
         let minor = determinant(&minor(matrix, i, j));
         if (i + j).is_multiple_of(2) { minor } else { minor.neg() }
     };
-    let m = matrix.len().min(OUTPUTS.size());
+    let m = matrix.len().min(CLOSED);
     let adjugate = (0..m).map(|i| (0..m).map(|j| cofactor(j, i)).collect()).collect();
     (determinant(matrix), adjugate)
+}
+
+/// Whether a matrix is regular, where its determinant is not too long to be looked at.
+fn decided(matrix: &[Vec<Expression>], values: &Values) -> Option<bool> {
+    let short = matrix.len() <= DECIDED;
+    Some(!short.then(|| is_zero(&determinant(matrix), values))??)
 }
 
 /// A determinant that is a number is divided by when generating.

@@ -1,5 +1,7 @@
 //! Whether an expression is 0 for all states and parameters.
 
+use std::collections::BTreeSet;
+
 use super::Values;
 use crate::algebra::BigRational;
 use crate::expression::enclosure::{Evaluator, Existence, Names};
@@ -22,25 +24,68 @@ pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> 
     if let Some(decided) = zero(&form) {
         return Some(decided);
     }
-    let mut names: Vec<_> = form.parameters().into_iter().map(Expression::from).collect();
-    let variables = (1..=crate::limits::STATES.size()).map(Variable::State);
-    let variables = variables.chain([Variable::Control]).filter(|v| form.contains(*v));
-    names.extend(variables.map(Expression::from));
+    let names = names(std::slice::from_ref(&form));
     let apart = |point: i64| {
-        let at = |(index, name): (i64, &Expression)| {
-            let value = BigRational::new((1 + (7 * index + 5 * point) % 13).into(), 8.into());
-            let state = name.variable().is_some();
-            let value = if state && (index + point) % 3 == 0 { -value } else { value };
-            (name.clone(), Interval::exact(&value))
-        };
-        let names: Names = (0..).zip(&names).map(at).collect();
-        let found = Evaluator::new().value(&form, &names);
+        let found = Evaluator::new().value(&form, &at(point, &names));
         found.is_some_and(|v| v.existence == Existence::Certain && !v.interval.has_zero())
     };
     if (0..POINTS).any(apart) {
         return Some(false);
     }
     if long { zero(&normal(&known)) } else { None }
+}
+
+/// Whether a matrix is certainly regular at one point: by elimination in intervals, no pivot of which holds 0.
+pub(super) fn is_regular(matrix: &[Vec<Expression>], values: &Values) -> bool {
+    let forms: Vec<_> = matrix.iter().flatten().map(|entry| with(entry, values)).collect();
+    let names = names(&forms);
+    (0..POINTS).any(|point| {
+        let at = at(point, &names);
+        let found = forms.iter().map(|form| {
+            let found = Evaluator::new().value(form, &at)?;
+            (found.existence == Existence::Certain).then_some(found.interval)
+        });
+        let found: Option<Vec<_>> = found.collect();
+        found.is_some_and(|entries| has_pivots(entries, matrix.len()))
+    })
+}
+
+/// Whether elimination of a matrix, row by row, finds a pivot without 0 in each column.
+fn has_pivots(mut a: Vec<Interval>, m: usize) -> bool {
+    for k in 0..m {
+        // The one that is furthest from 0 in its middle is the most certain.
+        let size = |i: &usize| a[i * m + k].about().iter().sum::<f64>().abs();
+        let rows = (k..m).filter(|i| !a[i * m + k].has_zero());
+        let Some(most) = rows.max_by(|i, j| size(i).total_cmp(&size(j))) else { return false };
+        (0..m).for_each(|j| a.swap(k * m + j, most * m + j));
+        for i in k + 1..m {
+            let factor = a[i * m + k].over(&a[k * m + k]);
+            for j in k + 1..m {
+                a[i * m + j] = a[i * m + j].plus(&factor.times(&a[k * m + j]).neg());
+            }
+        }
+    }
+    true
+}
+
+/// The names of some expressions: their parameters, states and input.
+fn names(forms: &[Expression]) -> Vec<Expression> {
+    let parameters: BTreeSet<_> = forms.iter().flat_map(Expression::parameters).collect();
+    let variables = (1..=crate::limits::STATES.size()).map(Variable::State);
+    let variables = variables.chain([Variable::Control]);
+    let variables = variables.filter(|v| forms.iter().any(|form| form.contains(*v)));
+    parameters.into_iter().map(Expression::from).chain(variables.map(Expression::from)).collect()
+}
+
+/// Values of names at one of the points: parameters are positive, states of both signs.
+fn at(point: i64, names: &[Expression]) -> Names {
+    let at = |(index, name): (i64, &Expression)| {
+        let value = BigRational::new((1 + (7 * index + 5 * point) % 13).into(), 8.into());
+        let state = name.variable().is_some();
+        let value = if state && (index + point) % 3 == 0 { -value } else { value };
+        (name.clone(), Interval::exact(&value))
+    };
+    (0..).zip(names).map(at).collect()
 }
 
 /// The expression with the values that are known.

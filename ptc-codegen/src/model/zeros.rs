@@ -13,6 +13,7 @@ use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::existence::{Condition, needs};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
+use crate::linear::Matrix;
 
 /// What is known of the zero dynamics at the origin.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,10 +54,22 @@ pub(crate) fn zeros(model: &Model, gain: &Expression, values: &Values) -> Zeros 
 
 /// The determinant that several inputs are divided by, where it is 0 at the origin.
 pub(crate) fn singular_at_rest(coupled: &Coupled, values: &Values) -> Option<String> {
-    let Inverse::Adjugate { determinant, .. } = &coupled.inverse else { return None };
-    let form = bounded(|| normal(&at_origin(determinant, values)));
-    let singular = form.number().is_some_and(Zero::is_zero);
-    singular.then(|| coupled.text(determinant))
+    let at_rest = |e: &Expression| bounded(|| normal(&at_origin(e, values)));
+    match &coupled.inverse {
+        Inverse::Adjugate { determinant, .. } => {
+            let singular = at_rest(determinant).number().is_some_and(Zero::is_zero);
+            singular.then(|| coupled.text(determinant))
+        }
+        Inverse::Elimination { matrix, .. } => {
+            let row = |row: &Vec<Expression>| -> Option<Vec<_>> {
+                row.iter().map(|entry| at_rest(entry).number().cloned()).collect()
+            };
+            let numbers = Matrix::of(matrix.iter().map(row).collect::<Option<_>>()?);
+            let right = vec![BigRational::default(); matrix.len()];
+            numbers.solve(&right).is_none().then(|| format!("det {}", coupled.matrix(matrix)))
+        }
+        Inverse::Inertia { .. } => None,
+    }
 }
 
 /// The expression with all states at 0.

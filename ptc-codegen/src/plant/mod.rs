@@ -125,7 +125,9 @@ impl Plant {
         }
         if let Some(coupled) = &spec.coupled {
             let own = match &coupled.inverse {
-                Inverse::Adjugate { dynamics, .. } => (dynamics.clone(), None),
+                Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => {
+                    (dynamics.clone(), None)
+                }
                 Inverse::Inertia { inertia, bias } => {
                     let (inertia, bias) = (inertia.clone(), bias.clone());
                     (Vec::new(), Some(Mechanics { inertia, bias }))

@@ -45,6 +45,7 @@ impl Arithmetic {
             Op::Input(_)
             | Op::Law(_)
             | Op::Rows { .. }
+            | Op::Elimination { .. }
             | Op::Element(..)
             | Op::Unknown
             | Op::Root(_) => return None,

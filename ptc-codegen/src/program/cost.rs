@@ -2,7 +2,7 @@
 
 use crate::expression::Function;
 
-use super::{Op, Program, Stage, Value, rows};
+use super::{Op, Program, Stage, Value, elimination, rows};
 
 /// Number of operations by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -95,6 +95,10 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
                     false => (cost.mul, cost.add) = (cost.mul + products, cost.add + products),
                 }
                 cost.add += sums;
+            }
+            Op::Elimination { right, .. } => {
+                let (add, mul, div) = elimination::cost(right.len());
+                (cost.add, cost.mul, cost.div) = (cost.add + add, cost.mul + mul, cost.div + div);
             }
             Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) | Op::Element(..) => {}
         }

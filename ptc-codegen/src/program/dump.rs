@@ -57,6 +57,7 @@ fn operation(program: &Program, op: &Op) -> String {
         Op::Law(_) => "law",
         Op::Pow(..) => "pow",
         Op::Rows { .. } => "rows",
+        Op::Elimination { .. } => "elimination",
         Op::Unknown => "unknown",
         Op::Root(_) => "root",
     };

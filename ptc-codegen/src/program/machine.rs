@@ -1,11 +1,12 @@
 //! A program as operations on numbered slots: compiled once, run many times, the same bits each time.
 //!
 //! What the emitted code computes in `init`, `arm`, `tick` and `step` is run stage by stage, without
-//! a search and, except for the loops of [`Op::Rows`], without an allocation.
+//! a search and, except for the loops of arrays, without an allocation.
 
 use std::sync::Arc;
 
 use super::arithmetic::{Arithmetic, way};
+use super::elimination::eliminate;
 use super::{Input, Op, Program, Root, Stage, Value, number, rows};
 use crate::parameter::Precision;
 
@@ -49,6 +50,10 @@ enum Step {
         tail: Vec<usize>,
         weights: Vec<usize>,
         fused: bool,
+    },
+    Elimination {
+        matrix: Vec<usize>,
+        right: Vec<usize>,
     },
     Element(usize, usize),
     Root(Root, Vec<usize>),
@@ -169,6 +174,9 @@ impl Step {
             Op::Rows { tail, weights, fused } => {
                 Self::Rows { tail: slots(tail), weights: slots(weights), fused: *fused }
             }
+            Op::Elimination { matrix, right } => {
+                Self::Elimination { matrix: slots(matrix), right: slots(right) }
+            }
             Op::Element(array, index) => Self::Element(array.0, *index),
             Op::Root(root) => Self::Root(*root, program.body(root).map(|v| v.0).collect()),
             op => {
@@ -205,18 +213,24 @@ impl Slots {
                 self.arguments.extend(arguments.iter().map(|i| self.numbers[*i]));
                 law.map_or(f64::NAN, |law| law(&self.arguments))
             }
+            // An array is no number.
             Step::Rows { tail, weights, fused } => {
-                let numbers = |slots: &[usize]| -> Vec<f64> {
-                    slots.iter().map(|i| self.numbers[*i]).collect()
-                };
-                self.arrays[index] =
-                    rows::of_numbers(&numbers(tail), &numbers(weights), *fused, precision);
-                // An array is no number.
+                let [tail, weights] = [tail, weights].map(|slots| self.all(slots));
+                self.arrays[index] = rows::of_numbers(&tail, &weights, *fused, precision);
+                f64::NAN
+            }
+            Step::Elimination { matrix, right } => {
+                let [matrix, right] = [matrix, right].map(|slots| self.all(slots));
+                self.arrays[index] = eliminate(&matrix, &right, precision);
                 f64::NAN
             }
             Step::Element(array, element) => self.arrays[*array][*element],
             Step::Root(root, body) => self.root(steps, (index, root, body), precision, law, watch),
         };
+    }
+
+    fn all(&self, slots: &[usize]) -> Vec<f64> {
+        slots.iter().map(|i| self.numbers[*i]).collect()
     }
 
     fn root(

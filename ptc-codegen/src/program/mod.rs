@@ -5,7 +5,7 @@
 //! - a value's stage is the latest of its operands' stages, and never earlier;
 //! - a value that depends on an [`Op::Unknown`] is used only by such values and by the
 //!   [`Op::Root`] that solves for it;
-//! - an [`Op::Rows`] is an array: it is used only by its [`Op::Element`]s;
+//! - an [`Op::Rows`] or [`Op::Elimination`] is an array: it is used only by its [`Op::Element`]s;
 //! - names are unique.
 //!
 //! Passes keep every bit: the interpreter gives the same results before and after each of them. The
@@ -17,6 +17,7 @@ mod axes;
 pub mod cost;
 pub mod digits;
 pub mod dump;
+pub mod elimination;
 pub mod interpret;
 pub mod kink;
 pub mod lanes;
@@ -276,7 +277,8 @@ impl Program {
             if definition.looped != self.looped(&definition.op) {
                 return Err(format!("value {index} is on the wrong side of its loop"));
             }
-            let array = |v: &Value| matches!(self.get(*v).op, Op::Rows { .. });
+            let array =
+                |v: &Value| matches!(self.get(*v).op, Op::Rows { .. } | Op::Elimination { .. });
             let of_array = matches!(definition.op, Op::Element(..));
             if operands.iter().any(|v| array(v) != of_array) {
                 return Err(format!("value {index} takes an array for a number, or the reverse"));

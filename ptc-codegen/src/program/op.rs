@@ -113,6 +113,14 @@ pub enum Op {
         /// Whether each product and its sum are rounded once.
         fused: bool,
     },
+    /// An array by loops: the solution of a x = b and behind it det a, as
+    /// [`eliminate`](super::elimination::eliminate) gives them.
+    Elimination {
+        /// a, row by row.
+        matrix: Vec<Value>,
+        /// b.
+        right: Vec<Value>,
+    },
     /// An element of an array, from 0.
     Element(Value, usize),
     /// The unknown of a [`Root`].
@@ -151,6 +159,9 @@ impl Op {
             Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) | Self::Element(a, _) => give(*a),
             Self::Law(arguments) => arguments.iter().copied().for_each(give),
             Self::Rows { tail, weights, .. } => tail.iter().chain(weights).copied().for_each(give),
+            Self::Elimination { matrix, right } => {
+                matrix.iter().chain(right).copied().for_each(give);
+            }
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -177,6 +188,10 @@ impl Op {
                 tail: tail.iter().map(|v| to(*v)).collect(),
                 weights: weights.iter().map(|v| to(*v)).collect(),
                 fused: *fused,
+            },
+            Self::Elimination { matrix, right } => Self::Elimination {
+                matrix: matrix.iter().map(|v| to(*v)).collect(),
+                right: right.iter().map(|v| to(*v)).collect(),
             },
             Self::Add(a, b) => Self::Add(to(*a), to(*b)),
             Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),

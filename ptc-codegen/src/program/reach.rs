@@ -33,7 +33,9 @@ impl Program {
         let depends = self.dependents(source, &[], value);
         let is_call = |op: &Op| match op {
             Op::Call(function, _) => !matches!(function, Function::Abs | Function::Sign),
-            Op::Pow(..) | Op::Law(_) | Op::Rows { .. } | Op::Root(_) => true,
+            Op::Pow(..) | Op::Law(_) | Op::Rows { .. } | Op::Elimination { .. } | Op::Root(_) => {
+                true
+            }
             _ => false,
         };
         let needed = self.needed(&[value]).into_iter();

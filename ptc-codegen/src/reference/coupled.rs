@@ -4,7 +4,7 @@ use astro_float_num::BigFloat;
 
 use super::control::Chain;
 use super::law::{Leaves, Term};
-use super::long::{Arithmetic, double};
+use super::long::{Arithmetic, below, double};
 use super::mapping::Point;
 use super::{Call, value_of};
 use crate::expression::{Expression, Variable};
@@ -91,6 +91,13 @@ impl Arithmetic {
                 let by = self.term(determinant, &leaves);
                 rows.iter().map(|row| self.over(row, &by)).collect()
             }
+            Inverse::Elimination { matrix, .. } => {
+                let mut row = |row: &Vec<Expression>| -> Vec<Term> {
+                    row.iter().map(|entry| self.term(entry, &leaves)).collect()
+                };
+                let matrix: Vec<_> = matrix.iter().map(&mut row).collect();
+                self.solved(&matrix, wanted)
+            }
             Inverse::Inertia { inertia, bias } => {
                 let rows: Vec<_> = inertia.iter().map(|row| product(row)).collect();
                 let rows = rows.iter().zip(bias);
@@ -101,6 +108,50 @@ impl Arithmetic {
                 .collect()
             }
         }
+    }
+
+    /// u of D u = w. Its size is |D^-1| (|w| + 2 |D| |u|), by which elimination may be off.
+    fn solved(&self, matrix: &[Vec<Term>], wanted: &[Term]) -> Vec<Term> {
+        let m = wanted.len();
+        let zero = || self.integer(0);
+        let unit = |k: usize| (0..m).map(|i| self.integer(i64::from(i == k))).collect::<Vec<_>>();
+        // Columns behind the matrix: w, and those of the inverse.
+        let row = |i: usize| -> Vec<BigFloat> {
+            let own = matrix[i].iter().map(|entry| entry.value.clone());
+            own.chain([wanted[i].value.clone()]).chain(unit(i)).collect()
+        };
+        let mut rows: Vec<_> = (0..m).map(row).collect();
+        for k in 0..m {
+            let most = (k..m).reduce(|a, b| match below(&rows[a][k].abs(), &rows[b][k].abs()) {
+                true => b,
+                false => a,
+            });
+            rows.swap(k, most.unwrap_or(k));
+            let pivot = rows[k].clone();
+            for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+                let factor = self.div(&row[k], &pivot[k]);
+                for (entry, own) in row.iter_mut().zip(&pivot) {
+                    *entry = self.sub(entry, &self.mul(&factor, own));
+                }
+            }
+        }
+        let over = |i: usize, j: usize| self.div(&rows[i][j], &rows[i][i]);
+        let u: Vec<_> = (0..m).map(|i| over(i, m)).collect();
+        let off = |i: usize| {
+            let entries = matrix[i].iter().zip(&u);
+            entries.fold(wanted[i].size.clone(), |sum, (entry, u)| {
+                let size = self.add(&entry.size, &entry.value.abs());
+                self.add(&sum, &self.mul(&size, &u.abs()))
+            })
+        };
+        let off: Vec<_> = (0..m).map(off).collect();
+        let size = |i: usize| {
+            let each = off.iter().enumerate();
+            each.fold(zero(), |sum, (j, off)| {
+                self.add(&sum, &self.mul(&over(i, m + 1 + j).abs(), off))
+            })
+        };
+        (0..m).map(|i| Term { value: u[i].clone(), size: size(i) }).collect()
     }
 
     /// A term over another.

@@ -263,7 +263,7 @@ fn coupled_words(coupled: &Coupled) -> Vec<String> {
         inputs.join(",")
     )];
     match &coupled.inverse {
-        Inverse::Adjugate { dynamics, .. } => {
+        Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => {
             let outputs: Vec<_> =
                 (0..inputs.len()).map(|index| coupled.output(index).clone()).collect();
             words.push(format!("--outputs=\"{}\"", texts(&outputs)));

@@ -118,6 +118,34 @@ pub(crate) fn refused_at(test: &str, text: &str, line: usize, told: [&str; 2]) {
     assert_eq!(stderr.matches("error[").count(), 1, "{stderr}");
 }
 
+/// Height and Euler angles of a rigid body by thrust and moments: more outputs than have a closed form.
+pub(crate) const QUADROTOR: &str = "name = \"quadrotor\"
+mu = \"exp(a=1)\"
+poles = [-4, -5]
+
+[params]
+tau = 2
+eps = 0.02
+u_max = inf
+m = 1.2
+jx = 0.02
+jy = 0.025
+jz = 0.04
+grav = 9.81
+
+[model]
+states = [\"z\", \"vz\", \"roll\", \"pitch\", \"yaw\", \"p\", \"q\", \"r\"]
+inputs = [\"T\", \"L\", \"M\", \"N\"]
+outputs = [\"z\", \"roll\", \"pitch\", \"yaw\"]
+dynamics = [
+  \"vz\", \"(T + m*grav)*cos(roll)*cos(pitch)/m - grav\",
+  \"p + sin(roll)*tan(pitch)*q + cos(roll)*tan(pitch)*r\",
+  \"cos(roll)*q - sin(roll)*r\",
+  \"(sin(roll)*q + cos(roll)*r)/cos(pitch)\",
+  \"((jy - jz)*q*r + L)/jx\", \"((jz - jx)*p*r + M)/jy\", \"((jx - jy)*p*q + N)/jz\",
+]
+";
+
 /// A point mass in the plane whose speed steers it: where it stands still its inputs do not decouple x and y.
 pub(crate) const UNICYCLE: &str = "name = \"unicycle\"
 mu = \"exp(a=1)\"

@@ -137,6 +137,10 @@ impl<'a> Bounds<'a> {
         if let Op::Rows { tail, weights, fused } = op {
             self.arrays.insert(value, self.rows(tail, weights, *fused));
         }
+        // Which pivots are taken, and whether one may be 0, is not followed.
+        if let Op::Elimination { right, .. } = op {
+            self.arrays.insert(value, vec![Interval::ANY; right.len() + 1]);
+        }
         self.known[value.0] = Some(self.compute(op));
     }
 
@@ -145,7 +149,7 @@ impl<'a> Bounds<'a> {
             Op::Input(input) => (self.input)(*input),
             Op::Root(root) => self.root(root),
             // The array as a whole; an excess within reaches one of its elements.
-            Op::Rows { .. } => Interval::point(0.0),
+            Op::Rows { .. } | Op::Elimination { .. } => Interval::point(0.0),
             Op::Element(array, index) => self.arrays[array][*index],
             op => {
                 let operands: Vec<_> = op.operands().iter().map(|v| self.get(*v)).collect();

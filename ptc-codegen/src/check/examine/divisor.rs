@@ -46,7 +46,7 @@ fn divisor(spec: &Spec) -> Option<(&Expression, &'static str)> {
         Some(Inverse::Adjugate { determinant, .. }) => {
             Some((determinant, "the determinant of the decoupling matrix"))
         }
-        Some(Inverse::Inertia { .. }) => None,
+        Some(Inverse::Elimination { .. } | Inverse::Inertia { .. }) => None,
         None => spec.input_gain.as_ref().map(|gain| (gain, "the gain of u")),
     }
 }

@@ -173,6 +173,7 @@ impl<'a> Sample<'a> {
                 // No part of a controller in samples.
                 Statement::Array(..)
                 | Statement::Rows { .. }
+                | Statement::Elimination { .. }
                 | Statement::Call { .. }
                 | Statement::Solve(_) => return None,
             }

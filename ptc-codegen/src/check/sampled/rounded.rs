@@ -157,7 +157,12 @@ impl<'a> Enclosure<'a> {
                 let cache = &mut self.cache;
                 Some(called(on(a.exact, b.exact, cache), on(a.emitted(), b.emitted(), cache), unit))
             }
-            Op::Law(_) | Op::Rows { .. } | Op::Element(..) | Op::Unknown | Op::Root(_) => None,
+            Op::Law(_)
+            | Op::Rows { .. }
+            | Op::Elimination { .. }
+            | Op::Element(..)
+            | Op::Unknown
+            | Op::Root(_) => None,
         }
     }
 }

@@ -120,7 +120,12 @@ fn coupled_group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group {
             formulas.extend(each("y", &outputs.collect::<Vec<_>>()));
             formulas.push(equal(name("d"), of(determinant)));
             formulas.extend(named_rows("A", adjugate));
-            product(fraction(name("A"), name("d")), name("w"))
+            equal(name("u"), product(fraction(name("A"), name("d")), name("w")))
+        }
+        Inverse::Elimination { matrix, .. } => {
+            formulas.extend(each("y", &outputs.collect::<Vec<_>>()));
+            formulas.extend(named_rows("D", matrix));
+            equal(product(name("D"), name("u")), name("w"))
         }
         Inverse::Inertia { inertia, bias } => {
             let own = plant.mechanics.as_ref();
@@ -128,13 +133,16 @@ fn coupled_group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group {
                 own.map_or((inertia, bias), |own| (&own.inertia, &own.bias));
             formulas.extend(named_rows("M", true_inertia));
             formulas.extend(each("b", true_bias));
-            relation(product(name("M"), name("w")), "+", name("b"))
+            equal(name("u"), relation(product(name("M"), name("w")), "+", name("b")))
         }
     };
-    formulas.push(equal(name("u"), law));
+    formulas.push(law);
     let mut told = match &coupled.inverse {
         Inverse::Adjugate { .. } => {
             "The plant with its outputs y, and the inputs that follow from w, what the laws want of the last derivatives: A is the adjugate of the decoupling matrix and d its determinant.".to_owned()
+        }
+        Inverse::Elimination { .. } => {
+            "The plant with its outputs y, and the inputs of which the decoupling matrix D makes w, what the laws want of the last derivatives.".to_owned()
         }
         Inverse::Inertia { .. } => {
             let q = Name::listed(&coupled.states[..coupled.inputs.len()]);

@@ -12,6 +12,7 @@ use crate::code::{
 };
 use crate::internal::fault;
 use crate::parameter::Precision;
+use crate::program::elimination::eliminate;
 use crate::program::{Op, Root, Value, apply, number, rows::of_numbers};
 
 /// The names that one call knows.
@@ -103,6 +104,12 @@ impl<'b> Frame<'_, 'b> {
                     let [tail, weights]: [Vec<f64>; 2] =
                         [tail, weights].map(|list| list.iter().map(|v| self.real(v)).collect());
                     let values = of_numbers(&tail, &weights, *fused, self.precision);
+                    self.locals.insert(Cow::from(name), Held::Reals(values));
+                }
+                Statement::Elimination { name, matrix, right } => {
+                    let [matrix, right]: [Vec<f64>; 2] =
+                        [matrix, right].map(|list| list.iter().map(|v| self.real(v)).collect());
+                    let values = eliminate(&matrix, &right, self.precision);
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
                 Statement::Call { name, callback, array, times, count } => {

@@ -146,6 +146,12 @@ impl Writer<'_> {
                 self.statements.push(rows);
                 Expr::local(name)
             }
+            Op::Elimination { matrix, right } => {
+                let (matrix, right) = (self.all(matrix), self.all(right));
+                let name = self.fresh(value);
+                self.statements.push(Statement::Elimination { name: name.clone(), matrix, right });
+                Expr::local(name)
+            }
             Op::Element(array, index) => match self.expression(*array) {
                 Expr::Local(array) => Expr::Element(array, *index),
                 other => fault(format!("{other:?} is no array")),
@@ -243,6 +249,7 @@ impl Writer<'_> {
             | Op::Input(_)
             | Op::Law(_)
             | Op::Rows { .. }
+            | Op::Elimination { .. }
             | Op::Element(..)
             | Op::Unknown
             | Op::Root(_) => fault(format!("{op:?} is not a part of an expression")),

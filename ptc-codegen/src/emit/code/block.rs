@@ -112,6 +112,9 @@ pub(super) trait Block: Text {
     /// A local array by loops.
     fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]);
 
+    /// A local array that solves a x = b, with a row by row.
+    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]);
+
     /// A local array that a function of the user's gives.
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize);
 
@@ -184,6 +187,7 @@ fn of_statement(to: &mut dyn Block, statement: &Statement) {
         Statement::Require(test, status) => to.require(test, *status),
         Statement::Array(name, values) => to.array(name, values),
         Statement::Rows { name, tail, weights, .. } => to.rows(name, tail, weights),
+        Statement::Elimination { name, matrix, right } => to.elimination(name, matrix, right),
         Statement::Call { name, callback, array, times, count } => {
             let [time, rate] = times.each_ref().map(|value| to.alone(value));
             to.laws(name, callback, &[array, &time, &rate], *count);
@@ -344,6 +348,9 @@ pub(super) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, S
             Statement::Array(name, values) => declare(name, Shape::Reals(values.len()), locals),
             Statement::Rows { name, weights, .. } => {
                 declare(name, Shape::Reals(weights.len()), locals);
+            }
+            Statement::Elimination { name, right, .. } => {
+                declare(name, Shape::Reals(right.len()), locals);
             }
             Statement::Call { name, count, .. } => declare(name, Shape::Reals(*count), locals),
             Statement::Solve(solve) => {

@@ -5,6 +5,7 @@
 mod block;
 mod c;
 mod cpp;
+mod elimination;
 mod expression;
 mod gives;
 mod legal;

@@ -74,6 +74,11 @@ impl Short {
                     self.each(&mut weights, &mut out);
                     Statement::Rows { name, tail, weights, fused }
                 }
+                Statement::Elimination { name, mut matrix, mut right } => {
+                    self.each(&mut matrix, &mut out);
+                    self.each(&mut right, &mut out);
+                    Statement::Elimination { name, matrix, right }
+                }
                 Statement::Call { name, callback, array, mut times, count } => {
                     self.each(&mut times, &mut out);
                     Statement::Call { name, callback, array, times, count }

@@ -107,7 +107,7 @@ pub(super) fn error(
                 (rounded - exact).abs().to_f64()? * MORE
             }
             Op::Input(_) => 0.0,
-            Op::Law(_) | Op::Unknown | Op::Root(_) => return None,
+            Op::Law(_) | Op::Elimination { .. } | Op::Unknown | Op::Root(_) => return None,
             op => {
                 let operands = op.operands().iter().map(of).collect::<Option<Vec<_>>>()?;
                 units.of(op, &operands, own)

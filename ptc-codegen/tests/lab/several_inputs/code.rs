@@ -11,7 +11,7 @@ use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::{Controller, Values};
 
 use super::of_axes::{GANTRY, SHARED};
-use super::support::design;
+use super::support::{QUADROTOR, design};
 use super::{UNICYCLE, example};
 
 /// Even numbers between -1 and 1, from a linear congruence.
@@ -68,6 +68,11 @@ fn the_whole_code_gives_the_same_bits() {
         (example("tank.toml"), &[0.9, 40.0, 40.0]),
         (UNICYCLE.to_owned(), &[1.0, 1.0, 2.0, 3.0]),
         (UNICYCLE.replace("u_max = inf", "u_max = 12"), &[1.0, 1.0, 2.0, 3.0]),
+        (QUADROTOR.to_owned(), &[1.0, 1.0, 0.9, 0.9, 0.9, 2.0, 2.0, 2.0]),
+        (
+            QUADROTOR.replace("name =", "precision = \"f32\"\nname ="),
+            &[1.0, 1.0, 3.0, 3.0, 3.0, 2.0, 2.0, 2.0],
+        ),
         (GANTRY.to_owned(), &[1.0, 9.0, 1.0, 9.0, 1.0, 9.0]),
         (GANTRY.replace("name =", "guard = \"none\"\nname ="), &[1.0, 9.0, 1.0, 9.0, 1.0, 9.0]),
         (SHARED.to_owned(), &[1e300, 1e300, 1e300, 1.0]),

@@ -7,7 +7,7 @@ use ptc_codegen::emit::Language;
 use ptc_codegen::request::Spec;
 
 use super::{checked, example, in_c, spec, support};
-use support::{UNICYCLE, folder_with, run_in};
+use support::{QUADROTOR, UNICYCLE, folder_with, run_in};
 
 /// What `tools/coupled.py` computes: a plant, t, its state and u.
 const DIGITS: &str = include_str!("coupled.txt");
@@ -40,14 +40,29 @@ outputs = [\"p\", \"q\", \"r\"]
 dynamics = { p = \"3*a + p*b + q*c + sin(q)\", q = \"sin(r)*a + 4*b + p*c - p*r\", r = \"q*a + r*b + 5*c\" }
 ";
 
+const FOUR: &str = "name = \"four\"
+mu = \"exp(a=1)\"
+poles = [-3]
+[params]
+tau = 1
+eps = 1e-2
+u_max = inf
+[model]
+states = [\"p\", \"q\", \"r\", \"s\"]
+inputs = [\"a\", \"b\", \"c\", \"d\"]
+outputs = [\"p\", \"q\", \"r\", \"s\"]
+dynamics = [\"sin(q)*b + 3*c + r*d\", \"2*a + p*b + d + p*r\", \"r*a + (3 + q^2)*b + s*c\", \"a - p*c + 4*d + cos(s)\"]
+";
+
 fn robot() -> String {
     example("two_link.toml").replace("limits = [120, 60]", "u_max = inf #")
 }
 
 /// The plants by their names.
 pub(super) fn plants() -> BTreeMap<&'static str, Spec> {
-    let all = [MIX.to_owned(), UNICYCLE.to_owned(), THREE.to_owned(), robot()];
-    ["mix", "unicycle", "three", "two_link"].into_iter().zip(all.map(|text| spec(&text))).collect()
+    let all = [MIX, UNICYCLE, THREE, FOUR, QUADROTOR].map(str::to_owned);
+    let all = all.into_iter().chain([robot()]).map(|text| spec(&text));
+    ["mix", "unicycle", "three", "four", "quadrotor", "two_link"].into_iter().zip(all).collect()
 }
 
 /// The same with references, one output follows and one does not, and what each call is given; and with a
@@ -264,12 +279,39 @@ fn mistakes_are_shown_at_their_lines() {
         let shown = stderr.contains(message) && stderr.contains(help);
         assert!(shown && (line == 0 || stderr.contains(&at)), "{from} -> {to}: {stderr}");
     }
-    let four = "mu = \"exp(a=1)\"\npoles = [-4]\n[model]\nstates = [\"p\", \"q\", \"r\", \"s\"]\n\
-        inputs = [\"a\", \"b\", \"c\", \"d\"]\noutputs = [\"p\", \"q\", \"r\", \"s\"]\n\
-        dynamics = { p = \"a\", q = \"b\", r = \"c\", s = \"d\" }\n";
-    let folder = folder_with("coupled_four", "design.toml", four);
-    let (_, _, stderr) = run_in(&folder, &["check", "design.toml"]);
-    assert!(stderr.contains("at most 3 are decoupled"), "{stderr}");
+    for (name, outputs, message) in [
+        ("twice", "\"roll\", \"roll\"", "no static decoupling exists"),
+        ("never", "\"roll\", \"z - z\"", "reaches"),
+    ] {
+        let text = QUADROTOR.replace("[\"z\", \"roll\", \"pitch\"", &format!("[\"z\", {outputs}"));
+        let folder = folder_with(&format!("coupled_{name}"), "design.toml", &text);
+        let (code, _, stderr) = run_in(&folder, &["check", "design.toml"]);
+        assert!(code == Some(2) && stderr.contains(message), "{stderr}");
+    }
+}
+
+/// Euler angles cannot be led where the pitch is a right angle; here D has a row that is 0 in two.
+#[test]
+fn a_singular_matrix_of_four_gives_no_u() {
+    let main = "static const four_params params = { .t0 = 0.0 };\n\
+        int main(void)\n{\n    four control;\n    const double x[4] = { 0.0, 0.0, 0.0, 0.0 };\n\
+        \x20   double u[4] = { 7.0, 7.0, 7.0, 7.0 };\n    ptc_status axes[4];\n\
+        \x20   if (four_init(&control, &params) != PTC_OK) { return 1; }\n\
+        \x20   printf(\"%d \", (int)four_step(&control, 0.5, x, u, axes));\n\
+        \x20   printf(\"%g %g %g %g\\n\", u[0], u[1], u[2], u[3]);\n    return 0;\n}\n";
+    let singular = FOUR.replace("3*c", "q*c").replace("poles", "allow = \"zeros\"\npoles");
+    let found = in_c::run("coupled_four_singular", &spec(&singular), main);
+    assert_eq!(found, [[-3.0, 0.0, 0.0, 0.0, 0.0]]);
+    let (verdict, summary) = checked("zeros", "coupled_four_rest", &singular);
+    assert_eq!(
+        (verdict.as_str(), summary.contains("is 0 at the origin")),
+        ("unsound", true),
+        "{summary}"
+    );
+    let bounded =
+        FOUR.replace("tau = 1\n", "tau = 1\nt0 = 0\n") + "[envelope]\nx_max = [1, 1, 1, 1]\n";
+    let (verdict, summary) = checked("envelope", "coupled_four_envelope", &bounded);
+    assert_eq!(verdict, "undecided", "{summary}");
 }
 
 /// `show law` has the plant and, for each output, the law of a chain with its gains.

@@ -17,9 +17,13 @@ impl C<'_> {
         self.out.line(format!("/* Prescribed-time {noun} {name}: see {name}.h. DO NOT EDIT. */"));
         self.out.line(format!("#include \"{name}.h\"\n\n#include <math.h>\n#include <stddef.h>"));
         let counts = |statement: &Statement| {
-            matches!(statement, Statement::Solve(_) | Statement::Rows { .. })
+            matches!(
+                statement,
+                Statement::Solve(_) | Statement::Rows { .. } | Statement::Elimination { .. }
+            )
         };
-        let loops = code.axes().is_some() && !code.has_inputs();
+        let guarded = code.function("step").is_some_and(|step| step.guarded);
+        let loops = code.axes().is_some() && (guarded || !code.has_inputs());
         if loops || code.functions.iter().any(|function| function.has(counts)) {
             self.out.line("#include <stdint.h>");
         }
@@ -33,6 +37,9 @@ impl C<'_> {
             });
             if let Some((weights, fused)) = rows.filter(|_| !std::mem::replace(&mut formed, true)) {
                 self.rows_function(weights, fused);
+            }
+            if let Some(unknowns) = function.unknowns() {
+                self.elimination_function(unknowns);
             }
             self.function(function);
         }

@@ -94,6 +94,11 @@ impl C<'_> {
                 self.array("const ", "p", tail);
                 self.out.line(format!("{}_rows({name}, p);", self.code.name));
             }
+            Statement::Elimination { name, matrix, right } => {
+                self.array("", "a", matrix);
+                self.array("", name, right);
+                self.out.line(format!("{}_eliminate(a, {name});", self.code.name));
+            }
             Statement::Call { name, callback, array, times, count } => {
                 let [time, rate] = times.each_ref().map(|value| self.alone(value));
                 let (real, zero) = (self.type_of(Shape::Real), self.literal("0.0"));

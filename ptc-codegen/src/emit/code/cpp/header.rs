@@ -20,7 +20,10 @@ impl Cpp<'_> {
         self.out.line(format!(" */\n#ifndef {guard}_HPP\n#define {guard}_HPP\n"));
         self.out.line("#include <array>");
         let loops = |statement: &Statement| {
-            matches!(statement, Statement::Solve(_) | Statement::Rows { .. })
+            matches!(
+                statement,
+                Statement::Solve(_) | Statement::Rows { .. } | Statement::Elimination { .. }
+            )
         };
         for (header, needed) in [
             ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
@@ -198,6 +201,9 @@ impl Cpp<'_> {
         });
         if let Some((weights, fused)) = weights.max() {
             self.rows_function(weights, fused);
+        }
+        if let Some(unknowns) = code.functions.iter().find_map(|f| f.unknowns()) {
+            self.elimination_function(unknowns);
         }
     }
 }

@@ -138,6 +138,12 @@ impl Block for Cpp<'_> {
         self.out.line(format!("const auto {name} = rows(w, p);"));
     }
 
+    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
+        self.array("a", matrix);
+        self.array("b", right);
+        self.out.line(format!("const auto {name} = eliminate(a, b);"));
+    }
+
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize) {
         let kind = self.type_of(Shape::Reals(count));
         self.out.line(format!("const {kind} {name} = {callback}({});", given.join(", ")));

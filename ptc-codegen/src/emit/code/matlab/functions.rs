@@ -5,6 +5,7 @@ use super::super::gives::{Gives, paired};
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;
+use super::helpers::elimination;
 use crate::code::{Access, Finish, Function, Owner, Shape, Statement, Status};
 
 impl Matlab<'_> {
@@ -125,6 +126,9 @@ impl Matlab<'_> {
             _ => None,
         }) {
             text.push_str(&self.row_sums(weights));
+        }
+        if let Some(unknowns) = function.unknowns() {
+            text.push_str(&elimination(unknowns));
         }
         text
     }

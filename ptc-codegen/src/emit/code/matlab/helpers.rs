@@ -107,3 +107,42 @@ end
         )
     }
 }
+
+/// The function that solves so many equations.
+pub(super) fn elimination(m: usize) -> String {
+    format!(
+        "
+% Solves a x = b, with a row by row, by elimination with the largest pivot of each column. No numbers
+% where a is singular.
+function b = eliminate(a, b)
+a = reshape(a, {m}, {m})';
+for k = 1:{m}
+    most = k;
+    for i = (k + 1):{m}
+        if abs(a(most, k)) < abs(a(i, k))
+            most = i;
+        end
+    end
+    a([k, most], :) = a([most, k], :);
+    b([k, most]) = b([most, k]);
+    if a(k, k) == 0
+        a(k, k) = NaN;
+    end
+    for i = (k + 1):{m}
+        factor = a(i, k) / a(k, k);
+        for j = (k + 1):{m}
+            a(i, j) = a(i, j) - (factor * a(k, j));
+        end
+        b(i) = b(i) - (factor * b(k));
+    end
+end
+for k = {m}:-1:1
+    for j = (k + 1):{m}
+        b(k) = b(k) - (a(k, j) * b(j));
+    end
+    b(k) = b(k) / a(k, k);
+end
+end
+"
+    )
+}

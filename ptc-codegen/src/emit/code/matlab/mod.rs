@@ -221,6 +221,11 @@ impl Block for Matlab<'_> {
         self.out.line(format!("{name} = row_sums([{weights}], [{tail}]);"));
     }
 
+    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
+        let [matrix, right] = [matrix, right].map(|values| self.list(values).join(", "));
+        self.out.line(format!("{name} = eliminate([{matrix}], [{right}]);"));
+    }
+
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
         let real = self.real_type();
         self.out.line(format!("{name} = {real}({callback}({}));", given.join(", ")));

@@ -113,6 +113,9 @@ impl Python<'_> {
         if let Some(weights) = weights.max() {
             self.out.line(format!("{}\n", rows_function(weights)));
         }
+        if code.functions.iter().any(|function| function.unknowns().is_some()) {
+            self.out.line(format!("{ELIMINATION}\n"));
+        }
     }
 
     fn gains_class(&mut self) {
@@ -154,8 +157,38 @@ fn default(parameter: &Variable) -> &'static str {
 }
 
 fn is_rows(statement: &Statement) -> bool {
-    matches!(statement, Statement::Rows { .. })
+    matches!(statement, Statement::Rows { .. } | Statement::Elimination { .. })
 }
+
+const ELIMINATION: &str = "\
+def _eliminate(matrix: Sequence[ArrayLike], right: Sequence[ArrayLike]) -> list[Array]:
+    \"\"\"Solves a x = b, with a row by row, by elimination with the largest pivot of each column.
+
+    No numbers where a is singular.
+    \"\"\"
+    count = len(right)
+    every = np.stack(np.broadcast_arrays(*(np.asarray(v, dtype=_R) for v in (*matrix, *right))))
+    a = every[: count * count].reshape(count, count, *every.shape[1:])
+    b = every[count * count :]
+    for k in range(count):
+        most = k + np.argmax(np.abs(a[k:, k]), axis=0)
+        for i in range(k + 1, count):
+            at = most == i
+            a[k], a[i] = np.where(at, a[i], a[k]), np.where(at, a[k], a[i])
+            b[k], b[i] = np.where(at, b[i], b[k]), np.where(at, b[k], b[i])
+        a[k, k] = np.where(a[k, k] == 0.0, np.nan, a[k, k])
+        for i in range(k + 1, count):
+            factor = a[i, k] / a[k, k]
+            for j in range(k + 1, count):
+                a[i, j] = a[i, j] - factor * a[k, j]
+            b[i] = b[i] - factor * b[k]
+    for k in reversed(range(count)):
+        for j in range(k + 1, count):
+            b[k] = b[k] - a[k, j] * b[j]
+        b[k] = b[k] / a[k, k]
+    return list(b)
+
+";
 
 const CONTROL: &str = "
 class Control(NamedTuple):

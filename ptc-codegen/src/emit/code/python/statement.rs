@@ -99,6 +99,11 @@ impl Block for Python<'_> {
         self.out.line(format!("{name} = _rows([{weights}], [{tail}])"));
     }
 
+    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
+        let [matrix, right] = [matrix, right].map(|values| self.list(values).join(", "));
+        self.out.line(format!("{name} = _eliminate([{matrix}], [{right}])"));
+    }
+
     fn laws(&mut self, name: &str, callback: &str, [array, time, rate]: &[&str; 3], count: usize) {
         self.out.line(format!(
             "{name} = np.asarray({callback}({array}, np.asarray({time}), np.asarray({rate})), dtype=_R)"

@@ -21,6 +21,15 @@ impl Rust<'_> {
         self.block(&function.body);
         let values: Vec<_> = inputs.values.iter().map(|value| self.alone(value)).collect();
         let tracks = self.test(&inputs.tracks);
+        // A longer list does not fit into its line below.
+        let listed = self.array_text("let u = [", &values, "];");
+        let own = match listed.contains('\n') {
+            true => "u".to_owned(),
+            false => format!("u: [{}]", values.join(", ")),
+        };
+        if listed.contains('\n') {
+            self.out.line(listed);
+        }
         self.out.line(format!(
             "let now = if {tracks} {{
     {runtime}Status::Ok
@@ -28,15 +37,14 @@ impl Rust<'_> {
     {runtime}Status::Hold
 }};
 let mut all = {runtime}Axes {{
-    u: [{}],
+    {own},
     axes: [Ok(now); {count}],
     status: Ok(now),
-}};",
-            values.join(", ")
+}};"
         ));
         let parts = self.parts(&inputs.finite());
         let line = self.out.joined("if ", &parts, ("&&", "\n    && "), " {");
-        self.out.open(line);
+        self.out.open(self.with_brace(line, format!("if {}", parts.join(" && "))));
         self.clip(inputs, &|index, bound| {
             let saturated = format!("Ok({runtime}Status::Saturated)");
             format!(

@@ -39,6 +39,9 @@ impl Rust<'_> {
         if let Some((weights, fused)) = weights.max() {
             self.rows_function(weights, fused);
         }
+        if let Some(unknowns) = code.functions.iter().find_map(|f| f.unknowns()) {
+            self.elimination_function(unknowns);
+        }
         self.out.close("}");
         if !code.gains.is_empty() {
             self.out.line("");

@@ -223,6 +223,15 @@ impl Block for Rust<'_> {
         self.out.line(format!("let {name} = Self::rows(weights, &tail);"));
     }
 
+    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
+        for (array, values) in [("a", matrix), ("b", right)] {
+            let list = self.list(values);
+            let line = self.array_text(&format!("let {array} = ["), &list, "];");
+            self.out.line(line);
+        }
+        self.out.line(format!("let {name} = Self::eliminate(a, b);"));
+    }
+
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
         self.out.line(format!("let {name} = {callback}({});", given.join(", ")));
     }

@@ -1,4 +1,4 @@
-//! The loops over the powers of a series.
+//! The loops over the powers of a series, and those of an elimination.
 
 use super::super::text::Text;
 use super::Rust;
@@ -43,6 +43,49 @@ fn rows(mut rows: [{real}; {weights}], tail: &[{real}; {tail}]) -> [{real}; {wei
     }}
     rows
 }}"
+        ));
+    }
+
+    /// The function that solves so many equations.
+    pub(super) fn elimination_function(&mut self, m: usize) {
+        let real = self.type_of(Shape::Real);
+        self.out.line(format!(
+            "
+/// Solves a x = b, with a row by row, by elimination with the largest pivot of each column. No numbers where a
+/// is singular.
+fn eliminate(mut a: [{real}; {}], mut b: [{real}; {m}]) -> [{real}; {m}] {{
+    let size = |v: {real}| if v < 0.0 {{ -v }} else {{ v }};
+    for k in 0..{m} {{
+        let mut most = k;
+        for i in k + 1..{m} {{
+            if size(a[{m} * most + k]) < size(a[{m} * i + k]) {{
+                most = i;
+            }}
+        }}
+        b.swap(k, most);
+        for j in k..{m} {{
+            a.swap({m} * k + j, {m} * most + j);
+        }}
+        if a[{m} * k + k] == 0.0 {{
+            a[{m} * k + k] = {real}::NAN;
+        }}
+        for i in k + 1..{m} {{
+            let factor = a[{m} * i + k] / a[{m} * k + k];
+            for j in k + 1..{m} {{
+                a[{m} * i + j] -= factor * a[{m} * k + j];
+            }}
+            b[i] -= factor * b[k];
+        }}
+    }}
+    for k in (0..{m}).rev() {{
+        for j in k + 1..{m} {{
+            b[k] -= a[{m} * k + j] * b[j];
+        }}
+        b[k] /= a[{m} * k + k];
+    }}
+    b
+}}",
+            m * m
         ));
     }
 }

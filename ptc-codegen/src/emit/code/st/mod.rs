@@ -201,6 +201,10 @@ impl Block for StructuredText<'_> {
         self.out.line(loops);
     }
 
+    fn elimination(&mut self, name: &str, _: &[Expr], _: &[Expr]) {
+        fault(format!("{name}: several inputs are not emitted"))
+    }
+
     fn laws(&mut self, _: &str, callback: &str, _: &[&str; 3], _: usize) {
         fault(format!(
             "{callback} gives several values, and plants with several inputs are refused"

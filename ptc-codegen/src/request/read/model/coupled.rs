@@ -4,7 +4,6 @@ use super::super::{Reader, items};
 use crate::diagnostic::counted;
 use crate::expression::{Expression, Variable};
 use crate::keys::KeyInfo;
-use crate::limits::OUTPUTS;
 use crate::model::{Coupled, own_names};
 use crate::parameter::Name;
 use crate::request::{After, Spec, What};
@@ -67,12 +66,6 @@ impl Reader<'_> {
     ) -> Option<Coupled> {
         let m = inputs.len();
         self.count("outputs", outputs, m, "the inputs")?;
-        if m > OUTPUTS.size() {
-            let message =
-                format!("{m} outputs, and at most {} are decoupled in closed form", OUTPUTS.most);
-            self.wrong("outputs", Some(outputs.place), message, OUTPUTS.fix.to_owned());
-            return None;
-        }
         let rates = self.state_rates(dynamics, &states)?;
         let controls = (states.len() + 1..).map(Variable::State);
         let driven: Vec<_> =
