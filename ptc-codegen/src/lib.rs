@@ -30,6 +30,7 @@ pub mod algebra;
 pub mod check;
 #[doc(hidden)]
 pub mod code;
+mod collect;
 #[doc(hidden)]
 pub mod controller;
 #[doc(hidden)]

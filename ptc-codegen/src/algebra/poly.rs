@@ -93,6 +93,11 @@ impl Monomial {
 pub struct Poly(BTreeMap<Monomial, BigRational>);
 
 impl Poly {
+    /// Of terms in the order of their monomials: the map is built in one pass.
+    fn ordered(terms: Vec<(Monomial, BigRational)>) -> Self {
+        Self(terms.into_iter().collect())
+    }
+
     /// The polynomial 0.
     pub fn zero() -> Self {
         Self::default()
@@ -192,12 +197,12 @@ impl Poly {
         if factor.is_zero() {
             return Self::zero();
         }
-        Self(self.0.iter().map(|(m, c)| (m.clone(), product(c, factor))).collect())
+        Self::ordered(self.0.iter().map(|(m, c)| (m.clone(), product(c, factor))).collect())
     }
 
     /// Product with a monomial.
     pub fn shifted(&self, monomial: &Monomial) -> Self {
-        Self(self.0.iter().map(|(m, c)| (m.times(monomial), c.clone())).collect())
+        Self::ordered(self.0.iter().map(|(m, c)| (m.times(monomial), c.clone())).collect())
     }
 
     /// Non-negative integer power.
@@ -307,8 +312,8 @@ impl FromIterator<(Monomial, BigRational)> for Poly {
     fn from_iter<I: IntoIterator<Item = (Monomial, BigRational)>>(terms: I) -> Self {
         let terms: Vec<_> = terms.into_iter().collect();
         if terms.windows(2).all(|pair| pair[0].0 < pair[1].0) {
-            // Distinct and in order: the map is built in one pass.
-            return Self(terms.into_iter().filter(|(_, c)| !c.is_zero()).collect());
+            // Distinct and in order.
+            return Self::ordered(terms.into_iter().filter(|(_, c)| !c.is_zero()).collect());
         }
         let mut poly = Self::zero();
         for (monomial, coefficient) in terms {

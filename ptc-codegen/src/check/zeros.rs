@@ -2,6 +2,7 @@
 
 use super::{Outcome, Verdict};
 use crate::algebra::polynomial::Polynomial;
+use crate::collect::map;
 use crate::expression::Expression;
 use crate::linear::roots;
 use crate::model::zeros::{Zeros, singular_at_rest, zeros};
@@ -15,7 +16,7 @@ pub(crate) const NAME: &str = "zeros";
 /// The values of the parameters that are fixed.
 fn values(spec: &Spec) -> Values {
     let number = |value: &Fixed| value.number().cloned();
-    spec.fixed.iter().filter_map(|(p, value)| Some((*p, number(value)?))).collect()
+    map(spec.fixed.iter().filter_map(|(p, value)| Some((*p, number(value)?))))
 }
 
 /// The check of a plant with several inputs and outputs.

@@ -89,7 +89,9 @@ impl Search<'_> {
         let ends = from.iter().zip(to);
         let range = ends.map(|(a, b)| Interval::of_doubles(a.min(*b), a.max(*b)));
         let free = self.free.iter().map(|(name, ..)| name.clone());
-        self.given.clone().into_iter().chain(free.zip(range)).collect()
+        let mut names = self.given.clone();
+        free.zip(range).for_each(|(name, range)| _ = names.insert(name, range));
+        names
     }
 
     /// What is certain of the value at a point; none where no work is left.

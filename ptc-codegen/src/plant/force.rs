@@ -6,6 +6,7 @@ use num_traits::Signed;
 
 use super::Plant;
 use crate::algebra::{BigRational, integer};
+use crate::collect::map;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, existence};
 use crate::parameter::{Fixed, Parameter};
@@ -62,8 +63,7 @@ impl Plant {
             );
         }
         let fixed = spec.fixed.iter().chain(&self.fixed);
-        let values: BTreeMap<_, _> =
-            fixed.filter_map(|(name, value)| Some((*name, value.number()?.clone()))).collect();
+        let values = map(fixed.filter_map(|(name, value)| Some((*name, value.number()?.clone()))));
         // A symbol that no signal moves is one number for all of a run.
         let moves = |symbol: &Parameter| {
             let own = format!("disturbance.{}", symbol.spelling());

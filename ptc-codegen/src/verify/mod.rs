@@ -49,7 +49,7 @@ pub use start::{Impossible, impossible, possible, reversed};
 pub use summary::{APART, End, Judged, Known, Sides, Summary, against, summary};
 pub use survey::{Drawn, Driver, Spread};
 pub use tally::{Tally, Worst};
-pub use trajectory::{Trajectory, csv, shown};
+pub use trajectory::{Trajectory, columns, csv, shown};
 pub use trial::{Instant, Trial};
 pub use verdict::{Doubt, Evidence, Verdict, confidence};
 

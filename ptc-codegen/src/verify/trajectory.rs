@@ -45,17 +45,20 @@ pub fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
 }
 
 pub(super) fn table(spec: &Spec, instants: &[Instant]) -> String {
-    let heads = spec.state_names().into_iter().chain(spec.input_names()).chain(errors(spec));
     let mut text = format!("  {:>11}", "t");
-    heads.for_each(|head| text.push_str(&format!(" {head:>12}")));
+    columns(spec).for_each(|head| text.push_str(&format!(" {head:>12}")));
     text.push('\n');
     for (instant, worst) in shown(instants) {
         text.push_str(&format!("  {:>11.6}", instant.t));
-        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.errors);
-        numbers.for_each(|number| text.push_str(&format!(" {number:>12.4e}")));
+        instant.numbers().for_each(|number| text.push_str(&format!(" {number:>12.4e}")));
         text.push_str(if worst { "  <- worst\n" } else { "\n" });
     }
     text
+}
+
+/// What [`Instant::numbers`] are: states, inputs and tracking errors.
+pub fn columns(spec: &Spec) -> impl Iterator<Item = String> {
+    spec.state_names().into_iter().chain(spec.input_names()).chain(errors(spec))
 }
 
 /// The names of the tracking errors, where there is a reference.
@@ -70,18 +73,15 @@ pub fn csv(
     trial: &mut Trial,
     scenario: &Scenario,
 ) -> (String, Option<simulate::Failure>) {
-    let states = campaign.spec.state_names().join(",");
-    let inputs = campaign.spec.input_names().join(",");
-    let errors: String = errors(&campaign.spec).map(|name| format!(",{name}")).collect();
+    let columns: String = columns(&campaign.spec).map(|name| format!(",{name}")).collect();
     let excess: String = (1..=campaign.objectives.len()).map(|i| format!(",excess{i}")).collect();
     let integrals: String =
         (1..=campaign.integrals.len()).map(|k| format!(",integral{k}")).collect();
-    let mut text = format!("t,time_to_go,{states},{inputs}{errors}{integrals}{excess}\n");
+    let mut text = format!("t,time_to_go{columns}{integrals}{excess}\n");
     let (instants, ended) = trajectory(campaign, trial, scenario);
     for instant in instants {
         text.push_str(&format!("{:?},{:?}", instant.t, instant.time_to_go));
-        let numbers = instant.x.iter().chain(&instant.u).chain(&instant.errors);
-        let numbers = numbers.chain(&instant.integrals).chain(&instant.excess);
+        let numbers = instant.numbers().chain(&instant.integrals).chain(&instant.excess);
         numbers.for_each(|number| text.push_str(&format!(",{number:?}")));
         text.push('\n');
     }

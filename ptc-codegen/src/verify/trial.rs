@@ -58,6 +58,11 @@ pub struct Instant {
 }
 
 impl Instant {
+    /// States, inputs and tracking errors.
+    pub fn numbers(&self) -> impl Iterator<Item = &f64> {
+        self.x.iter().chain(&self.u).chain(&self.errors)
+    }
+
     /// Where it is, for the objectives.
     pub(super) fn here(&self) -> Here<'_> {
         let Self { time_to_go, x, u, integrals, .. } = self;

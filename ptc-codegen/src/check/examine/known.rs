@@ -6,7 +6,8 @@ use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigRational, integer};
 use crate::check::growth::Modes;
-use crate::expression::enclosure::{Evaluator, Existence, Names};
+use crate::collect::map;
+use crate::expression::enclosure::{Evaluator, Existence};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Node, Variable, leading};
 use crate::family::Family;
@@ -142,9 +143,10 @@ fn rate_of(spec: &Spec, rate: &Expression) -> Rate {
         let (low, high) = range(spec, p)?;
         Some((Expression::from(p), Interval::between(&low, Some(&high))))
     };
-    let Some(names) = rate.parameters().into_iter().map(range).collect::<Option<Names>>() else {
+    let Some(names) = rate.parameters().into_iter().map(range).collect::<Option<Vec<_>>>() else {
         return Rate::Open;
     };
+    let names = map(names);
     let value = Evaluator::new().value(rate, &names);
     let defined = value.filter(|value| value.existence == Existence::Certain);
     match defined.and_then(|value| value.interval.ends()) {

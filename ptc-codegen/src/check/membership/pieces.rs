@@ -1,7 +1,8 @@
 //! A sign on all of an interval, by halving it until an enclosure decides.
 
 use crate::algebra::{BigRational, integer};
-use crate::expression::enclosure::{Evaluator, Existence, Names};
+use crate::collect::map;
+use crate::expression::enclosure::{Evaluator, Existence};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Variable};
 
@@ -39,10 +40,8 @@ pub(super) fn left_open(
     while let Some((ranges, depth)) = open.pop() {
         pieces += 1;
         let unknown = || Some((ranges[0].1.clone(), ranges[0].2.clone()));
-        let names: Names = ranges
-            .iter()
-            .map(|(name, low, high)| (name.clone(), Interval::between(low, Some(high))))
-            .collect();
+        let range = |(name, low, high): &Range| (name.clone(), Interval::between(low, Some(high)));
+        let names = map(ranges.iter().map(range));
         let Some(value) = evaluator.value(expression, &names) else { return unknown() };
         let known = match wanted {
             Wanted::Negative => value.interval.is_negative(),

@@ -14,6 +14,7 @@ use super::force::Force;
 use super::relative::Late;
 use super::transition::growth;
 use super::trust::{Fading, Inexact, Trust};
+use crate::collect::map;
 
 /// A linear loop with the bounds of what disturbs it.
 #[derive(Clone, Debug)]
@@ -123,7 +124,7 @@ impl Sampled {
             Unit::Gain(j) => Some((*j, most(&steps, &units, *unit))),
             Unit::Power(_) => None,
         };
-        let gains = units[..chain.n].iter().filter_map(gained).collect();
+        let gains = map(units[..chain.n].iter().filter_map(gained));
         Self {
             chain,
             steps,

@@ -6,7 +6,7 @@ use ptc_codegen::plot::{Bounded, Figure, Quantity, Trace};
 use ptc_codegen::request::Spec;
 use ptc_codegen::verify::{
     APART, Campaign, Drawn, End, Judged, Kind, Level, Objective, Sides, Summary, Trajectory, Trial,
-    Verdict, shown,
+    Verdict, columns, shown,
 };
 
 use super::args::Verify;
@@ -234,12 +234,12 @@ fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
 }
 
 fn table(spec: &Spec, Trajectory { instants, .. }: &Trajectory) -> Table {
-    let heads = ["t in s".to_owned(), "T in s".to_owned()].into_iter().chain(spec.state_names());
-    let head = heads.chain(spec.input_names()).chain([String::new()]).collect();
+    let heads = ["t in s".to_owned(), "T in s".to_owned()].into_iter().chain(columns(spec));
+    let head = heads.chain([String::new()]).collect();
     let rows = shown(instants).into_iter().map(|(instant, worst)| {
-        let numbers = [instant.t, instant.time_to_go].into_iter().chain(instant.x.iter().copied());
+        let numbers = [instant.t, instant.time_to_go].into_iter().chain(instant.numbers().copied());
         let told = if worst { "worst" } else { "" };
-        numbers.chain(instant.u.iter().copied()).map(short).chain([told.to_owned()]).collect()
+        numbers.map(short).chain([told.to_owned()]).collect()
     });
     Table { head, rows: rows.collect() }
 }

@@ -1,9 +1,8 @@
 //! A call for several axes: `tick` once, then `axis` for each.
 
-use std::collections::BTreeMap;
-
 use super::{Argument, Instance, Outcome};
 use crate::code::{AXIS, Function, Shape, Status};
+use crate::collect::map;
 
 /// What `function` gives for so many axes, as [`Finish::Axes`](crate::code::Finish::Axes) says.
 pub(super) fn each(
@@ -37,7 +36,7 @@ pub(super) fn each(
     }
     let axes = axes.into_iter().map(|status| f64::from(status.number())).collect();
     let results = function.results.iter().map(|result| result.name.clone()).zip([u, axes]);
-    Outcome { status, results: BTreeMap::from_iter(results) }
+    Outcome { status, results: map(results) }
 }
 
 /// The part of each array of arrays that belongs to one axis.

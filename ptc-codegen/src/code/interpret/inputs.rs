@@ -1,10 +1,9 @@
 //! The end of a call that gives the inputs of one plant.
 
-use std::collections::BTreeMap;
-
 use super::Outcome;
 use super::frame::Frame;
 use crate::code::{Function, Inputs, Status};
+use crate::collect::map;
 
 impl<'b> Frame<'_, 'b> {
     /// Every u, each within its bound, and the status of each; of a call that has `ended` none.
@@ -18,7 +17,7 @@ impl<'b> Frame<'_, 'b> {
         let given = |status: Status, u: Vec<f64>, each: Vec<Status>| {
             let each = each.into_iter().map(|status| f64::from(status.number())).collect();
             let names = function.results.iter().map(|result| result.name.clone());
-            Outcome { status, results: BTreeMap::from_iter(names.zip([u, each])) }
+            Outcome { status, results: map(names.zip([u, each])) }
         };
         if let Some(status) = ended {
             return given(status, vec![0.0; m], vec![status; m]);

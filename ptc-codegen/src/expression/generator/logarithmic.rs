@@ -6,6 +6,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::{Clock, GENERATOR};
 use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, common_measure, integer};
+use crate::collect::map;
 use crate::expression::field::{Field, Kernel};
 use crate::expression::normal::moves;
 use crate::expression::ratio::{Ratio, content, times};
@@ -27,8 +28,8 @@ impl Own {
         if clock == Clock::Time {
             let t = Expression::from(Variable::SinceStart);
             let is_time = |s: &Symbol| matches!(field.kernel(*s), Some(Kernel::Atom(a)) if *a == t);
-            let powers = moving.into_iter().filter(is_time).map(|s| (s, 1)).collect();
-            return Some(Self { clock, rate: Poly::one(), powers });
+            let powers = moving.into_iter().filter(is_time).map(|s| (s, 1));
+            return Some(Self { clock, rate: Poly::one(), powers: map(powers) });
         }
         // e^(c m t) for each exponential, with one m: e^(-g m t) is the generator.
         let time = moving.iter().copied().find(|s| {
@@ -46,8 +47,8 @@ impl Own {
         let measure = measure.abs();
         let rate = Poly::term(measure.clone(), common?.without(time));
         let power = |(symbol, c): (Symbol, BigRational)| Some((symbol, (-c / &measure).to_i32()?));
-        let powers = exponents.into_iter().map(power).collect::<Option<_>>()?;
-        Some(Self { clock, rate, powers })
+        let powers = exponents.into_iter().map(power).collect::<Option<Vec<_>>>()?;
+        Some(Self { clock, rate, powers: map(powers) })
     }
 
     /// A polynomial in the generator and names; `None` where anything else in it moves.

@@ -7,6 +7,7 @@ use num_traits::Zero;
 
 use super::{ordering, zero};
 use crate::algebra::{BigRational, integer};
+use crate::collect::map;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
 
@@ -154,7 +155,7 @@ impl Scale {
         let scaled = |(product, coefficient): (&Product, &Expression)| {
             (product.clone(), normal(&coefficient.clone().mul(exponent.clone())))
         };
-        let exponents = self.exponent.iter().map(scaled).collect();
+        let exponents = map(self.exponent.iter().map(scaled));
         Some(Self { fast: self.fast * turn, exponent: exponents, open: self.open.clone() })
     }
 
@@ -162,7 +163,7 @@ impl Scale {
         let negative = |c: &Expression| normal(&c.clone().neg());
         Self {
             fast: -self.fast,
-            exponent: self.exponent.iter().map(|(p, c)| (p.clone(), negative(c))).collect(),
+            exponent: map(self.exponent.iter().map(|(p, c)| (p.clone(), negative(c)))),
             open: self.open.clone(),
         }
     }

@@ -8,6 +8,7 @@ mod names;
 mod references;
 
 use super::Reader;
+use crate::collect::map;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::KeyInfo;
 use crate::model::{Chain, Model, Values, own_names};
@@ -124,6 +125,6 @@ impl Reader<'_> {
             let number = real(node).as_ref().and_then(Fixed::number).cloned()?;
             Some((Parameter::Named(Name::new(name)?), number))
         };
-        self.params.iter().filter_map(value).collect()
+        map(self.params.iter().filter_map(value))
     }
 }
