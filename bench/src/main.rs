@@ -18,6 +18,7 @@ mod fused;
 mod gate;
 mod generator;
 mod latency;
+mod models;
 mod peers;
 mod report;
 mod rewrites;
@@ -34,7 +35,7 @@ use failure::Result;
 
 /// Measures the generated code and the generator.
 ///
-/// Without a command: counts, axes, fma, latency, accuracy, peers, generator, egg, then report.
+/// Without a command: counts, axes, fma, latency, accuracy, peers, models, generator, egg, then report.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-bench")]
 struct CommandLine {
@@ -63,6 +64,8 @@ enum Command {
     Accuracy,
     /// The C of other generators beside ours
     Peers,
+    /// A step of designs with a model, beside the C that other tools write of the same plant
+    Models,
     /// Instructions and time of generating; with --builds also those of the command and of a crate with the macro
     Generator,
     /// What equality saturation finds beyond the passes, for small kernels
@@ -107,6 +110,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Latency) => report::keep("latency", &latency::measure()?),
         Some(Command::Accuracy) => report::keep("accuracy", &accuracy::measure()?),
         Some(Command::Peers) => peers(line),
+        Some(Command::Models) => models(line),
         Some(Command::Generator) => generator(line),
         Some(Command::Egg) => report::keep("egg", &equality::measure()?),
         Some(Command::Samples) => samples::table(),
@@ -119,6 +123,7 @@ fn execute(line: &CommandLine) -> Result<()> {
             report::keep("latency", &latency::measure()?)?;
             report::keep("accuracy", &accuracy::measure()?)?;
             peers(line)?;
+            models(line)?;
             generator(line)?;
             report::keep("egg", &equality::measure()?)?;
             report::write()
@@ -128,6 +133,10 @@ fn execute(line: &CommandLine) -> Result<()> {
 
 fn peers(line: &CommandLine) -> Result<()> {
     report::keep("peers", &peers::measure(line.contestants.as_deref())?)
+}
+
+fn models(line: &CommandLine) -> Result<()> {
+    report::keep("models", &models::measure(line.contestants.as_deref())?)
 }
 
 fn generator(line: &CommandLine) -> Result<()> {

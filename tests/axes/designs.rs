@@ -1,5 +1,6 @@
 //! Controllers of several axes, and of plants with several inputs.
 
+use ptc_codegen::diagnostic::Place;
 use ptc_codegen::request::Spec;
 
 use super::support::specs::spec;
@@ -32,7 +33,16 @@ pub(super) fn specs() -> Vec<Spec> {
             &[("n", "2"), ("mu", "tanh(a=0.5)"), ("gains", "[[20,9],[42,13]]")],
             &[("axes", "2"), ("name", "two"), ("u_max", "inf"), ("g", "1/mass")],
         ),
+        quadrotor(),
     ]
+}
+
+/// The design of the guide: four axes with references, and g, gains and limits of their own.
+fn quadrotor() -> Spec {
+    let text = include_str!("../../examples/quadrotor.toml");
+    let (entries, found) = ptc_codegen::design::read(text, &mut |_| Place(0));
+    assert_eq!(found, []);
+    ptc_codegen::request::read(&entries).expect("a design")
 }
 
 /// Outputs of different orders, of three at once, and of a mechanical plant, with the same ways to ask. The

@@ -6,6 +6,7 @@ mod edges;
 mod exact;
 mod keys;
 mod laws;
+mod quadrotor;
 mod samples;
 
 ptc::ptc_controller!(n = 1, mu = exp);

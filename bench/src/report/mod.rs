@@ -18,6 +18,7 @@ use crate::failure::Result;
 use crate::fused::Fused;
 use crate::generator::{Bell, Speed};
 use crate::latency::Latency;
+use crate::models::Model;
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
 
@@ -78,6 +79,9 @@ pub(crate) fn write() -> Result<()> {
         tables::accuracy(&mut text, &accuracy);
     }
     beside::peers(&mut text, peers.as_deref().unwrap_or(&[]));
+    if let Some(models) = kept::<Vec<Model>>("models")? {
+        beside::models(&mut text, &models);
+    }
     if let Some(speeds) = kept::<Vec<Speed>>("generator")? {
         tables::generator(&mut text, &speeds);
     }

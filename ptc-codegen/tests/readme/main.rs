@@ -37,8 +37,10 @@ const SAMPLES: &str = include_str!("../../../docs/samples.md");
 /// The design of the README and of docs/start.md, which docs/samples.md uses too.
 const ENCODER: &str = include_str!("../../../examples/encoder.toml");
 
-/// The design of several axes of the guide.
+/// The designs of several axes of the guide.
 const GANTRY: &str = include_str!("../../../examples/gantry.toml");
+
+const QUADROTOR: &str = include_str!("../../../examples/quadrotor.toml");
 
 /// The design of a linear plant, which docs/samples.md shows.
 const MOTOR: &str = include_str!("../../../examples/motor.toml");

@@ -6,7 +6,8 @@ use std::process::Command;
 
 use super::{
     AXES, BARRIER, CART, DESIGN, DRIVE, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, PAGES, PENDULUM,
-    REFERENCES, ROBOT, SAMPLES, SIMULATE, TABLE, TANK, TRACK, VERIFY, blocks_of, folder, shell,
+    QUADROTOR, REFERENCES, ROBOT, SAMPLES, SIMULATE, TABLE, TANK, TRACK, VERIFY, blocks_of, folder,
+    shell,
 };
 
 /// What `line` prints in `folder`; a refused design is no failure.
@@ -58,10 +59,11 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("cart.toml"), CART).expect("writable");
     assert_eq!(blocks_of(REFERENCES, "toml"), [TRACK]);
     fs::write(folder.join("track.toml"), TRACK).expect("writable");
-    let [gantry, coupling] = &blocks_of(AXES, "toml")[..] else { panic!("a gantry and a plant") };
-    assert_eq!(gantry, GANTRY);
+    let [gantry, quadrotor, coupling] = &blocks_of(AXES, "toml")[..] else { panic!("designs") };
+    assert_eq!([gantry, quadrotor], [GANTRY, QUADROTOR]);
     fs::write(folder.join("coupled.toml"), format!("{GANTRY}\n{coupling}")).expect("writable");
     fs::write(folder.join("gantry.toml"), GANTRY).expect("writable");
+    fs::write(folder.join("quadrotor.toml"), QUADROTOR).expect("writable");
     assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
     fs::write(folder.join("table.toml"), TABLE).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {
@@ -105,11 +107,15 @@ fn pages_show_what_is_printed() {
         let [kept, drawn] = [kept, drawn].map(|path| fs::read_to_string(path).expect("a picture"));
         assert!(kept == drawn, "docs/guide/{picture} is another picture");
     }
-    let [program] = &blocks_of(AXES, "c")[..] else { panic!("one program") };
-    fs::write(folder.join("axes.c"), program).expect("writable");
-    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iaxes axes.c axes/gantry.c -lm -o gantry && ./gantry";
-    let [shown] = &blocks_of(AXES, "text")[..] else { panic!("one output") };
-    assert_eq!(&shell(strict, &folder), shown);
+    let (programs, shown) = (blocks_of(AXES, "c"), blocks_of(AXES, "text"));
+    assert_eq!((programs.len(), shown.len()), (2, 2));
+    for ((name, program), shown) in ["gantry", "quadrotor"].iter().zip(&programs).zip(&shown) {
+        fs::write(folder.join("main.c"), program).expect("writable");
+        let strict = format!(
+            "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iaxes main.c axes/{name}.c -lm -o {name} && ./{name}"
+        );
+        assert_eq!(&shell(&strict, &folder), shown, "{name}");
+    }
     for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
         let page = PAGES.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
         let shown = blocks_of(page.expect("a page").1, "console").concat();
