@@ -53,6 +53,22 @@ pub fn of_axes() -> [Spec; 2] {
     ]
 }
 
+/// A plant with more inputs than have a closed form, which its step solves for.
+pub fn of_inputs() -> Spec {
+    spec(&[
+        ("mu", "rational"),
+        ("name", "ptc_rational_inputs4"),
+        ("states", "p, q, r, s"),
+        ("inputs", "a, b, c, d"),
+        ("outputs", "p, q, r, s"),
+        (
+            "dynamics",
+            "sin(q)*b + 3*c + r*d, 2*a + p*b + m*d + p*r, r*a + (3 + q^2)*b + s*c, a - p*c + 4*d",
+        ),
+        ("allow", "zeros"),
+    ])
+}
+
 /// User-defined mappings, laws, ends and divisors, and latched states.
 fn features() -> [Spec; 6] {
     [

@@ -12,6 +12,7 @@ use ptc_codegen::request::Spec;
 
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
+use crate::harness::goldens::{of_axes, of_inputs};
 use crate::harness::selftest::write_selftest;
 use crate::harness::specs::spec;
 use crate::harness::{empty, in_pairs, write};
@@ -37,11 +38,13 @@ const SELFTESTED: usize = 8;
 
 /// Controllers of a shape that the others need not have: one that only t0 is left to, and one with
 /// functions of the caller's.
-fn shapes() -> [Spec; 2] {
+fn shapes() -> Vec<Spec> {
     let fixed = [("tau", "0.8"), ("eps", "0.01"), ("u_max", "4"), ("gains", "12,7")];
     let mapping = [("n", "2"), ("mu", "exp(a=1)"), ("name", "stage")];
     let own = [("n", "2"), ("mu", "rational"), ("pi0", "extern"), ("after", "extern")];
-    [spec(&[&mapping[..], &fixed].concat()), spec(&own)]
+    let mut all = vec![spec(&[&mapping[..], &fixed].concat()), spec(&own), of_inputs()];
+    all.extend(of_axes());
+    all
 }
 
 fn run(context: &Context) -> Result<Finding> {
@@ -50,7 +53,7 @@ fn run(context: &Context) -> Result<Finding> {
     let mut single = context.families(context.order(3));
     single.retain(|spec| spec.precision == Precision::F32);
     let specs = [context.goldens(), single, context.random(15)].map(|specs| context.in_turn(specs));
-    let specs = [shapes().to_vec(), specs.concat()].concat();
+    let specs = [shapes(), specs.concat()].concat();
     let has_selftest = |index: usize| index < shapes().len() || index.is_multiple_of(SELFTESTED);
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| {

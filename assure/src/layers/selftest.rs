@@ -20,6 +20,7 @@ use ptc_codegen::request::Spec;
 use self::coverage::{Coverage, measure, mixed_decisions};
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
+use crate::harness::goldens::of_axes;
 use crate::harness::machine::Machine;
 use crate::harness::selftest::{main_program, sources, write_selftest};
 use crate::harness::{STRICT, empty, in_pairs, in_samples, run as execute};
@@ -50,8 +51,14 @@ struct Told {
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("selftest");
-    let specs =
-        [context.in_samples(), context.goldens(), context.families(2), context.random(20)].concat();
+    let specs = [
+        context.in_samples(),
+        context.goldens(),
+        of_axes().to_vec(),
+        context.families(2),
+        context.random(20),
+    ]
+    .concat();
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| -> Result<Told> {
         let folder = empty(&folder.join(index.to_string()));

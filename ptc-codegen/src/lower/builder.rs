@@ -132,6 +132,19 @@ impl<'a> Builder<'a> {
         value
     }
 
+    /// The operation of a value.
+    pub(super) fn operation_of(&self, value: Value) -> &Op {
+        &self.program.get(value).op
+    }
+
+    /// The number that a value is.
+    pub(super) fn constant(&self, value: Value) -> Option<&BigRational> {
+        match self.operation_of(value) {
+            Op::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+
     /// What `compute` gives at the start, where the time-to-go is tau.
     pub(super) fn at_start<T>(&mut self, compute: impl FnOnce(&mut Self) -> T) -> T {
         let before = std::mem::replace(&mut self.at_start, true);

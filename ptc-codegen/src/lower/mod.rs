@@ -31,7 +31,9 @@ use num_traits::{ToPrimitive, Zero};
 use rows::{Factor, Rows, factor};
 
 use crate::algebra::{BigRational, Kind, Poly, integer};
-use crate::expression::Expression;
+use crate::expression::effort::bounded;
+use crate::expression::normal::normal;
+use crate::expression::{Expression, Node};
 use crate::law::{Form, Law};
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Input, Limits, Op, Program, Value};
@@ -132,7 +134,32 @@ fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
 /// u divided by g(x, t), never by zero where it is no number.
 fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     let spec = b.spec;
-    if let Some(number) = spec.input_gain.as_ref().and_then(Expression::number) {
+    if let Some(gain) = &spec.input_gain
+        && let Node::Div(numerator, inertia) = gain.node()
+        && inertia.any(&|e| e.variable().is_some())
+    {
+        // A factor in place of a second division; what depends on parameters alone is formed in `init`.
+        let inertia = b.scalar(inertia);
+        let force = b.mul(u, inertia);
+        if let Some(number) = numerator.number() {
+            return over_number(b, force, number);
+        }
+        let numerator = b.scalar(numerator);
+        let numerator = b.name(numerator, "numerator", "of the input gain g(x, t)");
+        return b.push(Op::Quotient(force, numerator));
+    }
+    let known = |e: &Expression| {
+        let fixed = spec.fixed.get(&e.parameter()?)?;
+        fixed.number().cloned().map(Expression::from)
+    };
+    // With all its parameters fixed it is a number, as whose inverse a factor does.
+    let gain = spec
+        .input_gain
+        .as_ref()
+        .filter(|gain| gain.parameters().iter().all(|p| spec.fixed.contains_key(p)));
+    let form = gain.map(|gain| bounded(|| normal(&gain.substitute(&known))));
+    let number = form.as_ref().and_then(Expression::number).filter(|number| !number.is_zero());
+    if let Some(number) = number {
         return over_number(b, u, number);
     }
     match input_gain(b) {
@@ -141,26 +168,33 @@ fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     }
 }
 
-/// u/g as a product, which is quicker, where 1/g keeps its digits in the precision.
+/// u/g as a product, which is quicker, where 1/g keeps its digits in the precision; a factor of u that is a
+/// number takes it in.
 fn over_number(b: &mut Builder<'_>, u: Value, gain: &BigRational) -> Value {
-    let inverse = (!gain.is_zero()).then(|| gain.recip());
-    let normal = |inverse: &BigRational| {
-        inverse.to_f64().is_some_and(|v| match b.spec.precision {
+    let precision = b.spec.precision;
+    let normal = |number: &BigRational| {
+        number.to_f64().is_some_and(|v| match precision {
             Precision::F64 => v.is_normal(),
             #[allow(clippy::cast_possible_truncation)]
             Precision::F32 => (v as f32).is_normal(),
         })
     };
-    match inverse.filter(normal) {
-        Some(inverse) => {
-            let inverse = b.number(inverse);
-            b.mul(u, inverse)
+    let inverse = (!gain.is_zero()).then(|| gain.recip());
+    let Some(inverse) = inverse.filter(normal) else {
+        let divisor = b.number(gain.clone());
+        return b.div(u, divisor);
+    };
+    let both = |factor: Value| Some(b.constant(factor)? * &inverse).filter(normal);
+    let scaled = match b.operation_of(u) {
+        Op::Mul(x, y) => {
+            let first = || both(*x).map(|both| (*y, both));
+            both(*y).map(|both| (*x, both)).or_else(first)
         }
-        None => {
-            let divisor = b.number(gain.clone());
-            b.div(u, divisor)
-        }
-    }
+        _ => None,
+    };
+    let (u, inverse) = scaled.unwrap_or((u, inverse));
+    let inverse = b.number(inverse);
+    b.mul(u, inverse)
 }
 
 /// g(x, t); `None` for 1.

@@ -4,6 +4,7 @@ use num_traits::Signed;
 
 use super::builder::Builder;
 use super::coefficient::pi_power;
+use super::over_number;
 use crate::expression::{Expression, Found, Function, Node, Variable};
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
@@ -56,6 +57,11 @@ impl Builder<'_> {
             | Node::Min(a, b)
             | Node::Max(a, b) => {
                 let (a, b) = (self.part(a, found), self.part(b, found));
+                let divisor =
+                    self.constant(b).filter(|_| matches!(expression.node(), Node::Div(..)));
+                if let Some(divisor) = divisor.cloned() {
+                    return over_number(self, a, &divisor);
+                }
                 self.push(match expression.node() {
                     Node::Add(..) => Op::Add(a, b),
                     Node::Sub(..) => Op::Sub(a, b),

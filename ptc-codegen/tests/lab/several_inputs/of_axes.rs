@@ -110,7 +110,7 @@ fn a_campaign_of_axes_is_decided_by_sampling() {
     let high = folder_with(
         "several_axes_campaign",
         "plant.toml",
-        &design.replace("high = 5", "high = 0.5"),
+        design.replace("high = 5", "high = 0.5"),
     );
     let (code, told, stderr) = run_in(&high, &["verify", "plant.toml"]);
     assert_eq!(code, Some(1), "{told}{stderr}");

@@ -3,7 +3,9 @@
 use super::super::block::{either, same};
 use super::super::text::{Text, bare};
 use super::{C, externs, word};
-use crate::code::{Ending, Expr, Finish, Function, Owner, Shape, Statement, Status, Test};
+use crate::code::{
+    Ending, Expr, Finish, Function, Owner, Shape, Statement, Status, Test, Variable,
+};
 use crate::internal::fault;
 
 /// What leads to a field in `init`, which sets the fields of the user's only where it succeeds.
@@ -22,8 +24,9 @@ impl C<'_> {
                 Statement::Solve(_) | Statement::Rows { .. } | Statement::Elimination { .. }
             )
         };
-        let guarded = code.function("step").is_some_and(|step| step.guarded);
-        let loops = code.axes().is_some() && (guarded || !code.has_inputs());
+        let is_list = |result: &Variable| matches!(result.shape, Shape::Reals(_));
+        let lists = |f: &Function| f.guarded && f.results.iter().any(is_list);
+        let loops = code.axes().is_some() && !code.has_inputs() || code.functions.iter().any(lists);
         if loops || code.functions.iter().any(|function| function.has(counts)) {
             self.out.line("#include <stdint.h>");
         }
