@@ -2,18 +2,14 @@
 
 use super::Plant;
 use crate::expression::{Expression, Node, Variable};
-use crate::request::{PlantBounds, Spec};
+use crate::request::Spec;
 
 /// A design and its plant for what runs them: several axes are one plant, whose states are those of the
 /// chains, one after the other.
 pub fn as_one(spec: Spec, plant: Option<Plant>) -> (Spec, Option<Plant>) {
     let n = spec.n;
     let is_of_axes = spec.axes.is_some() && spec.coupled.is_none();
-    let mut spec = spec.as_one_plant();
-    if is_of_axes {
-        let why = "proofs are of one chain of integrators, not of several axes";
-        spec.promises.plant = Some(PlantBounds::Unknown(why.to_owned()));
-    }
+    let spec = spec.as_one_plant();
     let of_all = |plant: Plant| match is_of_axes && plant.is_chain() {
         true => of_all(plant, n, &spec),
         false => plant,

@@ -59,6 +59,15 @@ impl Spec {
         self
     }
 
+    /// The design that [`Self::as_one_plant`] was made of, for what emits it.
+    #[must_use]
+    pub fn apart(mut self) -> Self {
+        if self.joins_axes() {
+            self.coupled = None;
+        }
+        self
+    }
+
     /// Number of axes and their order, where a call is given the state of each in a row.
     pub fn rows_of_axes(&self) -> Option<(usize, usize)> {
         let of_axes = self.coupled.as_ref().is_none_or(|coupled| coupled.is_of_axes);

@@ -118,7 +118,7 @@ impl Maker<'_> {
         // Behind the result alone, an infinite state is clipped and a tick without time is held.
         let wrong: &[f64] =
             if full { &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY] } else { &[f64::NAN] };
-        // Nor has the tick of several axes a time to be held.
+        // The tick of several axes holds the gains at such times where it does not test them.
         let times: &[f64] =
             if alone && !full { &[] } else { &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY] };
         for &value in times {

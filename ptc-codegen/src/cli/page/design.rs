@@ -1,7 +1,7 @@
 //! What a design is, in tables, and the command that runs it again.
 
 use ptc_codegen::expression::Expression;
-use ptc_codegen::parameter::Fixed;
+use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plant::Plant;
 use ptc_codegen::request::{After, Feedback, Guard, Reference, Spec};
 
@@ -99,10 +99,22 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
         (None, Some((least, greatest))) => format!("[{least}, {greatest}]"),
         (None, None) => "at run time".to_owned(),
     };
+    let designs = spec.designs();
+    // Axes and outputs may have values of their own, and not all of them every gain.
+    let each = |parameter: Parameter| {
+        let has = |own: &&Spec| !matches!(parameter, Parameter::Gain(i) if i > own.loop_order());
+        let values = designs.iter().filter(has);
+        let values = values.map(|own| told(own.fixed.get(&parameter), own.bounds.get(&parameter)));
+        let mut values: Vec<_> = values.collect();
+        if values.windows(2).all(|pair| pair[0] == pair[1]) {
+            values.truncate(1);
+        }
+        values.join(", ")
+    };
     let own = spec.parameters().into_iter().map(|parameter| Known {
         name: parameter.spelling(),
         meaning: parameter.meaning(),
-        value: told(spec.fixed.get(&parameter), spec.bounds.get(&parameter)),
+        value: each(parameter),
         unit: spec.unit(parameter),
     });
     let symbols = plant.symbols(spec).into_iter().map(|symbol| (symbol, "symbol of the plant"));

@@ -140,7 +140,8 @@ pub(crate) fn named(asked: Option<&Path>) -> Result<(), Failure> {
 /// Closed forms that an engine does not give.
 pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
     let Content { spec, report, plant, source, command, section } = content;
-    let code = Accepted::of(Report::clone(report)).and_then(|own| own.files(Language::C, &[]));
+    let emitted = Report { spec: report.spec.clone().apart(), ..Report::clone(report) };
+    let code = Accepted::of(emitted).and_then(|own| own.files(Language::C, &[]));
     let (files, refused) = match code {
         Ok(files) => (files, Vec::new()),
         Err(found) => {

@@ -111,6 +111,9 @@ pub fn proved(campaign: &Campaign) -> Vec<Proof> {
 fn of_states(campaign: &Campaign) -> Vec<Proof> {
     let all = |why: String| vec![Proof::NotProved { why }; campaign.objectives.len()];
     let is_running = campaign.around.is_some();
+    if campaign.spec.joins_axes() {
+        return all("proofs are of one chain of integrators, not of several axes".to_owned());
+    }
     if campaign.spec.has_model() && !is_running {
         return all("the plant is a model, and proofs are of chains of integrators".to_owned());
     }

@@ -123,6 +123,30 @@ fn every_kind_of_design_has_its_formulas() {
     }
 }
 
+/// Several axes: the code that is emitted, what each has of its own, and no decoupling.
+#[test]
+fn axes_are_shown_as_what_they_are() {
+    let axes = "name = \"stage\"\nn = 2\naxes = 2\nmu = \"exp(a=1)\"\npoles = [[-2, -3], [-4, -5]]\nlimits = [9, 80]\n\
+                g = [\"1/2\", \"1\"]\n[params]\ntau = 1\nt0 = 0\neps = 0.01\n[plant]\nf = \"-x2\"\n";
+    let folder = folder("axes", axes);
+    let page = report(&folder, &["simulate", "stage.toml", "--x0", "1,0,1,0", "--at", "0,0.5"]);
+    let page = parse(&page);
+    let (code, header, _) = run(&folder, &["emit", "stage.toml", "--lang", "c", "-o", "out"]);
+    assert_eq!(code, Some(0), "{header}");
+    let emitted: Vec<_> = named(section(&page, "code"), "pre").map(text).collect();
+    assert_eq!(emitted.len(), 2);
+    for (name, emitted) in ["stage.h", "stage.c"].iter().zip(emitted) {
+        assert_eq!(emitted, fs::read_to_string(folder.join("out").join(name)).expect("a file"));
+    }
+    let design = text(section(&page, "design"));
+    assert!(design.contains("9, 80") && design.contains("6, 20"), "{design}");
+    let formulas = text(section(&page, "formulas"));
+    assert!(formulas.contains("Of axis 2: x and u are its own."), "{formulas}");
+    assert!(formulas.contains("takes each for a chain of integrators"), "{formulas}");
+    assert!(!formulas.contains("decoupling"), "{formulas}");
+    alone(&page);
+}
+
 /// What a page would ask a network for.
 fn alone(page: &Document<'_>) {
     let policy = page.descendants().find_map(|node| {
