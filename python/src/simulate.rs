@@ -65,9 +65,7 @@ pub(crate) fn simulate<'py>(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Told<'py>> {
     let spec = &design.spec;
-    let knows = spec
-        .needs_law("simulate")
-        .and_then(|()| spec.needs_known_reference("simulate"));
+    let knows = spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
     knows.map_err(|found| design.wrong(py, found))?;
     let (spec, plant) = plant::as_one(spec.clone(), design.plant.clone());
     let spec = &spec;
