@@ -1,5 +1,5 @@
-//! Maps that are filled entry by entry: `collect` compiles a sort for each kind of iterator, which is a
-//! twentieth of what a browser loads.
+//! Maps that are filled entry by entry: `collect` compiles a sort for each kind of iterator, for which the page
+//! of the explorer has no room.
 
 use std::collections::BTreeMap;
 

@@ -67,6 +67,14 @@ impl super::Function {
         self.body.iter().any(is)
     }
 
+    /// How many rows of a series it forms by loops, and whether these are fused.
+    pub fn rows(&self) -> Option<(usize, bool)> {
+        self.body.iter().find_map(|statement| match statement {
+            Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
+            _ => None,
+        })
+    }
+
     /// The unknowns of the equations that it solves by elimination.
     pub fn unknowns(&self) -> Option<usize> {
         self.body.iter().find_map(|statement| match statement {
@@ -77,6 +85,23 @@ impl super::Function {
 }
 
 impl Code {
+    /// [`Function::rows`](super::Function::rows) of the function that has the most.
+    pub fn rows(&self) -> Option<(usize, bool)> {
+        self.functions.iter().filter_map(super::Function::rows).max()
+    }
+
+    /// [`Function::unknowns`](super::Function::unknowns) of the function that has some.
+    pub fn unknowns(&self) -> Option<usize> {
+        self.functions.iter().find_map(super::Function::unknowns)
+    }
+
+    /// Whether a function counts the rounds of a loop.
+    pub fn counts(&self) -> bool {
+        let solves = |statement: &Statement| matches!(statement, Statement::Solve(_));
+        let iterates = self.functions.iter().any(|function| function.has(solves));
+        iterates || self.rows().is_some() || self.unknowns().is_some()
+    }
+
     /// Calls `look` on every expression.
     pub fn visit(&self, look: &mut dyn FnMut(&Expr)) {
         self.init.iter().for_each(|statement| statement.visit(look));

@@ -5,6 +5,7 @@ use std::hash::BuildHasherDefault;
 
 use super::node::Hashed;
 use super::{Expression, Found, Node, Variable};
+use crate::algebra::BigRational;
 use crate::parameter::Parameter;
 
 /// Sizes up to which a walk may come by a node again: to remember those of so few takes longer.
@@ -38,6 +39,11 @@ impl Expression {
     /// The same expression with `to` in place of the parts for which it gives something.
     pub fn substitute(&self, to: &dyn Fn(&Self) -> Option<Self>) -> Self {
         self.substituted(to, Self::rebuilt, &mut Found::default())
+    }
+
+    /// The same with the numbers of the parameters that have one.
+    pub fn known(&self, number: &dyn Fn(Parameter) -> Option<BigRational>) -> Self {
+        self.substitute(&|e| number(e.parameter()?).map(Self::from))
     }
 
     /// The same, in which 0*e and e^0 stay, as the whole has no value where e has none.

@@ -4,7 +4,8 @@
 
 use super::builder::{Builder, PlantPoint};
 use super::closed_loop::states;
-use super::{over_input_gain, series, state, without_drift};
+use super::input_gain::over_input_gain;
+use super::{series, state, without_drift};
 use crate::expression::Variable;
 use crate::law::Law;
 use crate::program::{Input, Limits, Op, Program, Value};

@@ -1,8 +1,9 @@
 //! What `tick` computes for all axes, and u of one of them from it.
 
 use super::builder::Builder;
+use super::input_gain::{input_gain, over_number};
+use super::rows;
 use super::rows::Rows;
-use super::{input_gain, over_number, rows};
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Node};
 use crate::law::Law;
@@ -42,7 +43,8 @@ pub(super) fn shared<'a>(
     let Some(axes) = spec.axes.as_ref().filter(|axes| axes.differ()) else {
         let gains = shared.gains(b);
         let number = spec.input_gain.as_ref().and_then(Expression::number);
-        let divisor = if number.is_some() { None } else { input_gain(b) };
+        let gain = spec.input_gain.as_ref().filter(|_| number.is_none());
+        let divisor = gain.map(|gain| input_gain(b, gain));
         let axis = Some(axis(b, number, divisor.is_some()));
         let divisors = divisor.into_iter().collect();
         return Shared { gains, divisors, bounds: Vec::new(), axis };
@@ -59,7 +61,8 @@ pub(super) fn shared<'a>(
             all.gains.extend(gains.unwrap_or_default());
         }
         if !axes.input_gains.is_empty() || (index == 1 && spec.input_gain.is_some()) {
-            all.divisors.push(input_gain(b).unwrap_or(one));
+            let gain = own.input_gain.as_ref();
+            all.divisors.push(gain.map_or(one, |gain| input_gain(b, gain)));
         }
         let limit = own.fixed.get(&Parameter::UMax).and_then(Fixed::number);
         if let Some(limit) = limit.filter(|_| !axes.limits.is_empty()) {

@@ -71,7 +71,7 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
         (1..j).fold(x, |x, _| b.mul(x, taylor.r1))
     });
     let less = super::without_drift(&mut b, free);
-    let wanted = super::over_input_gain(&mut b, less);
+    let wanted = super::input_gain::over_input_gain(&mut b, less);
     let (below, control) = clipped(&mut b, wanted);
     b.plant = Some(PlantPoint { states, control: Some(control) });
     // What is left of f where its known part is cancelled, so that nothing is subtracted from itself.

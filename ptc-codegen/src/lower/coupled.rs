@@ -1,7 +1,8 @@
 //! The inputs of a plant with several of them, from what is wanted of each output.
 
 use super::builder::Builder;
-use super::{over_input_gain, rows, state, without_drift};
+use super::input_gain::over_input_gain;
+use super::{rows, state, without_drift};
 use crate::expression::Expression;
 use crate::law::Law;
 use crate::model::coupled::{Coupled, Inverse};

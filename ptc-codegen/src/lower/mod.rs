@@ -13,6 +13,7 @@ mod coefficients;
 mod cotangent;
 mod coupled;
 mod exp_sum;
+mod input_gain;
 mod mapping;
 mod quantity;
 mod rows;
@@ -27,15 +28,12 @@ use std::collections::BTreeMap;
 
 use axes::{Shared, shares_time};
 use builder::Builder;
-use num_traits::{ToPrimitive, Zero};
+use input_gain::over_input_gain;
 use rows::{Factor, Rows, factor};
 
-use crate::algebra::{BigRational, Kind, Poly, integer};
-use crate::expression::effort::bounded;
-use crate::expression::normal::normal;
-use crate::expression::{Expression, Node};
+use crate::algebra::{Kind, Poly, integer};
 use crate::law::{Form, Law};
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::request::{After, Guard, Spec, What};
 
@@ -129,82 +127,6 @@ fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
     let drift = b.scalar(drift);
     let drift = b.name(drift, "drift", "f, known of the plant");
     b.sub(wanted, drift)
-}
-
-/// u divided by g(x, t), never by zero where it is no number.
-fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
-    let spec = b.spec;
-    if let Some(gain) = &spec.input_gain
-        && let Node::Div(numerator, inertia) = gain.node()
-        && inertia.any(&|e| e.variable().is_some())
-    {
-        // A factor in place of a second division; what depends on parameters alone is formed in `init`.
-        let inertia = b.scalar(inertia);
-        let force = b.mul(u, inertia);
-        if let Some(number) = numerator.number() {
-            return over_number(b, force, number);
-        }
-        let numerator = b.scalar(numerator);
-        let numerator = b.name(numerator, "numerator", "of the input gain g(x, t)");
-        return b.push(Op::Quotient(force, numerator));
-    }
-    let known = |e: &Expression| {
-        let fixed = spec.fixed.get(&e.parameter()?)?;
-        fixed.number().cloned().map(Expression::from)
-    };
-    // With all its parameters fixed it is a number, as whose inverse a factor does.
-    let gain = spec
-        .input_gain
-        .as_ref()
-        .filter(|gain| gain.parameters().iter().all(|p| spec.fixed.contains_key(p)));
-    let form = gain.map(|gain| bounded(|| normal(&gain.substitute(&known))));
-    let number = form.as_ref().and_then(Expression::number).filter(|number| !number.is_zero());
-    if let Some(number) = number {
-        return over_number(b, u, number);
-    }
-    match input_gain(b) {
-        Some(divisor) => b.push(Op::Quotient(u, divisor)),
-        None => u,
-    }
-}
-
-/// u/g as a product, which is quicker, where 1/g keeps its digits in the precision; a factor of u that is a
-/// number takes it in.
-fn over_number(b: &mut Builder<'_>, u: Value, gain: &BigRational) -> Value {
-    let precision = b.spec.precision;
-    let normal = |number: &BigRational| {
-        number.to_f64().is_some_and(|v| match precision {
-            Precision::F64 => v.is_normal(),
-            #[allow(clippy::cast_possible_truncation)]
-            Precision::F32 => (v as f32).is_normal(),
-        })
-    };
-    let inverse = (!gain.is_zero()).then(|| gain.recip());
-    let Some(inverse) = inverse.filter(normal) else {
-        let divisor = b.number(gain.clone());
-        return b.div(u, divisor);
-    };
-    let both = |factor: Value| Some(b.constant(factor)? * &inverse).filter(normal);
-    let scaled = match b.operation_of(u) {
-        Op::Mul(x, y) => {
-            let first = || both(*x).map(|both| (*y, both));
-            both(*y).map(|both| (*x, both)).or_else(first)
-        }
-        _ => None,
-    };
-    let (u, inverse) = scaled.unwrap_or((u, inverse));
-    let inverse = b.number(inverse);
-    b.mul(u, inverse)
-}
-
-/// g(x, t); `None` for 1.
-fn input_gain(b: &mut Builder<'_>) -> Option<Value> {
-    let gain = b.spec.input_gain.as_ref()?;
-    let divisor = b.scalar(gain);
-    Some(match gain.number() {
-        Some(_) => divisor,
-        None => b.name(divisor, "input_gain", "g(x, t)"),
-    })
 }
 
 /// One row: a polynomial in at most one tick quantity, by Horner's rule; `None` for 0.

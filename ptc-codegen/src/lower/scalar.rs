@@ -4,7 +4,7 @@ use num_traits::Signed;
 
 use super::builder::Builder;
 use super::coefficient::pi_power;
-use super::over_number;
+use super::input_gain::over_number;
 use crate::expression::{Expression, Found, Function, Node, Variable};
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};

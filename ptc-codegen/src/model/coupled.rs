@@ -1,20 +1,13 @@
 //! Plants with several inputs and outputs: each output with its derivatives is a chain of integrators,
 //! and a matrix says which input moves the last rate of which.
 
-use super::decide::{is_regular, is_zero};
+use super::decide::is_zero;
+use super::determinant::{CLOSED, determinant, divided, inverse, is_regular};
 use super::lie::{Affine, Ill};
 use super::{Values, named};
-use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
-use crate::expression::normal::{normal, shorter};
 use crate::expression::{Expression, Variable};
 use crate::parameter::{Name, Parameter};
-
-/// Outputs that are decoupled in closed form: a determinant has as many products as its rows have orders.
-const CLOSED: usize = 3;
-
-/// Outputs up to which their determinant is still written out to see whether it is 0.
-const DECIDED: usize = 6;
 
 /// A plant with as many outputs as inputs. Its states are `x_1`..`x_N` in its expressions, and its
 /// inputs stand behind them, `x_(N+1)`..`x_(N+m)`, in its dynamics alone.
@@ -105,8 +98,7 @@ impl Coupled {
             let (outputs, matrix): (Vec<_>, Vec<_>) = chains.into_iter().unzip();
             if matrix.len() > CLOSED {
                 let text = |e: &Expression| plant.text(e);
-                let regular = is_regular(&matrix, values).then_some(true);
-                match regular.or_else(|| decided(&matrix, values)) {
+                match is_regular(&matrix, values) {
                     Some(true) => {}
                     Some(false) => return Err(IllCoupled::Singular(rows(&text, &matrix))),
                     None => {
@@ -359,58 +351,6 @@ fn chain(
         coordinates.push(drift);
     }
     Err(Ill::Unreached)
-}
-
-/// The matrix without a row and a column.
-fn minor(matrix: &[Vec<Expression>], row: usize, column: usize) -> Vec<Vec<Expression>> {
-    let without = |list: &Vec<Expression>| {
-        let kept = list.iter().enumerate().filter(|(j, _)| *j != column);
-        kept.map(|(_, e)| e.clone()).collect()
-    };
-    let rows = matrix.iter().enumerate().filter(|(i, _)| *i != row);
-    rows.map(|(_, list)| without(list)).collect()
-}
-
-/// The determinant by its first row.
-fn determinant(matrix: &[Vec<Expression>]) -> Expression {
-    let Some(first) = matrix.first() else { return Expression::integer(1) };
-    let mut sum = Expression::integer(0);
-    for (j, entry) in first.iter().enumerate() {
-        let term = entry.clone().mul(determinant(&minor(matrix, 0, j)));
-        sum = if j % 2 == 0 { sum.add(term) } else { sum.sub(term) };
-    }
-    sum
-}
-
-/// The determinant and the adjugate of a matrix of at most three rows. Equal parts are one node.
-fn inverse(matrix: &[Vec<Expression>]) -> (Expression, Vec<Vec<Expression>>) {
-    let cofactor = |i: usize, j: usize| {
-        let minor = determinant(&minor(matrix, i, j));
-        if (i + j).is_multiple_of(2) { minor } else { minor.neg() }
-    };
-    let m = matrix.len().min(CLOSED);
-    let adjugate = (0..m).map(|i| (0..m).map(|j| cofactor(j, i)).collect()).collect();
-    (determinant(matrix), adjugate)
-}
-
-/// Whether a matrix is regular, where its determinant is not too long to be looked at.
-fn decided(matrix: &[Vec<Expression>], values: &Values) -> Option<bool> {
-    let short = matrix.len() <= DECIDED;
-    Some(!short.then(|| is_zero(&determinant(matrix), values))??)
-}
-
-/// A determinant that is a number is divided by when generating.
-fn divided(
-    determinant: Expression,
-    adjugate: Vec<Vec<Expression>>,
-) -> (Expression, Vec<Vec<Expression>>) {
-    let form = normal(&determinant);
-    let Some(number) = form.number().filter(|number| **number != BigRational::default()) else {
-        return (determinant, adjugate);
-    };
-    let over = |e: Expression| shorter(e.mul(number.recip().into()));
-    let adjugate = adjugate.into_iter().map(|row| row.into_iter().map(over).collect());
-    (Expression::integer(1), adjugate.collect())
 }
 
 /// A matrix in brackets.

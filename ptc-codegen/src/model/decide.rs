@@ -36,7 +36,7 @@ pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> 
 }
 
 /// Whether a matrix is certainly regular at one point: by elimination in intervals, no pivot of which holds 0.
-pub(super) fn is_regular(matrix: &[Vec<Expression>], values: &Values) -> bool {
+pub(super) fn is_regular_at_a_point(matrix: &[Vec<Expression>], values: &Values) -> bool {
     let forms: Vec<_> = matrix.iter().flatten().map(|entry| with(entry, values)).collect();
     let names = names(&forms);
     (0..POINTS).any(|point| {
@@ -90,5 +90,5 @@ fn at(point: i64, names: &[Expression]) -> Names {
 
 /// The expression with the values that are known.
 pub(super) fn with(expression: &Expression, values: &Values) -> Expression {
-    expression.substitute(&|e| values.get(&e.parameter()?).cloned().map(Expression::from))
+    expression.known(&|p| values.get(&p).cloned())
 }

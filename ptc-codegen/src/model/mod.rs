@@ -4,6 +4,7 @@
 
 pub(crate) mod coupled;
 mod decide;
+mod determinant;
 mod lie;
 pub(crate) mod zeros;
 

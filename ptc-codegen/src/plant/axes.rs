@@ -7,20 +7,18 @@ use crate::request::Spec;
 /// A design and its plant for what runs them: several axes are one plant, whose states are those of the
 /// chains, one after the other.
 pub fn as_one(spec: Spec, plant: Option<Plant>) -> (Spec, Option<Plant>) {
-    let n = spec.n;
-    let is_of_axes = spec.axes.is_some() && spec.coupled.is_none();
     let spec = spec.as_one_plant();
-    let of_all = |plant: Plant| match is_of_axes && plant.is_chain() {
-        true => of_all(plant, n, &spec),
+    let on_each = |plant: Plant| match spec.joins_axes() && plant.is_chain() {
+        true => on_each(plant, &spec),
         false => plant,
     };
-    let plant = plant.map(of_all);
+    let plant = plant.map(on_each);
     (spec, plant)
 }
 
 /// f and g of one axis, on each.
-fn of_all(plant: Plant, n: usize, spec: &Spec) -> Plant {
-    let states = spec.states();
+fn on_each(plant: Plant, spec: &Spec) -> Plant {
+    let (n, states) = (spec.n, spec.states());
     let rate = |(place, own): (usize, Expression)| {
         let axis = place / n;
         if place % n + 1 < n {

@@ -26,7 +26,7 @@ pub(crate) fn force(
     values: &BTreeMap<Parameter, BigRational>,
     bounded: &[Bounded],
 ) -> Result<[BigRational; 3], String> {
-    let known = f.substitute(&|e| values.get(&e.parameter()?).cloned().map(Expression::from));
+    let known = f.known(&|p| values.get(&p).cloned());
     let is = |e: &Expression, symbol: Parameter| *e == Expression::from(symbol);
     let other = || format!("f = {f} is not a sum of bounded symbols");
     // f with one of them 1, and the others 0.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::maker::{Maker, state};
 use super::parameters::Chosen;
-use super::{CANDIDATES, Call, Draw, Session, Trials, Unreachable, Wanted};
+use super::{CANDIDATES, Call, Draw, Session, Trials, Unreachable};
 use crate::controller::{Controller, checked};
 use crate::parameter::Parameter;
 use crate::program::digits::Condition;
@@ -72,76 +72,6 @@ impl Maker<'_> {
         }
         self.wrong_inputs(&mut session, tau);
         session
-    }
-
-    /// Inputs that are not finite or before the start, as far as the guard catches them.
-    fn wrong_inputs(&mut self, session: &mut Session, tau: f64) {
-        let (guard, n) = (self.spec().guard, self.spec().given());
-        let t = self.time(session, 0.5 * tau);
-        let x = self.within(session, t, &state(n, 1.0));
-        let status = match guard {
-            Guard::Full => Status::Input,
-            Guard::Result => Status::Range,
-            Guard::None => return,
-        };
-        let has_axis = self.controller.program.axis.is_some();
-        let inputs = vec![Wanted::none(status); self.inputs()];
-        let full = guard == Guard::Full;
-        let alone = self.spec().joins_axes();
-        // An axis whose own state is finite says so.
-        let each = match self.call(session, t, &x) {
-            Some(call) if alone => call.inputs.iter().map(|one| Wanted::none(one.status)).collect(),
-            None if alone => return,
-            _ => inputs.clone(),
-        };
-        let spec = self.spec();
-        let axis_of = |place: usize| match place.checked_sub(spec.states()) {
-            None => place / spec.n,
-            Some(behind) => behind / spec.references(),
-        };
-        let mut refuse = |t: f64, x: Vec<f64>, axis: bool| {
-            let axis = (has_axis && axis).then_some(status);
-            let place = x.iter().position(|x| !x.is_finite()).filter(|_| alone);
-            let inputs = match place {
-                Some(place) => {
-                    let mut each = each.clone();
-                    each[axis_of(place)] = Wanted::none(status);
-                    each
-                }
-                None => inputs.clone(),
-            };
-            session.calls.push(Call { t, x, status, inputs, axis });
-        };
-        // The definition does not say which of several inputs a state turns into NaN.
-        let several = self.inputs() > 1 && !full;
-        let wrong_places = (0..if several { 0 } else { n }).filter(|j| spec.reads(*j));
-        // Behind the result alone, an infinite state is clipped and a tick without time is held.
-        let wrong: &[f64] =
-            if full { &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY] } else { &[f64::NAN] };
-        // The tick of several axes holds the gains at such times where it does not test them.
-        let times: &[f64] =
-            if alone && !full { &[] } else { &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY] };
-        for &value in times {
-            refuse(value, x.clone(), full);
-        }
-        for value in wrong {
-            for j in wrong_places.clone() {
-                let mut x = x.clone();
-                x[j] = *value;
-                refuse(t, x, true);
-            }
-        }
-        if full {
-            let start = self.parameter(session, Parameter::StartTime);
-            let early = settle(start - 0.5 * tau, self.spec().precision);
-            session.calls.push(Call {
-                t: early,
-                x,
-                status,
-                inputs,
-                axis: has_axis.then_some(status),
-            });
-        }
     }
 
     /// Held gains, the deadline, and what follows it.

@@ -13,6 +13,7 @@ mod range;
 mod refused;
 pub mod samples;
 mod trial;
+mod wrong;
 mod zero;
 
 use crate::check::examine::Report;

@@ -47,7 +47,7 @@ impl Controller {
         has_text(spec, true)?;
         let spec = Spec { what: What::Controller, ..spec.clone() };
         let mut program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
-        if let (Some(axes), None) = (&spec.axes, spec.decoupled()) {
+        if let (Some(axes), true) = (&spec.axes, spec.joins_axes()) {
             program = program.of_all_axes(spec.n, axes.count);
         }
         let mut outputs = program.outputs();

@@ -27,8 +27,7 @@ impl LinearLoop {
     pub(super) fn of(campaign: &Campaign, values: &Values) -> Result<Self, String> {
         let spec = &campaign.spec;
         let number = |g: &Expression| {
-            let known =
-                g.substitute(&|e| values.get(&e.parameter()?).cloned().map(Expression::from));
+            let known = g.known(&|p| values.get(&p).cloned());
             normal(&known).number().cloned().ok_or(known)
         };
         if spec.feedback != Feedback::Linear {

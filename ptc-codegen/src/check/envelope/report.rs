@@ -41,7 +41,7 @@ fn expression(program: &Program, value: Value, depth: u32) -> String {
         Op::Call(function, a) => call(function.name(), a),
         Op::Law(_) => "pi0".to_owned(),
         Op::Rows { .. } => "rows".to_owned(),
-        Op::Elimination { .. } => "the inputs that decouple the outputs".to_owned(),
+        Op::Elimination { .. } => "inputs".to_owned(),
         Op::Element(array, index) => format!("{}[{index}]", part(array)),
     }
 }

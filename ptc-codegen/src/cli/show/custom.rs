@@ -6,6 +6,7 @@ use ptc_codegen::expression::{Expression, Subject as Given};
 use ptc_codegen::internal::fault;
 use ptc_codegen::law::Law;
 use ptc_codegen::mapping::{Custom, Form, Mapping};
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::request::Spec;
 
 use super::super::engine::{Engine, Part};
@@ -62,6 +63,6 @@ fn derivatives(spec: &Spec, custom: &Custom, engine: Engine) -> Result<Vec<Expre
             ..Notice::of(message)
         }]));
     };
-    let value = |e: &Expression| spec.fixed.get(&e.parameter()?)?.number().cloned().map(Into::into);
-    Ok(r.iter().map(|r| r.substitute(&value)).collect())
+    let number = |p: Parameter| spec.fixed.get(&p)?.number().cloned();
+    Ok(r.iter().map(|r| r.known(&number)).collect())
 }

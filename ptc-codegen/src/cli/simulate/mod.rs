@@ -59,9 +59,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
             let plant = match (spec.has_model(), &spec.drift) {
-                _ if spec.decoupled().is_none() && spec.axes.is_some() => {
-                    "chains of integrators".to_owned()
-                }
+                _ if spec.joins_axes() => "chains of integrators".to_owned(),
                 (true, _) => "its model".to_owned(),
                 (false, f) => {
                     let f = f.as_ref().map_or("0".to_owned(), ToString::to_string);

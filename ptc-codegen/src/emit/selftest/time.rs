@@ -8,7 +8,7 @@ use crate::controller::Controller;
 use crate::emit::outline::Outline;
 use crate::emit::{File, Language, code, program};
 use crate::reference::tolerance;
-use crate::request::{After, Axes, Feedback, Guard, Spec};
+use crate::request::{After, Feedback, Guard, Spec};
 use crate::selftest::{Always, Call, SelfTest, Session, Wanted};
 
 /// The header and the source.
@@ -61,7 +61,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         has_gains,
         has_axes: controller.program.axis.is_some() && spec.axes.is_some(),
         axis_pointers: pointers(spec),
-        numbers_axes: spec.axes.as_ref().is_some_and(Axes::differ),
+        numbers_axes: program.numbers_axes(),
         tau_is_kept: test.tau_is_kept,
         sessions: &sessions,
         calls: &calls.iter().map(|call| numbers.call(call, spec, has_gains)).collect::<Vec<_>>(),

@@ -26,33 +26,29 @@ outputs = [\"p\", \"h\"]
 dynamics = { p = \"v\", v = \"-v + (2 + sin(p))*a + h*b\", h = \"v*h + h*a + (2 + h^2)*b\" }
 ";
 
-const THREE: &str = "name = \"three\"
-mu = \"exp(a=1)\"
-poles = [-3]
-[params]
-tau = 1
-eps = 1e-2
-u_max = inf
-[model]
-states = [\"p\", \"q\", \"r\"]
-inputs = [\"a\", \"b\", \"c\"]
-outputs = [\"p\", \"q\", \"r\"]
-dynamics = { p = \"3*a + p*b + q*c + sin(q)\", q = \"sin(r)*a + 4*b + p*c - p*r\", r = \"q*a + r*b + 5*c\" }
-";
+/// Outputs that are the states, whose rates are given: chains of order 1.
+fn square(name: &str, [states, inputs]: [&str; 2], rates: &[&str]) -> String {
+    format!(
+        "name = \"{name}\"\nmu = \"exp(a=1)\"\npoles = [-3]\n[params]\ntau = 1\neps = 1e-2\nu_max = inf\n[model]\n\
+         states = {states}\ninputs = {inputs}\noutputs = {states}\ndynamics = {rates:?}\n"
+    )
+}
 
-const FOUR: &str = "name = \"four\"
-mu = \"exp(a=1)\"
-poles = [-3]
-[params]
-tau = 1
-eps = 1e-2
-u_max = inf
-[model]
-states = [\"p\", \"q\", \"r\", \"s\"]
-inputs = [\"a\", \"b\", \"c\", \"d\"]
-outputs = [\"p\", \"q\", \"r\", \"s\"]
-dynamics = [\"sin(q)*b + 3*c + r*d\", \"2*a + p*b + d + p*r\", \"r*a + (3 + q^2)*b + s*c\", \"a - p*c + 4*d + cos(s)\"]
-";
+fn three() -> String {
+    let rates = ["3*a + p*b + q*c + sin(q)", "sin(r)*a + 4*b + p*c - p*r", "q*a + r*b + 5*c"];
+    square("three", ["[\"p\", \"q\", \"r\"]", "[\"a\", \"b\", \"c\"]"], &rates)
+}
+
+/// With zeros where the first pivots would be.
+fn four() -> String {
+    let rates = [
+        "sin(q)*b + 3*c + r*d",
+        "2*a + p*b + d + p*r",
+        "r*a + (3 + q^2)*b + s*c",
+        "a - p*c + 4*d + cos(s)",
+    ];
+    square("four", ["[\"p\", \"q\", \"r\", \"s\"]", "[\"a\", \"b\", \"c\", \"d\"]"], &rates)
+}
 
 fn robot() -> String {
     example("two_link.toml").replace("limits = [120, 60]", "u_max = inf #")
@@ -60,9 +56,9 @@ fn robot() -> String {
 
 /// The plants by their names.
 pub(super) fn plants() -> BTreeMap<&'static str, Spec> {
-    let all = [MIX, UNICYCLE, THREE, FOUR, QUADROTOR].map(str::to_owned);
-    let all = all.into_iter().chain([robot()]).map(|text| spec(&text));
-    ["mix", "unicycle", "three", "four", "quadrotor", "two_link"].into_iter().zip(all).collect()
+    let all = [MIX, UNICYCLE, QUADROTOR].map(str::to_owned);
+    let all = all.into_iter().chain([three(), four(), robot()]).map(|text| spec(&text));
+    ["mix", "unicycle", "quadrotor", "three", "four", "two_link"].into_iter().zip(all).collect()
 }
 
 /// The same with references, one output follows and one does not, and what each call is given; and with a
@@ -299,7 +295,7 @@ fn a_singular_matrix_of_four_gives_no_u() {
         \x20   if (four_init(&control, &params) != PTC_OK) { return 1; }\n\
         \x20   printf(\"%d \", (int)four_step(&control, 0.5, x, u, axes));\n\
         \x20   printf(\"%g %g %g %g\\n\", u[0], u[1], u[2], u[3]);\n    return 0;\n}\n";
-    let singular = FOUR.replace("3*c", "q*c").replace("poles", "allow = \"zeros\"\npoles");
+    let singular = four().replace("3*c", "q*c").replace("poles", "allow = \"zeros\"\npoles");
     let found = in_c::run("coupled_four_singular", &spec(&singular), main);
     assert_eq!(found, [[-3.0, 0.0, 0.0, 0.0, 0.0]]);
     let (verdict, summary) = checked("zeros", "coupled_four_rest", &singular);
@@ -309,7 +305,7 @@ fn a_singular_matrix_of_four_gives_no_u() {
         "{summary}"
     );
     let bounded =
-        FOUR.replace("tau = 1\n", "tau = 1\nt0 = 0\n") + "[envelope]\nx_max = [1, 1, 1, 1]\n";
+        four().replace("tau = 1\n", "tau = 1\nt0 = 0\n") + "[envelope]\nx_max = [1, 1, 1, 1]\n";
     let (verdict, summary) = checked("envelope", "coupled_four_envelope", &bounded);
     assert_eq!(verdict, "undecided", "{summary}");
 }

@@ -6,7 +6,9 @@ use ptc_codegen::parameter::Name;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::request::{Feedback, Spec};
 
-use super::{Group, law, mapping, matrix, r};
+use super::closed::{mapping, matrix, r};
+use super::group::Group;
+use super::law::law;
 use crate::cli::mathml::{
     Math, dot, equal, fraction, name, number, of_expression, operator, product, relation, row, sub,
 };

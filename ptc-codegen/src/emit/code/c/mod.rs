@@ -4,7 +4,7 @@ mod axes;
 mod conditions;
 mod header;
 mod inputs;
-mod rows;
+mod loops;
 mod source;
 mod statement;
 

@@ -18,26 +18,17 @@ impl C<'_> {
         let noun = code.noun();
         self.out.line(format!("/* Prescribed-time {noun} {name}: see {name}.h. DO NOT EDIT. */"));
         self.out.line(format!("#include \"{name}.h\"\n\n#include <math.h>\n#include <stddef.h>"));
-        let counts = |statement: &Statement| {
-            matches!(
-                statement,
-                Statement::Solve(_) | Statement::Rows { .. } | Statement::Elimination { .. }
-            )
-        };
         let is_list = |result: &Variable| matches!(result.shape, Shape::Reals(_));
         let lists = |f: &Function| f.guarded && f.results.iter().any(is_list);
         let loops = code.axes().is_some() && !code.has_inputs() || code.functions.iter().any(lists);
-        if loops || code.functions.iter().any(|function| function.has(counts)) {
+        if loops || code.counts() {
             self.out.line("#include <stdint.h>");
         }
         self.out.line("");
         self.init();
         let mut formed = false;
         for function in &code.functions {
-            let rows = function.body.iter().find_map(|statement| match statement {
-                Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
-                _ => None,
-            });
+            let rows = function.rows();
             if let Some((weights, fused)) = rows.filter(|_| !std::mem::replace(&mut formed, true)) {
                 self.rows_function(weights, fused);
             }

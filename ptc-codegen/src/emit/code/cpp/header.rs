@@ -5,7 +5,7 @@ use super::super::gives::{Gives, calls_library};
 use super::super::text::{Text, capital};
 use super::Cpp;
 use super::axes::AXES;
-use crate::code::{Code, Expr, Owner, Shape, Statement, Variable};
+use crate::code::{Code, Expr, Owner, Shape, Variable};
 use crate::expression::Function as Math;
 use crate::parameter::type_name;
 
@@ -19,18 +19,9 @@ impl Cpp<'_> {
         }
         self.out.line(format!(" */\n#ifndef {guard}_HPP\n#define {guard}_HPP\n"));
         self.out.line("#include <array>");
-        let loops = |statement: &Statement| {
-            matches!(
-                statement,
-                Statement::Solve(_) | Statement::Rows { .. } | Statement::Elimination { .. }
-            )
-        };
         for (header, needed) in [
             ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
-            (
-                "cstddef",
-                code.axes().is_some() || code.functions.iter().any(|function| function.has(loops)),
-            ),
+            ("cstddef", code.axes().is_some() || code.counts()),
             (
                 "cstdint",
                 (code.axes().is_some() && !code.has_inputs())
@@ -194,15 +185,10 @@ impl Cpp<'_> {
 
     fn rows_of_loops(&mut self) {
         let code = self.code;
-        let formed = code.functions.iter().flat_map(|function| &function.body);
-        let weights = formed.filter_map(|statement| match statement {
-            Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
-            _ => None,
-        });
-        if let Some((weights, fused)) = weights.max() {
+        if let Some((weights, fused)) = code.rows() {
             self.rows_function(weights, fused);
         }
-        if let Some(unknowns) = code.functions.iter().find_map(|f| f.unknowns()) {
+        if let Some(unknowns) = code.unknowns() {
             self.elimination_function(unknowns);
         }
     }

@@ -3,7 +3,7 @@
 mod axes;
 mod header;
 mod inputs;
-mod rows;
+mod loops;
 
 use super::block::{Block, Branch};
 use super::gives::{Gives, calls_library, paired};

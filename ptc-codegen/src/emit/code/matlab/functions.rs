@@ -6,7 +6,7 @@ use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;
 use super::helpers::elimination;
-use crate::code::{Access, Finish, Function, Owner, Shape, Statement, Status};
+use crate::code::{Access, Finish, Function, Owner, Shape, Status};
 
 impl Matlab<'_> {
     pub(super) fn init(mut self) -> String {
@@ -121,10 +121,7 @@ impl Matlab<'_> {
         }
         self.out.line("end");
         let mut text = self.out.text();
-        if let Some(weights) = function.body.iter().find_map(|statement| match statement {
-            Statement::Rows { weights, .. } => Some(weights.len()),
-            _ => None,
-        }) {
+        if let Some((weights, _)) = function.rows() {
             text.push_str(&self.row_sums(weights));
         }
         if let Some(unknowns) = function.unknowns() {

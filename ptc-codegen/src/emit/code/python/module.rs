@@ -2,7 +2,7 @@
 
 use super::axes::{AXES, LISTS};
 use super::{Python, annotation};
-use crate::code::{Expr, Owner, Shape, Statement, Variable};
+use crate::code::{Expr, Owner, Shape, Variable};
 use crate::parameter::type_name;
 
 impl Python<'_> {
@@ -15,10 +15,10 @@ impl Python<'_> {
         }
         self.out.line("\"\"\"\n\nfrom __future__ import annotations\n");
         let controls = code.function("update").is_none();
-        let rows = code.functions.iter().any(|function| function.has(is_rows));
+        let lists = code.rows().is_some() || code.unknowns().is_some();
         let arrays = code.parameters.iter().any(|p| p.shape.length().is_some());
         let calls = code.functions.iter().any(|function| !function.callbacks.is_empty());
-        let imported = [(calls, "Callable"), (arrays || rows, "Sequence")];
+        let imported = [(calls, "Callable"), (arrays || lists, "Sequence")];
         let imported: Vec<_> =
             imported.iter().filter(|(used, _)| *used).map(|(_, name)| *name).collect();
         if !imported.is_empty() {
@@ -105,15 +105,10 @@ impl Python<'_> {
         if arguments.into_iter().any(|argument| matches!(argument.shape, Shape::Lists(..))) {
             self.out.line(format!("{LISTS}\n"));
         }
-        let formed = code.functions.iter().flat_map(|function| &function.body);
-        let weights = formed.filter_map(|statement| match statement {
-            Statement::Rows { weights, .. } => Some(weights.len()),
-            _ => None,
-        });
-        if let Some(weights) = weights.max() {
+        if let Some((weights, _)) = code.rows() {
             self.out.line(format!("{}\n", rows_function(weights)));
         }
-        if code.functions.iter().any(|function| function.unknowns().is_some()) {
+        if code.unknowns().is_some() {
             self.out.line(format!("{ELIMINATION}\n"));
         }
     }
@@ -154,10 +149,6 @@ fn default(parameter: &Variable) -> &'static str {
         ("u_max", None) => " = np.inf",
         _ => "",
     }
-}
-
-fn is_rows(statement: &Statement) -> bool {
-    matches!(statement, Statement::Rows { .. } | Statement::Elimination { .. })
 }
 
 const ELIMINATION: &str = "\

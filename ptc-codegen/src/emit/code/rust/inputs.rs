@@ -21,15 +21,8 @@ impl Rust<'_> {
         self.block(&function.body);
         let values: Vec<_> = inputs.values.iter().map(|value| self.alone(value)).collect();
         let tracks = self.test(&inputs.tracks);
-        // A longer list does not fit into its line below.
-        let listed = self.array_text("let u = [", &values, "];");
-        let own = match listed.contains('\n') {
-            true => "u".to_owned(),
-            false => format!("u: [{}]", values.join(", ")),
-        };
-        if listed.contains('\n') {
-            self.out.line(listed);
-        }
+        let u = self.array_text("let u = [", &values, "];");
+        self.out.line(u);
         self.out.line(format!(
             "let now = if {tracks} {{
     {runtime}Status::Ok
@@ -37,7 +30,7 @@ impl Rust<'_> {
     {runtime}Status::Hold
 }};
 let mut all = {runtime}Axes {{
-    {own},
+    u,
     axes: [Ok(now); {count}],
     status: Ok(now),
 }};"

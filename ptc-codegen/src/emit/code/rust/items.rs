@@ -31,15 +31,10 @@ impl Rust<'_> {
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             self.function(function);
         }
-        let formed = code.functions.iter().flat_map(|function| &function.body);
-        let weights = formed.filter_map(|statement| match statement {
-            Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
-            _ => None,
-        });
-        if let Some((weights, fused)) = weights.max() {
+        if let Some((weights, fused)) = code.rows() {
             self.rows_function(weights, fused);
         }
-        if let Some(unknowns) = code.functions.iter().find_map(|f| f.unknowns()) {
+        if let Some(unknowns) = code.unknowns() {
             self.elimination_function(unknowns);
         }
         self.out.close("}");

@@ -3,8 +3,8 @@
 mod axes;
 mod inputs;
 mod items;
+mod loops;
 mod module;
-mod rows;
 
 use super::block::{Block, Branch, either};
 use super::gives::Gives;
@@ -215,20 +215,12 @@ impl Block for Rust<'_> {
     }
 
     fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
-        for (array, values) in [("weights", weights), ("tail", tail)] {
-            let list = self.list(values);
-            let line = self.array_text(&format!("let {array} = ["), &list, "];");
-            self.out.line(line);
-        }
+        self.arrays([("weights", weights), ("tail", tail)]);
         self.out.line(format!("let {name} = Self::rows(weights, &tail);"));
     }
 
     fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
-        for (array, values) in [("a", matrix), ("b", right)] {
-            let list = self.list(values);
-            let line = self.array_text(&format!("let {array} = ["), &list, "];");
-            self.out.line(line);
-        }
+        self.arrays([("a", matrix), ("b", right)]);
         self.out.line(format!("let {name} = Self::eliminate(a, b);"));
     }
 
@@ -325,6 +317,15 @@ impl<'a> Rust<'a> {
     fn divisible(&self, a: &str, b: &str) -> (String, String, String) {
         let nan = format!("{}::NAN", self.type_of(Shape::Real));
         (format!("{b} < 0.0 || {b} > 0.0"), format!("{a} / {b}"), nan)
+    }
+
+    /// Two arrays that a function takes.
+    fn arrays(&mut self, both: [(&str, &[Expr]); 2]) {
+        for (array, values) in both {
+            let list = self.list(values);
+            let line = self.array_text(&format!("let {array} = ["), &list, "];");
+            self.out.line(line);
+        }
     }
 
     /// An array in as many lines as rustfmt gives it.

@@ -204,11 +204,7 @@ impl StructuredText<'_> {
         if step.has(|statement| matches!(statement, Statement::Solve(_))) {
             members.push(Member::plain(Solve::ROUND, "UDINT"));
         }
-        let weights = step.body.iter().find_map(|statement| match statement {
-            Statement::Rows { weights, .. } => Some(weights.len()),
-            _ => None,
-        });
-        if let Some(weights) = weights {
+        if let Some((weights, _)) = step.rows() {
             let counters = ["row_k", "row_m", "row_first"];
             members.extend(counters.map(|name| Member::plain(name, "DINT")));
             members.push(Member::plain("row_v", self.real));

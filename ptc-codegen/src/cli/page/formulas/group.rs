@@ -1,0 +1,27 @@
+//! What a group of formulas is, and what several groups write.
+
+use ptc_codegen::expression::Variable;
+use ptc_codegen::request::Spec;
+
+use crate::cli::mathml::{Math, number, relation, variable};
+
+/// Formulas of one subject.
+pub(in crate::cli::page) struct Group {
+    pub(in crate::cli::page) title: &'static str,
+    /// What they are, in a sentence or two.
+    pub(in crate::cli::page) told: String,
+    pub(in crate::cli::page) formulas: Vec<Math>,
+}
+
+pub(super) fn minus(left: Math, right: Math) -> Math {
+    relation(left, "\u{2212}", right)
+}
+
+pub(super) fn elapsed() -> Math {
+    variable(Variable::Elapsed)
+}
+
+/// The order n, which is a number here.
+pub(super) fn n(spec: &Spec) -> Math {
+    number(spec.n)
+}
