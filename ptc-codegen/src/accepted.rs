@@ -97,7 +97,7 @@ impl Accepted {
             }
             None => {
                 let code = emit::sampled_c(&self.report);
-                let test = selftest::samples::SelfTest::new(&self.report.spec, &code);
+                let test = selftest::samples::SelfTest::new(&self.report.spec, &code)?;
                 Ok(emit::emit_sampled_selftest(&self.report.spec, &code, &test))
             }
         })

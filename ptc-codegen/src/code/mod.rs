@@ -10,6 +10,7 @@ mod check;
 mod expression;
 mod function;
 mod interpret;
+mod operation;
 mod visit;
 
 pub use branch::{Branch, Taken};

@@ -24,16 +24,14 @@ pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
 pub(super) fn formulas(report: &Report) -> Vec<String> {
     let spec = &report.spec;
     match spec.sampled() {
-        Some(sampled) if spec.what != What::Observer => {
-            purpose(sampled, spec.loop_order()).to_vec()
-        }
+        Some(sampled) if spec.what != What::Observer => purpose(spec, sampled).to_vec(),
         _ => Vec::new(),
     }
 }
 
 fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     let spec = &report.spec;
-    let (name, n, order) = (spec.name(), spec.n, spec.loop_order());
+    let (name, n) = (spec.name(), spec.n);
     let alone = sampled.observer.as_ref().filter(|_| spec.what == What::Observer);
     let kind = if alone.is_some() { "observer" } else { "controller" };
     let mut lines = vec![
@@ -52,7 +50,10 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         Some(plant) if !plant.measures_states() => format!("{late}, y = C x"),
         _ => late,
     };
-    let plant = plant::in_samples(spec, sampled);
+    let plant = match spec.model_in_samples() {
+        Some(model) => format!("the input {}: {}", model.input, model.lines().join(", ")),
+        None => plant::in_samples(spec, sampled),
+    };
     let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
     let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
     rest.push(format!("Plant: {plant}{disturbance}{given}; {late}."));
@@ -62,7 +63,7 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     }));
     match alone {
         Some(observer) => rest.extend(observed::purpose(sampled, observer)),
-        None => rest.extend(purpose(sampled, order)),
+        None => rest.extend(purpose(spec, sampled)),
     }
     rest.push(String::new());
     rest.push("Parameters:".to_owned());
@@ -84,7 +85,20 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
 }
 
 /// What becomes of the plant, and by which law.
-fn purpose(sampled: &Sampled, order: usize) -> [String; 2] {
+fn purpose(spec: &Spec, sampled: &Sampled) -> [String; 2] {
+    let (n, order) = (spec.n, spec.loop_order());
+    if spec.model_in_samples().is_some() {
+        let last = n - 1;
+        return [
+            format!(
+                "Goal: the output and its derivatives up to order {last}, x, are 0 at sample N after the start, from any state, as long as u is not clipped and the plant is the model. f and g are known at the samples alone, which leaves an error of order h^({}-i) in x_i.",
+                n + 2
+            ),
+            format!(
+                "Law: with M samples to go and z = S x, w h^{n} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{last})), and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over."
+            ),
+        ];
+    }
     let goal = "Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
     let law = match &sampled.linear {
         Some(_) => format!(

@@ -180,7 +180,7 @@ fn gained(b: &mut Builder<'_>, gain: Option<&Expression>, value: Value) -> Value
     }
 }
 
-fn no_limits(b: &mut Builder<'_>) -> Limits {
+pub(super) fn no_limits(b: &mut Builder<'_>) -> Limits {
     let zero = b.integer(0);
     Limits {
         start_time: None,

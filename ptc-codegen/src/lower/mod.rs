@@ -17,6 +17,7 @@ mod input_gain;
 mod mapping;
 mod quantity;
 mod rows;
+mod sampled;
 mod scalar;
 mod series;
 mod soft;
@@ -39,6 +40,7 @@ use crate::request::{After, Guard, Spec, What};
 
 pub(crate) use associated::Plant;
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
+pub use sampled::at_sample;
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {

@@ -333,8 +333,8 @@ impl Spec {
             return match self.what {
                 What::Observer => vec![Parameter::SampleTime, Parameter::A],
                 What::Controller | What::Associated => {
-                    let force = self.drift.iter().flat_map(Expression::parameters);
-                    sampled.parameters(self.n).into_iter().chain(force).collect()
+                    let named = self.named_parameters();
+                    sampled.parameters(self.n).into_iter().chain(named).collect()
                 }
             };
         }
@@ -346,9 +346,14 @@ impl Spec {
         if self.feedback == Feedback::Linear {
             all.extend((1..=self.n).map(Parameter::Gain));
         }
-        let named: BTreeSet<_> = self.expressions().flat_map(Expression::parameters).collect();
-        all.extend(named.into_iter().filter(|p| matches!(p, Parameter::Named(_))));
+        all.extend(self.named_parameters());
         all
+    }
+
+    /// The user's parameters that occur in its expressions.
+    fn named_parameters(&self) -> impl Iterator<Item = Parameter> {
+        let named: BTreeSet<_> = self.expressions().flat_map(Expression::parameters).collect();
+        named.into_iter().filter(|p| matches!(p, Parameter::Named(_)))
     }
 
     /// Order of the loop that the gains close: a sample of delay that a controller in samples
@@ -358,6 +363,11 @@ impl Spec {
             Clock::Time => self.n,
             Clock::Samples(sampled) => self.n + sampled.delay.inputs(),
         }
+    }
+
+    /// The model whose f and g a controller in samples knows at the samples alone: one that is not linear.
+    pub fn model_in_samples(&self) -> Option<&Model> {
+        self.model.as_deref().filter(|_| self.sampled().is_some())
     }
 
     /// What a controller in samples knows; `None` if the clock is time.

@@ -12,6 +12,8 @@ use crate::linear::Pair;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Guard, Sampled, Spec, What};
 
+use super::model::AtSample;
+
 /// The parts of the program while it is being put together.
 pub(super) struct Builder<'a> {
     pub(super) spec: &'a Spec,
@@ -213,6 +215,7 @@ impl Builder<'_> {
         let measured = self.sampled.measured;
         let given = if self.sampled.measures_states() { "x" } else { "y" };
         let (real, count) = (Shape::Real, Shape::Count);
+        let mut model = self.spec.model.is_some().then(|| AtSample::new(self));
         let element = |j| Expr::Element(given.to_owned(), j);
         let mut body: Vec<_> = self.finite((0..measured).map(element)).into_iter().collect();
         body.push(Self::elapsed(start));
@@ -225,12 +228,20 @@ impl Builder<'_> {
                 None => samples.clone().count_half(),
             };
             body.extend(self.observe(&end));
+        } else if let Some(model) = &mut model {
+            body.push(Statement::Note("The chain of the output.".to_owned()));
+            body.extend(model.chain(self));
         } else {
             let states = self.states(given);
             let states = states.into_iter().zip(1..);
             body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
         body.extend(self.law(samples));
+        if let Some(model) = &mut model {
+            let (before, v) = model.input(self);
+            body.extend(before);
+            body.push(Statement::Let("v".to_owned(), real, v));
+        }
         let mut finish = self.finish(samples);
         let (finite, changes) = (Test::Finite(Expr::local("v")), self.remembered() > 0);
         if changes {
@@ -281,6 +292,7 @@ impl Builder<'_> {
     /// What is measured, in words.
     pub(super) fn given(&self) -> &'static str {
         match (self.sampled.measures_states(), &self.sampled.linear) {
+            (true, _) if self.spec.model.is_some() => "the state x of the model",
             (true, None) => "the state x = (x1, x1', ...)",
             (true, Some(_)) => "the state x",
             (false, None) => "what is measured, y = (x1, ...)",

@@ -91,12 +91,18 @@ impl Builder<'_> {
             let below = now.sub(Expr::integer(i64::try_from(i).unwrap_or(0)));
             sum.add(z).div(below)
         });
+        // A model takes u from what the law wants.
+        let name = if self.spec.model.is_some() { "w" } else { "v" };
         let v =
-            |value: Expr| Statement::Set(Place::Local("v".to_owned()), value.sub(offset.clone()));
+            |value: Expr| Statement::Set(Place::Local(name.to_owned()), value.sub(offset.clone()));
         known.push(v(horner.add(drifts)));
-        statements.push(Statement::Variable("v".to_owned(), Shape::Real));
+        statements.push(Statement::Variable(name.to_owned(), Shape::Real));
         let end = vec![Statement::Note("Deadbeat.".to_owned()), v(dead)];
-        statements.push(Statement::If(test, known, end));
+        match test {
+            // So few samples are deadbeat from the first.
+            Test::CountLess(_, Expr::Count(0)) => statements.extend(end),
+            test => statements.push(Statement::If(test, known, end)),
+        }
         statements
     }
 
@@ -159,7 +165,8 @@ impl Builder<'_> {
     /// f in units of u. It is divided in the call, where its field may have changed.
     pub(super) fn force(&mut self) -> Expr {
         let over_gain = integer(1) / &self.sampled.gain;
-        match self.spec.drift.as_ref().map(Expression::node) {
+        let constant = self.spec.drift.as_ref().filter(|_| self.spec.model.is_none());
+        match constant.map(Expression::node) {
             Some(Node::Number(force)) => Expr::Number(force * over_gain),
             Some(Node::Parameter(parameter)) => {
                 let force = self.parameter(*parameter);

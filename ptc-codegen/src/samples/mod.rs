@@ -12,6 +12,7 @@ mod alone;
 mod controller;
 mod estimates;
 mod feedback;
+mod model;
 mod observer;
 mod predicted;
 mod rows;

@@ -107,7 +107,7 @@ impl Sampled {
         let own = Plant { f, ..Plant::default() };
         let plant = if *plant == Plant::default() { &own } else { plant };
         let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-        Ok(Self { n: spec.n, inputs: 1, controller, moved, integrals: None })
+        Ok(Self { n: spec.states(), inputs: 1, controller, moved, integrals: None })
     }
 
     /// The same with integrals over the run beside it.

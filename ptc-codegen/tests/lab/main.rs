@@ -3,6 +3,7 @@
 
 mod design;
 mod loop_of_linear;
+mod loop_of_model;
 mod loop_of_plant;
 mod report;
 mod reproductions;

@@ -3,7 +3,7 @@
 use super::Report;
 use super::growth::check_growth;
 use super::guard::{best_eps, choose_eps};
-use super::membership;
+use super::{membership, of_chain};
 use crate::check::Outcome;
 use crate::check::sampled::{self, Worst};
 use crate::check::zeros;
@@ -29,7 +29,14 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
         };
     }
     let (growth, _) = check_growth(&continuous);
-    let exact = |name| Outcome::not_checked(name, "the law is exact in samples, at any period");
+    let held = spec.model_in_samples().is_some();
+    let exact = |name| {
+        let reason = match held {
+            true => "`loop` bounds what the period leaves of a model that is not linear",
+            false => "the law is exact in samples, at any period",
+        };
+        Outcome::not_checked(name, reason)
+    };
     let mut spec = spec.clone();
     let known = |spec: &Spec, p: &Parameter| spec.fixed.contains_key(p);
     let open = spec.parameters().into_iter().find(|p| *p != Parameter::UMax && !known(&spec, p));
@@ -41,14 +48,15 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
         None => looped(&mut spec),
     };
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
-    let outcomes = vec![
+    let mut outcomes = vec![
         membership(&continuous),
-        growth,
+        of_chain(&continuous, growth),
         exact("sampling"),
         exact("deadline"),
         looped,
         lacks("envelope"),
     ];
+    outcomes.extend(zeros::outcome(&continuous));
     Report { spec, expanded: None, outcomes, greatest: None, worst }
 }
 

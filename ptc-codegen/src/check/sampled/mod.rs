@@ -16,6 +16,7 @@ mod gain;
 mod gains;
 mod judge;
 mod margins;
+mod model;
 mod outcome;
 #[cfg(feature = "lab")]
 mod proved;

@@ -28,6 +28,9 @@ pub(super) fn outcome_of(
     expanded: Option<&Expanded>,
     way: bool,
 ) -> (Outcome, Option<Worst>) {
+    if let Some(model) = spec.model_in_samples() {
+        return (super::model::outcome(spec, model), None);
+    }
     let limited =
         spec.fixed.get(&Parameter::UMax).is_some_and(|limit| !matches!(limit, Fixed::Infinite));
     let eps = spec.fixed.contains_key(&Parameter::Eps);
@@ -228,7 +231,10 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
     let noise = bound.noise.iter().zip(1..).map(|(part, j)| (noise_of(spec, j), *part));
     let others = [
         ("u_step", bound.actuator),
-        ("f", bound.force),
+        (
+            if spec.model_in_samples().is_some() { "f + g u between samples" } else { "f" },
+            bound.force,
+        ),
         ("g", bound.gain),
         ("jitter", bound.jitter),
     ];
@@ -240,7 +246,7 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
 }
 
 /// Where the worst case of a state comes from.
-fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
+pub(super) fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     let bound = &worst.states[i];
     let parts = causes(spec, bound);
     let parts: Vec<_> =

@@ -8,6 +8,7 @@
 use astro_float_num::Consts;
 
 use crate::algebra::BigRational;
+use crate::expression::Function;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::parameter::Precision;
@@ -144,7 +145,9 @@ impl<'a> Enclosure<'a> {
                     Range::from(&Interval::from(range).call(function, cache))
                 };
                 let cache = &mut self.cache;
-                Some(called(on(a.exact, cache), on(a.emitted(), cache), unit))
+                let (exact, near) = (on(a.exact, cache), on(a.emitted(), cache));
+                let moved = steepest(function, a.emitted(), near).map(|slope| up(slope * a.error));
+                Some(called(exact, near, moved, unit))
             }
             Op::Pow(a, b) => {
                 let (a, b) = (at(*a)?, at(*b)?);
@@ -155,7 +158,11 @@ impl<'a> Enclosure<'a> {
                     Range::from(&Interval::from(a).power(&Interval::from(b), cache))
                 };
                 let cache = &mut self.cache;
-                Some(called(on(a.exact, b.exact, cache), on(a.emitted(), b.emitted(), cache), unit))
+                let near = on(a.emitted(), b.emitted(), cache);
+                // d(a^b)/da = b a^b/a.
+                let slope = (b.emitted() * near / a.emitted()).size().high();
+                let moved = (b.error == 0.0).then(|| up(slope * a.error));
+                Some(called(on(a.exact, b.exact, cache), near, moved, unit))
             }
             Op::Law(_)
             | Op::Rows { .. }
@@ -201,8 +208,28 @@ pub(super) fn quotient(a: Rounded, b: Rounded, unit: f64) -> Option<Rounded> {
     Some(Rounded { exact, error: up(inherited + up(unit * size)) })
 }
 
-/// A library function: `exact` for the exact operand, `near` for all operands the code may have.
-fn called(exact: Range, near: Range, unit: f64) -> Rounded {
+/// A library function: `exact` for the exact operand, `near` for all operands the code may have, and what the
+/// error of the operand makes of it, if that is known.
+fn called(exact: Range, near: Range, moved: Option<f64>, unit: f64) -> Rounded {
     let width = (Range::from(near.high()) - Range::from(near.low())).high();
-    Rounded { exact, error: up(width + up(2.0 * LIBRARY * unit * near.size().high())) }
+    let inherited = moved.filter(|moved| *moved < width).unwrap_or(width);
+    Rounded { exact, error: up(inherited + up(2.0 * LIBRARY * unit * near.size().high())) }
+}
+
+/// The greatest |slope| of a function on operands, of which `near` are the values; `None` where it has none
+/// that is found here.
+fn steepest(function: Function, operands: Range, near: Range) -> Option<f64> {
+    let one = Range::from(1.0);
+    let slope = match function {
+        Function::Abs | Function::Sin | Function::Cos | Function::Tanh | Function::Atan => one,
+        Function::Exp => near,
+        Function::Ln => one / operands,
+        Function::Sqrt => one / (Range::from(2.0) * near),
+        Function::Tan => one + near.square(),
+        // cosh <= 1 + |sinh|, and |sinh| <= cosh.
+        Function::Sinh => one + near.size(),
+        Function::Cosh => near,
+        Function::Sign | Function::Atanh => return None,
+    };
+    Some(slope.size().high()).filter(|slope| slope.is_finite())
 }

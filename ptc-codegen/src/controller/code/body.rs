@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::ToPrimitive;
 
-use crate::code::{Expr, Operator, Shape, Solve, Statement, Test};
+use crate::code::{Expr, Shape, Solve, Statement};
 use crate::controller::plan::{Plan, Routine, parameter_name};
 use crate::expression::Function;
 use crate::internal::fault;
@@ -230,30 +230,8 @@ impl Writer<'_> {
     }
 
     fn operation(&mut self, op: &Op) -> Expr {
-        let mut value = |v: &Value| self.expression(*v);
-        match op {
-            Op::Number(number) => Expr::Number(number.clone()),
-            Op::Neg(a) => Expr::Neg(Box::new(value(a))),
-            Op::Add(a, b) => Expr::binary(Operator::Add, value(a), value(b)),
-            Op::Sub(a, b) => Expr::binary(Operator::Sub, value(a), value(b)),
-            Op::Mul(a, b) => Expr::binary(Operator::Mul, value(a), value(b)),
-            Op::Fused(a, b, c) => Expr::Fused(Box::new([value(a), value(b), value(c)])),
-            Op::Div(a, b) => Expr::binary(Operator::Div, value(a), value(b)),
-            Op::Quotient(a, b) => Expr::Quotient(Box::new(value(a)), Box::new(value(b))),
-            Op::Max(a, b) => Expr::choose(Test::Less(value(a), value(b)), value(b), value(a)),
-            Op::Min(a, b) => Expr::choose(Test::Less(value(a), value(b)), value(a), value(b)),
-            Op::Call(function, a) => Expr::Call(*function, Box::new(value(a))),
-            Op::Pow(a, b) => Expr::Pow(Box::new(value(a)), Box::new(value(b))),
-            // The pass `chains` has written powers out, and the caller handles the rest.
-            Op::Power(..)
-            | Op::Input(_)
-            | Op::Law(_)
-            | Op::Rows { .. }
-            | Op::Elimination { .. }
-            | Op::Element(..)
-            | Op::Unknown
-            | Op::Root(_) => fault(format!("{op:?} is not a part of an expression")),
-        }
+        Expr::of(op, &mut |value| self.expression(*value))
+            .unwrap_or_else(|| fault(format!("{op:?} is not a part of an expression")))
     }
 
     fn root(&mut self, root: &Root) -> Expr {

@@ -135,11 +135,12 @@ impl<'a> Reader<'a> {
         let coupled = self.coupled();
         let orders = coupled.as_ref().map(Coupled::orders);
         let first = orders.as_ref().and_then(|orders| orders.first().copied());
-        let degree = model.as_ref().map(|Read { model, .. }| match samples {
+        let whole = samples && model.as_ref().is_some_and(|read| self.is_linear(&read.model));
+        let degree = model.as_ref().map(|Read { model, .. }| match whole {
             true => model.states.len(),
             false => model.coordinates.len(),
         });
-        let n = self.order(degree.or(first), samples);
+        let n = self.order(degree.or(first), whole);
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
         let highest = orders.as_ref().and_then(|orders| orders.iter().copied().max());
@@ -179,7 +180,8 @@ impl<'a> Reader<'a> {
         };
         let promises = self.promises(n, states);
         // A sample of delay is a state more.
-        let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
+        let keeps = samples && (whole || model.is_none());
+        let late = promises.delay.as_ref().filter(|_| keeps).map_or(0, Delay::inputs);
         let orders = (n.map(|n| n + late), order + late);
         let of_model = model.as_ref().map(|read| &read.model);
         let law = self.law(orders, late, &known, (of_model, coupled.as_ref()));
@@ -245,7 +247,7 @@ impl<'a> Reader<'a> {
         self.parameters(&mut spec, complete);
         self.reference_exists(&spec);
         match samples {
-            true if spec.model.is_some() || spec.coupled.is_some() => {}
+            true if whole || spec.coupled.is_some() => {}
             true => self.sampled(&mut spec),
             false => self.not_sampled(&spec),
         }
@@ -286,8 +288,9 @@ impl<'a> Reader<'a> {
         self.found.push("missing-key", key, None, message, format!("give {legal}"));
     }
 
-    /// The order, which is `degree` where the plant has a model: in samples as many states as it has.
-    fn order(&mut self, degree: Option<usize>, samples: bool) -> Option<usize> {
+    /// The order, which is `degree` where the plant has a model: if it comes to rest as a `whole`, as many
+    /// states as it has.
+    fn order(&mut self, degree: Option<usize>, whole: bool) -> Option<usize> {
         let Some(node) = self.keys.get("n").copied() else {
             // The matrix of a plant has an order.
             let rows = self.keys.get("A").map(|node| items(node).len());
@@ -314,7 +317,7 @@ impl<'a> Reader<'a> {
         if let (Some(n), Some(degree)) =
             (n, degree.filter(|degree| n.is_some_and(|n| n != *degree)))
         {
-            let message = match samples {
+            let message = match whole {
                 true => format!("n = {n}, but the model has {}", counted(&degree, "state")),
                 false => format!("n = {n}, but the relative degree of the output is {degree}"),
             };

@@ -8,7 +8,9 @@ mod inputs;
 mod parameters;
 mod search;
 
-use crate::code::{Branch, Code, Status, Test};
+use crate::code::{Branch, Code, Expr, Status, Test};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::Function;
 use crate::request::Spec;
 
 /// A call of `step`, or of `update`, and of the functions that give the estimates.
@@ -61,7 +63,21 @@ pub struct SelfTest {
 
 impl SelfTest {
     /// The self-test of a controller in samples, or of an observer alone, by its program.
-    pub fn new(spec: &Spec, code: &Code) -> Self {
+    ///
+    /// # Errors
+    /// That it calls a function of a mathematical library, whose last bits differ.
+    pub fn new(spec: &Spec, code: &Code) -> Result<Self, Vec<Diagnostic>> {
+        if let Some(function) = library_function(code) {
+            let mut found = Diagnostics::default();
+            found.push(
+                "unsupported",
+                "dynamics",
+                None,
+                format!("a self-test in samples compares every bit, and the model calls {function}, whose last bits differ by library"),
+                "run the emitted step beside `simulate`, or take a clock in time, whose self-test has tolerances",
+            );
+            found.finish(Some(()))?;
+        }
         let mut search = search::Search::new(spec, code);
         search.round();
         search.parameters();
@@ -79,6 +95,18 @@ impl SelfTest {
             },
             condition: branch.condition,
         });
-        Self { sessions, refused, untaken: untaken.collect() }
+        Ok(Self { sessions, refused, untaken: untaken.collect() })
     }
+}
+
+/// A function in the code whose result is not that of IEEE 754.
+fn library_function(code: &Code) -> Option<&'static str> {
+    let mut found = None;
+    code.visit(&mut |e| match e {
+        Expr::Call(Function::Sqrt | Function::Abs | Function::Sign, _) => {}
+        Expr::Call(function, _) => found = found.or(Some(function.name())),
+        Expr::Pow(..) => found = found.or(Some("pow")),
+        _ => {}
+    });
+    found
 }

@@ -2,8 +2,9 @@
 
 use super::super::Draw;
 use super::super::overflow::least;
+use crate::algebra::BigRational;
 use crate::parameter::{Domain, Parameter};
-use crate::program::number::settle;
+use crate::program::number::{round, settle};
 use crate::request::Spec;
 
 /// The samples of a round, where they are open and need no more.
@@ -42,9 +43,25 @@ impl<'a> Sets<'a> {
                 let all = c.powi(i32::try_from(self.order).unwrap_or(1));
                 (1..i).fold(all, |k, j| k * number(self.order + 1 - j) / (number(j) * c))
             }
+            Parameter::Named(_) => match self.ends(parameter) {
+                Some((least, greatest)) => 0.5 * least + 0.5 * greatest,
+                // A model may divide by it.
+                None => f64::from(u8::from(self.spec.model.is_some())),
+            },
             _ => 0.0,
         };
         settle(value, self.spec.precision)
+    }
+
+    /// The bounds that the user gave a parameter, else the ends of its domain.
+    fn ends(&self, parameter: Parameter) -> Option<(f64, f64)> {
+        let bounds = self.spec.bounds.get(&parameter);
+        let bounds =
+            bounds.and_then(|(least, greatest)| Some((least.number()?, greatest.number()?)));
+        let rounded = |bound: &BigRational| round(bound, self.spec.precision);
+        bounds
+            .map(|(least, greatest)| (rounded(least), rounded(greatest)))
+            .or(self.spec.ends(parameter))
     }
 
     /// Sets that are legal and decide otherwise: u bounded, gains held, deadbeat where it is said.
@@ -105,7 +122,7 @@ impl<'a> Sets<'a> {
             -most,
             least(self.spec),
         ];
-        if let Some((least, greatest)) = self.spec.ends(parameter) {
+        if let Some((least, greatest)) = self.ends(parameter) {
             values.extend([0.75 * least, least, greatest, 1.25 * greatest]);
         }
         values
@@ -126,7 +143,7 @@ impl<'a> Sets<'a> {
                 Domain::Finite => draw.of(&[-1.0, 1.0]),
                 _ => 1.0,
             };
-            let ends = self.spec.ends(*parameter).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            let ends = self.ends(*parameter).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             *value = settle(sign * size, self.spec.precision).max(ends.0).min(ends.1);
         }
         set

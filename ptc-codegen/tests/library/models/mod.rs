@@ -6,6 +6,7 @@ mod closed_loop;
 mod coupled;
 mod divisors;
 pub(crate) mod in_c;
+mod in_samples;
 mod laws;
 mod mistakes;
 #[cfg(feature = "lab")]

@@ -1,4 +1,5 @@
-//! A linear model whose clock is in samples: the same plant as A, B and C.
+//! A model whose clock is in samples: a linear one is the same plant as A, B and C, any other is
+//! measured whole, and known at the samples alone.
 
 use num_traits::Zero;
 
@@ -10,7 +11,7 @@ use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
 use crate::model::Model;
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::request::{Entry, MAX_ORDER};
+use crate::request::{Entry, MAX_ORDER, Spec, What};
 use crate::syntax::{Node, Value};
 
 /// The keys that A, B and C stand for.
@@ -20,7 +21,8 @@ const REPLACED: [&str; 5] = ["states", "input", "output", "dynamics", "measured"
 type Refusal = (&'static str, Option<Place>, String, String);
 
 /// What is legal.
-const LEGAL: &str = "a clock in samples takes rates and an output that are sums of numbers times states and input; leave `clock` out for any other model";
+const LEGAL: &str =
+    "a clock in samples takes a linear model with rational numbers; leave `clock` out for this one";
 
 /// An expression as a row: its slopes by the states and by the input.
 struct Row {
@@ -102,10 +104,57 @@ impl Reader<'_> {
         }
     }
 
-    /// Reports why a model has no clock in samples.
-    pub(in crate::request::read) fn not_linear(&mut self, model: &Model) {
+    /// Whether a model is linear in the states and the input, whatever its parameters are.
+    pub(in crate::request::read) fn is_linear(&self, model: &Model) -> bool {
+        self.curved(model).is_none()
+    }
+
+    /// What of a model is not linear, with a slope that shows it.
+    fn curved(&self, model: &Model) -> Option<String> {
+        let values = self.fixed_names();
+        let moves = |e: &Expression| e.any(&|part| part.variable().is_some());
+        let of_states = (1..=model.states.len()).map(Variable::State);
+        let variables: Vec<_> = of_states.chain([Variable::Control]).collect();
+        let rates = model.states.iter().map(|state| format!("{state}'")).zip(&model.dynamics);
+        let mut all = rates.chain([("the output".to_owned(), &model.output)]);
+        all.find_map(|(name, e)| {
+            let valued = e.known(&|p| values.get(&p).cloned());
+            let slope = |by: &Variable| normal(&valued.derivative(*by));
+            let (by, slope) = variables.iter().map(|by| (by, slope(by))).find(|(_, s)| moves(s))?;
+            let [by, slope] = [&(*by).into(), &slope].map(|e| model.text(e));
+            let text = model.text(e);
+            Some(format!("{name} = {text} is not linear: its slope by {by} is {slope}"))
+        })
+    }
+
+    /// Reports why a linear model has no clock in samples.
+    pub(super) fn not_sampled_exactly(&mut self, model: &Model) {
         for (key, place, message, help) in self.linear_rows(model).err().unwrap_or_default() {
             self.found.push("bad-model", key, place, message, help);
+        }
+    }
+
+    /// Refuses what is sampled exactly in a linear model alone.
+    pub(super) fn is_measured_whole(&mut self, spec: &Spec, model: &Model) {
+        let why = self.curved(model).unwrap_or_default();
+        let names: Vec<_> = model.states.iter().map(|state| state.text()).collect();
+        let all = self.keys.get("measured").is_none_or(|node| {
+            items(node).iter().map(|item| word(item).unwrap_or_default()).eq(names.iter().copied())
+        });
+        let keeps = self.keys.get("disturbance").is_some_and(|node| word(node) != Some("none"));
+        let late = spec.promises.delay.as_ref().is_some_and(|delay| delay.samples() > 0.0);
+        for (key, wrong, what) in [
+            ("measured", !all, "an observer"),
+            ("disturbance", keeps, "an observer"),
+            ("what", spec.what == What::Observer, "an observer"),
+            ("delay", late, "the prediction over a delay"),
+        ] {
+            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
+                let message = format!("{what} needs a linear model: {why}");
+                let help =
+                    format!("leave `{key}` out: `step` takes all states, {}", names.join(", "));
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
         }
     }
 

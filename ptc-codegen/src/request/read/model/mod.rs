@@ -78,8 +78,10 @@ impl Reader<'_> {
     /// Refuses what has no meaning beside a model.
     pub(super) fn fits_model(&mut self, spec: &Spec, samples: bool) {
         let Some(model) = &spec.model else { return };
-        if samples {
-            self.not_linear(model);
+        match samples {
+            true if self.is_linear(model) => self.not_sampled_exactly(model),
+            true => self.is_measured_whole(spec, model),
+            false => {}
         }
         let of_state = |e: &Expression| matches!(e.variable(), Some(Variable::State(_)));
         let knows_states = spec.laws().any(|law| law.any(&of_state));

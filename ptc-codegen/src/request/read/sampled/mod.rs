@@ -74,7 +74,8 @@ impl Reader<'_> {
         self.has_no_meaning(spec);
         self.period(spec);
         let a = spec.fixed.get(&Parameter::A).and_then(Fixed::number).cloned();
-        let late = spec.promises.delay.clone().unwrap_or_default();
+        // That of a model is refused.
+        let late = spec.promises.delay.clone().filter(|_| spec.model.is_none()).unwrap_or_default();
         let delay = late.inputs();
         if delay > MAX_KEPT || spec.n + delay > MAX_ORDER {
             let place = self.keys.get("delay").map(|node| node.place);
@@ -92,16 +93,19 @@ impl Reader<'_> {
         if linear.is_none() && self.keys.contains_key("A") {
             return;
         }
-        let gain = match linear.is_some() {
+        let gain = match linear.is_some() || spec.model.is_some() {
             true => integer(1),
             false => self.gain(spec),
         };
-        self.force_is_constant(spec);
+        if spec.model.is_none() {
+            self.force_is_constant(spec);
+        }
         let (measured, estimates, blocks) = match linear {
             Some((ref plant, ref blocks)) => {
                 let estimates: usize = blocks.iter().sum();
                 (plant.c.len(), (estimates > 0).then_some(estimates), blocks.clone())
             }
+            None if spec.model.is_some() => (spec.states(), None, Vec::new()),
             None => {
                 let measured = self.measured(spec.n);
                 let estimates = spec.n + 1 - measured + usize::from(disturbance);

@@ -1,0 +1,33 @@
+//! Operations of the staged program as expressions.
+
+use super::{Expr, Operator, Test};
+use crate::program::{Op, Value};
+
+impl Expr {
+    /// An operation on values that `value` gives, as it stands; `None` for what is no part of an expression.
+    pub fn of(op: &Op, value: &mut dyn FnMut(&Value) -> Self) -> Option<Self> {
+        Some(match op {
+            Op::Number(number) => Self::Number(number.clone()),
+            Op::Neg(a) => Self::Neg(Box::new(value(a))),
+            Op::Add(a, b) => Self::binary(Operator::Add, value(a), value(b)),
+            Op::Sub(a, b) => Self::binary(Operator::Sub, value(a), value(b)),
+            Op::Mul(a, b) => Self::binary(Operator::Mul, value(a), value(b)),
+            Op::Fused(a, b, c) => Self::Fused(Box::new([value(a), value(b), value(c)])),
+            Op::Div(a, b) => Self::binary(Operator::Div, value(a), value(b)),
+            Op::Quotient(a, b) => Self::Quotient(Box::new(value(a)), Box::new(value(b))),
+            Op::Max(a, b) => Self::choose(Test::Less(value(a), value(b)), value(b), value(a)),
+            Op::Min(a, b) => Self::choose(Test::Less(value(a), value(b)), value(a), value(b)),
+            Op::Call(function, a) => Self::Call(*function, Box::new(value(a))),
+            Op::Pow(a, b) => Self::Pow(Box::new(value(a)), Box::new(value(b))),
+            // The pass `chains` has written powers out, and the caller handles the rest.
+            Op::Power(..)
+            | Op::Input(_)
+            | Op::Law(_)
+            | Op::Rows { .. }
+            | Op::Elimination { .. }
+            | Op::Element(..)
+            | Op::Unknown
+            | Op::Root(_) => return None,
+        })
+    }
+}

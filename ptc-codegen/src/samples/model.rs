@@ -1,0 +1,131 @@
+//! A model that is not linear, at a sample: its chain x1..xn before the law, and u after it.
+//!
+//! The law is exact for a chain that w moves. With u = (w - f)/g of the states at a sample the last rate of the
+//! chain is w there, and w + (f + g u) - (f + g u at the sample) behind it: what is not held moves x_i by
+//! O(h^(n+2-i)) in a sample.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::controller::Builder;
+use crate::code::{Expr, Shape, Statement};
+use crate::expression::Function;
+use crate::internal::fault;
+use crate::lower::at_sample;
+use crate::program::{Input, Op, Program, Stage, Value, passes};
+
+/// What is computed of the model so far.
+pub(super) struct AtSample {
+    program: Program,
+    /// Users of each value.
+    uses: BTreeMap<Value, usize>,
+    known: BTreeMap<Value, Expr>,
+    /// All that has been known, given away or not.
+    done: BTreeSet<Value>,
+    /// How many have a name of their own.
+    named: usize,
+}
+
+impl AtSample {
+    /// Of the model of the builder's spec.
+    pub(super) fn new(builder: &Builder<'_>) -> Self {
+        let program = passes::optimise(at_sample(builder.spec), &mut |_, _| {});
+        let mut uses: BTreeMap<_, usize> = BTreeMap::new();
+        let roots = || program.watched.iter().chain([&program.step]);
+        roots().for_each(|root| *uses.entry(*root).or_default() += 1);
+        for value in program.needed(&roots().copied().collect::<Vec<_>>()) {
+            let op = &program.get(value).op;
+            // What is written with its operand twice.
+            let times = match op {
+                Op::Max(..) | Op::Min(..) | Op::Quotient(..) | Op::Call(Function::Sign, _) => 2,
+                _ => 1,
+            };
+            for operand in op.operands() {
+                *uses.entry(operand).or_default() += times;
+            }
+        }
+        Self { program, uses, known: BTreeMap::new(), done: BTreeSet::new(), named: 0 }
+    }
+
+    /// Statements that set x1..xn.
+    pub(super) fn chain(&mut self, builder: &mut Builder<'_>) -> Vec<Statement> {
+        let roots = self.program.watched.clone();
+        let mut body = self.body(builder, &roots);
+        for (j, root) in (1..).zip(roots) {
+            let (name, value) = (format!("x{j}"), self.expression(root));
+            if value != Expr::local(&name) {
+                body.push(Statement::Let(name, Shape::Real, value));
+            }
+        }
+        body
+    }
+
+    /// Statements before u, and u, from the local value w.
+    pub(super) fn input(&mut self, builder: &mut Builder<'_>) -> (Vec<Statement>, Expr) {
+        let root = self.program.step;
+        (self.body(builder, &[root]), self.expression(root))
+    }
+
+    /// What stands for a value. That of the only user is given away: the terms of a sum would be copied
+    /// with each term that is added.
+    fn expression(&mut self, value: Value) -> Expr {
+        let known = match self.uses.get(&value) {
+            Some(1) => self.known.remove(&value),
+            _ => self.known.get(&value).cloned(),
+        };
+        known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
+    }
+
+    /// Statements of what `roots` need and is not known yet.
+    fn body(&mut self, builder: &mut Builder<'_>, roots: &[Value]) -> Vec<Statement> {
+        let mut body = Vec::new();
+        for value in self.program.needed(roots) {
+            if self.done.insert(value) {
+                let known = self.value(builder, value, &mut body);
+                self.known.insert(value, known);
+            }
+        }
+        body
+    }
+
+    fn value(
+        &mut self,
+        builder: &mut Builder<'_>,
+        value: Value,
+        body: &mut Vec<Statement>,
+    ) -> Expr {
+        let definition = self.program.get(value);
+        let (op, stage) = (definition.op.clone(), definition.stage);
+        let expression = match &op {
+            Op::Input(Input::State(j)) => Expr::Element("x".to_owned(), j - 1),
+            Op::Input(Input::Control) => return Expr::local("w"),
+            Op::Input(Input::Parameter(parameter)) => {
+                let given = builder.parameter(*parameter);
+                let name = format!("p_{}", parameter.spelling());
+                return builder.keep(&name, parameter.meaning(), given);
+            }
+            Op::Number(number) => return Expr::Number(number.clone()),
+            op => Expr::of(op, &mut |operand| self.expression(*operand))
+                .unwrap_or_else(|| fault(format!("{op:?} of a model at a sample"))),
+        };
+        if stage <= Stage::Init {
+            self.named += 1;
+            return builder.keep(
+                &format!("c{}", self.named),
+                "derived from the parameters",
+                expression,
+            );
+        }
+        let name = match self.program.watched.iter().position(|watched| *watched == value) {
+            Some(place) => format!("x{}", place + 1),
+            None if self.uses.get(&value).is_some_and(|uses| *uses > 1)
+                && !matches!(op, Op::Input(_)) =>
+            {
+                self.named += 1;
+                format!("v{}", self.named)
+            }
+            None => return expression,
+        };
+        body.push(Statement::Let(name.clone(), Shape::Real, expression));
+        Expr::local(name)
+    }
+}
