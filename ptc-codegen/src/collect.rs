@@ -1,7 +1,7 @@
-//! Maps that are filled entry by entry: `collect` compiles a sort for each kind of iterator, for which the page
-//! of the explorer has no room.
+//! Maps and sets that are filled entry by entry: `collect` compiles a sort for each kind of entry, for which the
+//! page of the explorer has no room.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The entries as a map, the last one of a key.
 pub(crate) fn map<K: Ord, V>(entries: impl IntoIterator<Item = (K, V)>) -> BTreeMap<K, V> {
@@ -10,4 +10,13 @@ pub(crate) fn map<K: Ord, V>(entries: impl IntoIterator<Item = (K, V)>) -> BTree
         map.insert(key, value);
     }
     map
+}
+
+/// The values as a set.
+pub(crate) fn set<T: Ord>(values: impl IntoIterator<Item = T>) -> BTreeSet<T> {
+    let mut set = BTreeSet::new();
+    for value in values {
+        set.insert(value);
+    }
+    set
 }

@@ -304,7 +304,7 @@ impl Poly {
 
     /// Every symbol that occurs, in order.
     pub fn symbols(&self) -> std::collections::BTreeSet<Symbol> {
-        self.0.keys().flat_map(|m| m.factors().iter().map(|(s, _)| *s)).collect()
+        crate::collect::set(self.0.keys().flat_map(|m| m.factors().iter().map(|(s, _)| *s)))
     }
 }
 

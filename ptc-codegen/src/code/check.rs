@@ -10,6 +10,7 @@ use super::{
     Statement, Variable,
 };
 use crate::algebra::BigRational;
+use crate::collect::set;
 use crate::program::number;
 
 /// What the statements of one function have seen so far.
@@ -152,7 +153,7 @@ impl Code {
 }
 
 fn names(variables: &[Variable]) -> BTreeSet<&str> {
-    variables.iter().map(|variable| variable.name.as_str()).collect()
+    set(variables.iter().map(|variable| variable.name.as_str()))
 }
 
 impl Seen<'_> {

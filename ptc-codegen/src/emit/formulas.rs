@@ -1,10 +1,9 @@
 //! The mathematics in the head of an emitted file: the mapping, its closed forms and the law.
 
-use std::collections::BTreeSet;
-
 use super::Controller;
 use super::declared::linear;
 use crate::algebra::{self, Kind, Poly, Symbol};
+use crate::collect::set;
 use crate::expansion::{self, Expanded};
 use crate::expression::{Expression, Subject};
 use crate::family::FamilyInfo;
@@ -280,7 +279,7 @@ fn definitions(
     rows: &[Poly],
     values: &[(Symbol, Expression)],
 ) -> Vec<String> {
-    let used: BTreeSet<Symbol> = rows.iter().flat_map(Poly::symbols).chain(base_inverse).collect();
+    let used = set(rows.iter().flat_map(Poly::symbols).chain(base_inverse));
     let definition = |s: Symbol| {
         let own = values.iter().find(|(own, _)| *own == s && s.kind != Kind::Kernel);
         let meaning = match own {

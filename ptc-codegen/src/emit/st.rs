@@ -69,7 +69,7 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
         );
     }
     let mut seen = BTreeSet::new();
-    for key in spec.run_time_parameters().map(Parameter::key).collect::<BTreeSet<_>>() {
+    for key in crate::collect::set(spec.run_time_parameters().map(Parameter::key)) {
         if !seen.insert(key.to_lowercase()) {
             found.push(
                 "reserved-name",

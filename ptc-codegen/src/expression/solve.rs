@@ -1,14 +1,13 @@
 //! The closed-form inverse of an expression in which the unknown occurs once, or in one power of a
 //! fraction that is linear above and below its bar.
 
-use std::collections::BTreeSet;
-
 use num_traits::ToPrimitive;
 
 use super::field::{Field, Kernel};
 use super::ratio::{Ratio, content};
 use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
+use crate::collect::set;
 use crate::limits::ROOT;
 
 /// The `unknown` for which `expression` is `target`, where undoing one operation after the other
@@ -48,11 +47,10 @@ pub(crate) fn unravel(
     let (power, raised) = without_roots(&field, &ratio)?;
     let (over, under) = (raised.num.clone(), raised.denominator()?);
     let moves = |s: &Symbol| contains(&field, *s, unknown);
-    let moving: BTreeSet<_> =
-        over.symbols().into_iter().chain(under.symbols()).filter(moves).collect();
+    let moving = set(over.symbols().into_iter().chain(under.symbols()).filter(moves));
     let [z] = moving.into_iter().collect::<Vec<_>>()[..] else { return None };
     let (over, under) = (over.collect(z), under.collect(z));
-    let exponents: BTreeSet<i32> = over.keys().chain(under.keys()).copied().collect();
+    let exponents = set(over.keys().chain(under.keys()).copied());
     let [low, high] = exponents.into_iter().collect::<Vec<_>>()[..] else { return None };
     let part = |side: &std::collections::BTreeMap<i32, Poly>, exponent| {
         field.sum_of(&vec![Ratio::of(side.get(&exponent).cloned().unwrap_or_default())])

@@ -166,7 +166,7 @@ fn lower_row(
         Some(square) => {
             let part = |parity| {
                 let part = coefficients.iter().filter(|(e, _)| **e % 2 == parity);
-                part.map(|(e, value)| (e / 2, *value)).collect::<BTreeMap<_, _>>()
+                crate::collect::map(part.map(|(e, value)| (e / 2, *value)))
             };
             let (even, odd) = (part(0), part(1));
             let odd = horner(b, &odd, square).map(|odd| b.mul(odd, variable));

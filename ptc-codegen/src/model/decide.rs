@@ -1,7 +1,5 @@
 //! Whether an expression is 0 for all states and parameters.
 
-use std::collections::BTreeSet;
-
 use super::Values;
 use crate::algebra::BigRational;
 use crate::expression::enclosure::{Evaluator, Existence, Names};
@@ -70,7 +68,7 @@ fn has_pivots(mut a: Vec<Interval>, m: usize) -> bool {
 
 /// The names of some expressions: their parameters, states and input.
 fn names(forms: &[Expression]) -> Vec<Expression> {
-    let parameters: BTreeSet<_> = forms.iter().flat_map(Expression::parameters).collect();
+    let parameters = crate::collect::set(forms.iter().flat_map(Expression::parameters));
     let variables = (1..=crate::limits::STATES.size()).map(Variable::State);
     let variables = variables.chain([Variable::Control]);
     let variables = variables.filter(|v| forms.iter().any(|form| form.contains(*v)));

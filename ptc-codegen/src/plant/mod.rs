@@ -29,6 +29,7 @@ pub use axes::as_one;
 pub(crate) use force::{Bounded, force};
 pub use read::{read, read_partly};
 
+use crate::collect::set;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::model::Inverse;
@@ -141,9 +142,9 @@ impl Plant {
 
     /// The symbols of the plant that are no parameters of its controller.
     pub fn symbols(&self, spec: &Spec) -> BTreeSet<Parameter> {
-        let of_controller: BTreeSet<_> = spec.parameters().into_iter().collect();
+        let of_controller = spec.parameters();
         let used = self.expressions().flat_map(Expression::parameters);
-        used.filter(|parameter| !of_controller.contains(parameter)).collect()
+        set(used.filter(|parameter| !of_controller.contains(parameter)))
     }
 
     /// Whether it is a chain of integrators, with f and g.

@@ -18,9 +18,10 @@ pub use read::{Entry, read};
 pub(crate) use read::{items, known};
 pub use sampled::{Observer, Sampled};
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::algebra::BigRational;
+use crate::collect::set;
 use crate::expression::{Expression, Variable};
 use crate::family::Family;
 use crate::mapping::{Custom, Mapping, TimeMapping};
@@ -352,7 +353,7 @@ impl Spec {
 
     /// The user's parameters that occur in its expressions.
     fn named_parameters(&self) -> impl Iterator<Item = Parameter> {
-        let named: BTreeSet<_> = self.expressions().flat_map(Expression::parameters).collect();
+        let named = set(self.expressions().flat_map(Expression::parameters));
         named.into_iter().filter(|p| matches!(p, Parameter::Named(_)))
     }
 

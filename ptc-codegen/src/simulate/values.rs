@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Failure;
+use crate::collect::map;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::plant::Plant;
 use crate::program::machine::Machine;
@@ -17,7 +18,7 @@ impl Values {
     /// What the design and the plant fix. The start is at 0 and u without a bound unless they say
     /// otherwise.
     pub fn of(spec: &Spec, plant: &Plant) -> Self {
-        let mut values = BTreeMap::from([
+        let mut values = map([
             (Parameter::StartTime, 0.0),
             (Parameter::UMax, f64::INFINITY),
             (Parameter::Deadbeat, 0.0),

@@ -1,7 +1,5 @@
 //! What a spec fixes, as exact numbers and as doubles.
 
-use std::collections::BTreeSet;
-
 use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigRational, integer};
@@ -194,7 +192,7 @@ pub(super) fn lacking(spec: &Spec) -> Option<String> {
         !matches!(p, Parameter::StartTime | Parameter::Eps | Parameter::UMax) && !is_known(spec, *p)
     };
     let of_plant = spec.drift.iter().chain(&spec.input_gain).chain(spec.derivative(0));
-    let of_plant: BTreeSet<_> = of_plant.flat_map(Expression::parameters).collect();
+    let of_plant = crate::collect::set(of_plant.flat_map(Expression::parameters));
     let open = spec.parameters().into_iter().filter(|p| !of_plant.contains(p)).find(needed)?;
     Some(match open {
         Parameter::Gain(_) => "gains or poles".to_owned(),

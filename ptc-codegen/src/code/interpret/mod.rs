@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use super::branch::Taken;
 use super::{Access, Code, Finish, Shape, Status, Variable};
+use crate::collect::map;
 use crate::internal::fault;
 use crate::parameter::{Parameter, Precision};
 use crate::program::number;
@@ -66,11 +67,9 @@ impl<'a> Instance<'a> {
         given: &[Argument<'_>],
         taken: Option<Taken>,
     ) -> (Result<Self, Status>, Option<Taken>) {
-        let mut fields: BTreeMap<&str, Held> = code
-            .fields
-            .iter()
-            .map(|field| (field.name.as_str(), held(field, &[f64::NAN], code.precision)))
-            .collect();
+        let unset =
+            |field: &'a Variable| (field.name.as_str(), held(field, &[f64::NAN], code.precision));
+        let mut fields = map(code.fields.iter().map(unset));
         let mut frame = Frame {
             precision: code.precision,
             fields: &mut fields,
@@ -221,5 +220,5 @@ fn bound<'b>(
         let values = given.iter().find(|(name, _)| *name == variable.name).map(|(_, v)| *v);
         (variable.name.as_str(), held(variable, values.unwrap_or_default(), precision))
     };
-    variables.iter().map(value).collect()
+    map(variables.iter().map(value))
 }

@@ -6,6 +6,7 @@ use super::{Pointer, comment, requires};
 use crate::code::{
     Access, Code, Ending, Expr, Finish, Function, Place, Shape, Statement, Status, Test,
 };
+use crate::collect::set;
 use crate::emit::code::{Notes, word};
 
 /// The contracts by function.
@@ -118,9 +119,9 @@ fn seen(code: &Code) -> Vec<&str> {
 
 /// The fields that a call changes.
 pub(in crate::emit) fn changed(code: &Code) -> BTreeSet<&str> {
-    let set = |statement| match statement {
+    let changed = |statement| match statement {
         &Statement::Set(Place::Field(ref name), _) => Some(name.as_str()),
         _ => None,
     };
-    code.functions.iter().flat_map(|function| function.body.iter().filter_map(set)).collect()
+    set(code.functions.iter().flat_map(|function| function.body.iter().filter_map(changed)))
 }

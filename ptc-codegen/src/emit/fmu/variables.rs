@@ -1,7 +1,5 @@
 //! The variables of an FMU: inputs, outputs, tunable parameters and constants.
 
-use std::collections::BTreeMap;
-
 use super::super::example::Example;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
@@ -58,7 +56,7 @@ impl Unit {
     /// The units of all variables, each once.
     pub(super) fn all(variables: &[Variable]) -> Vec<Self> {
         let exponents = variables.iter().filter_map(|v| v.exponent);
-        let units: BTreeMap<_, _> = exponents.map(|e| (-e, unit_name(e))).collect();
+        let units = crate::collect::map(exponents.map(|e| (-e, unit_name(e))));
         units.into_iter().map(|(e, name)| Self { name, exponent: -e }).collect()
     }
 }

@@ -7,13 +7,12 @@
 mod choice;
 mod values;
 
-use std::collections::BTreeSet;
-
 use choice::{Chosen, choose, degree, undivided};
 use values::{decay, inverse};
 
 use super::{Custom, Form, Mapping, Reciprocal};
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
+use crate::collect::set;
 use crate::expression::effort::bounded;
 use crate::expression::generator::{Clock, GENERATOR, Generated, common, generator};
 use crate::expression::{Expression, Function, Node, Subject, Variable, normal};
@@ -169,7 +168,7 @@ fn closure(
         base: constant.is_none().then_some((base, INVERSE_BASE)),
     };
     let polys = ring.derivations.iter().map(|(_, d)| d).chain([&ring.r1, denominator]);
-    let names: BTreeSet<Symbol> = polys.flat_map(Poly::symbols).collect();
+    let names = set(polys.flat_map(Poly::symbols));
     for symbol in names.into_iter().filter(|s| s.kind == Kind::Kernel) {
         values.push((symbol, generated.name(symbol)?));
     }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_traits::Zero;
 
 use super::{FixedValues, Reader, shown, suggestion};
+use crate::collect::set;
 use crate::diagnostic::{near_miss, shorten};
 use crate::expression::Expression;
 use crate::keys::KeyInfo;
@@ -38,8 +39,7 @@ impl Reader<'_> {
         // What a model has beside the law counts for its zero dynamics.
         let of_coupled = spec.coupled.iter().flat_map(|coupled| coupled.dynamics());
         let beside = spec.model.iter().flat_map(|model| &model.dynamics).chain(of_coupled);
-        let used: BTreeSet<_> =
-            spec.expressions().chain(beside).flat_map(Expression::parameters).collect();
+        let used = set(spec.expressions().chain(beside).flat_map(Expression::parameters));
         self.names_are_distinct(spec, &used);
         let own = spec.time_mapping.parameters();
         let legal: Vec<_> = used

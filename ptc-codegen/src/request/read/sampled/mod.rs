@@ -137,7 +137,7 @@ impl Reader<'_> {
         }
         spec.clock = Clock::Samples(Box::new(sampled));
         // Those of this clock have names of their own.
-        let used = spec.expressions().flat_map(Expression::parameters).collect();
+        let used = crate::collect::set(spec.expressions().flat_map(Expression::parameters));
         self.names_are_distinct(spec, &used);
         self.deadbeat(spec, spec.n + delay);
         if spec.what == What::Observer {
