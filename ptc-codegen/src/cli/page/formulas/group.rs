@@ -6,11 +6,11 @@ use ptc_codegen::request::Spec;
 use crate::cli::mathml::{Math, number, relation, variable};
 
 /// Formulas of one subject.
-pub(in crate::cli::page) struct Group {
-    pub(in crate::cli::page) title: &'static str,
+pub(crate) struct Group {
+    pub(crate) title: &'static str,
     /// What they are, in a sentence or two.
-    pub(in crate::cli::page) told: String,
-    pub(in crate::cli::page) formulas: Vec<Math>,
+    pub(crate) told: String,
+    pub(crate) formulas: Vec<Math>,
 }
 
 pub(super) fn minus(left: Math, right: Math) -> Math {
