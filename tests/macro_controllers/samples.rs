@@ -39,3 +39,43 @@ fn a_controller_in_samples_is_at_rest_at_its_sample() {
     assert!((stage.disturbance() - 0.2).abs() < 1e-9 && stage.estimate()[0].abs() < 1e-12);
     assert_eq!(stage.step(0, &[f64::NAN]), Err(Error::Input));
 }
+
+ptc::ptc_controller!(
+    name = Spring,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [-3, -4],
+    tau = 0.8,
+    sample_time = 0.02,
+    u_max = inf,
+    states = [q, w],
+    input = F,
+    output = q,
+    dynamics = [w, (2 + q ^ 2) * F - 5 * q ^ 3 - 1]
+);
+
+/// A model that is not linear: u = (w - f)/g, with the w of the deadbeat end of a chain, and rest within what
+/// f + g u moves between samples.
+#[test]
+fn a_model_that_is_not_linear_is_known_at_the_samples() {
+    let mut spring = Spring::new(SpringParams {}).expect("no parameter is left to run time");
+    spring.arm(7);
+    let (h, mut x) = (0.02, [0.6, -0.3]);
+    let rate = |x: [f64; 2], u: f64| [x[1], (2.0 + x[0] * x[0]) * u - 5.0 * x[0].powi(3) - 1.0];
+    for k in 0..40_u32 {
+        let Control { u, status } = spring.step(7 + k, &x).expect("a control");
+        assert_eq!(status, Status::Ok, "sample {k}");
+        if k >= 38 {
+            let wanted = -x[0] / (h * h) - 1.5 * x[1] / h;
+            let exact = (wanted + 5.0 * x[0].powi(3) + 1.0) / (2.0 + x[0] * x[0]);
+            assert!((u - exact).abs() < 1e-12, "{u} {exact}");
+        }
+        for _ in 0..64 {
+            let (first, s) = (rate(x, u), h / 64.0);
+            let middle = rate([x[0] + s / 2.0 * first[0], x[1] + s / 2.0 * first[1]], u);
+            x = [x[0] + s * middle[0], x[1] + s * middle[1]];
+        }
+    }
+    assert!(x[0].abs() < 1e-6 && x[1].abs() < 1e-4, "{x:?}");
+    assert_eq!(spring.step(0, &[0.0, f64::INFINITY]), Err(Error::Input));
+}

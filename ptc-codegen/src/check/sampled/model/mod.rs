@@ -175,6 +175,9 @@ fn judged(spec: &Spec, model: &Model, found: &Bounded) -> Outcome {
             n + 2
         ),
     ];
+    if !spec.fixed.contains_key(&Parameter::UMax) {
+        details.push("without a limit of u, which is left to run time".to_owned());
+    }
     details.extend((0..n).map(|i| split(spec, worst, i)));
     if let Some(way) = &worst.way {
         let x = list(way.x.iter().copied());

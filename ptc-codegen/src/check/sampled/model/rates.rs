@@ -136,7 +136,8 @@ impl<'a> Rates<'a> {
         let mut rates = self.on(&self.exact, &self.exact.watched[..2 + self.errors.len()])?;
         let mut force = 0.0_f64;
         for cell in &cells {
-            let found = rates.at(cell, u + step);
+            // What acts on the plant has been through the actuator and the true input gain.
+            let found = rates.at(cell, (1.0 + off) * (u + step));
             let exact = |i: usize| size(&found[i], |value| value.exact.size().high());
             let input = exact(1) * (inexact + step + off * (u + step));
             force = force.max(h * exact(0) + input + self.seen(&found[2..]));
