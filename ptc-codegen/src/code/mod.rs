@@ -19,7 +19,7 @@ pub use function::{Access, Axes, Callback, Ending, Finish, Function, Inputs, Own
 pub use interpret::{Argument, Called, Instance, Outcome};
 
 use crate::expression::Function as Call;
-use crate::parameter::Precision;
+use crate::parameter::{Parameter, Precision};
 use crate::program::{Root, number};
 
 /// Outcome of a call, with the words of the emitted interfaces.
@@ -310,5 +310,16 @@ impl Code {
     /// The function called `name`.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions.iter().find(|function| function.name == name)
+    }
+}
+
+/// Name of a parameter as a local value, in every language.
+pub(crate) fn parameter_name(parameter: Parameter) -> String {
+    match parameter {
+        Parameter::Gain(i) => format!("k{i}"),
+        Parameter::Rate(i) => format!("a{i}"),
+        // Apart from the names of the code itself.
+        Parameter::Named(name) => format!("p_{name}"),
+        parameter => parameter.key().to_owned(),
     }
 }

@@ -1,10 +1,12 @@
 //! Operations of the staged program as expressions.
 
 use super::{Expr, Operator, Test};
+use crate::expression::Function;
 use crate::program::{Op, Value};
 
 impl Expr {
-    /// An operation on values that `value` gives, as it stands; `None` for what is no part of an expression.
+    /// An operation on values that `value` gives, as it stands; `None` for what is no part of an expression, and
+    /// for a power, which the pass `chains` has written out.
     pub fn of(op: &Op, value: &mut dyn FnMut(&Value) -> Self) -> Option<Self> {
         Some(match op {
             Op::Number(number) => Self::Number(number.clone()),
@@ -19,15 +21,15 @@ impl Expr {
             Op::Min(a, b) => Self::choose(Test::Less(value(a), value(b)), value(a), value(b)),
             Op::Call(function, a) => Self::Call(*function, Box::new(value(a))),
             Op::Pow(a, b) => Self::Pow(Box::new(value(a)), Box::new(value(b))),
-            // The pass `chains` has written powers out, and the caller handles the rest.
-            Op::Power(..)
-            | Op::Input(_)
-            | Op::Law(_)
-            | Op::Rows { .. }
-            | Op::Elimination { .. }
-            | Op::Element(..)
-            | Op::Unknown
-            | Op::Root(_) => return None,
+            _ => return None,
         })
+    }
+
+    /// How often each operand is written where an operation is.
+    pub(crate) fn writes(op: &Op) -> usize {
+        match op {
+            Op::Max(..) | Op::Min(..) | Op::Quotient(..) | Op::Call(Function::Sign, _) => 2,
+            _ => 1,
+        }
     }
 }

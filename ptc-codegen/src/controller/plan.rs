@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::code::parameter_name;
 use crate::lower::Plant;
-use crate::parameter::Parameter;
 use crate::program::{Input, Op, Program, Stage, Value};
 
 /// The emitted functions that compute something.
@@ -166,17 +166,6 @@ impl<'a> Plan<'a> {
             _ => Phase::Call,
         };
         !self.is_literal(value) && Phase::of(self.program.get(value).stage) < own
-    }
-}
-
-/// Name of a parameter as a local value, in every language.
-pub(crate) fn parameter_name(parameter: Parameter) -> String {
-    match parameter {
-        Parameter::Gain(i) => format!("k{i}"),
-        Parameter::Rate(i) => format!("a{i}"),
-        // Apart from the names of the code itself.
-        Parameter::Named(name) => format!("p_{name}"),
-        parameter => parameter.key().to_owned(),
     }
 }
 

@@ -357,44 +357,6 @@ impl Spec {
         named.into_iter().filter(|p| matches!(p, Parameter::Named(_)))
     }
 
-    /// Order of the loop that the gains close: a sample of delay that a controller in samples
-    /// keeps is a state more.
-    pub fn loop_order(&self) -> usize {
-        match &self.clock {
-            Clock::Time => self.n,
-            Clock::Samples(sampled) => self.n + sampled.delay.inputs(),
-        }
-    }
-
-    /// The model whose f and g a controller in samples knows at the samples alone: one that is not linear.
-    pub fn model_in_samples(&self) -> Option<&Model> {
-        self.model.as_deref().filter(|_| self.sampled().is_some())
-    }
-
-    /// What a controller in samples knows; `None` if the clock is time.
-    pub fn sampled(&self) -> Option<&Sampled> {
-        match &self.clock {
-            Clock::Time => None,
-            Clock::Samples(sampled) => Some(sampled),
-        }
-    }
-
-    /// Whether eps is left to the checks.
-    pub fn leaves_eps(&self) -> bool {
-        match self.sampled() {
-            Some(sampled) => sampled.leaves_eps,
-            None => !self.fixed.contains_key(&Parameter::Eps),
-        }
-    }
-
-    /// Sets the eps that was left open.
-    pub(crate) fn choose_eps(&mut self, eps: Fixed) {
-        self.fixed.insert(Parameter::Eps, eps);
-        if let Clock::Samples(sampled) = &mut self.clock {
-            sampled.leaves_eps = false;
-        }
-    }
-
     /// The parameters that are left to run time.
     pub fn run_time_parameters(&self) -> impl Iterator<Item = Parameter> {
         self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p))

@@ -1,7 +1,9 @@
 //! The request for a controller whose clock is in samples.
 
+use super::{Clock, Spec};
 use crate::algebra::BigRational;
 use crate::linear::{Delay, Linear};
+use crate::model::Model;
 use crate::parameter::{Fixed, Parameter};
 
 /// What a controller in samples needs beside the law.
@@ -67,6 +69,46 @@ impl Sampled {
     /// Samples after which the estimates are exact, where they are given.
     pub fn observer_samples(&self) -> Option<u32> {
         self.observer.as_ref().and_then(|observer| observer.samples)
+    }
+}
+
+impl Spec {
+    /// Order of the loop that the gains close: a sample of delay that a controller in samples
+    /// keeps is a state more.
+    pub fn loop_order(&self) -> usize {
+        match &self.clock {
+            Clock::Time => self.n,
+            Clock::Samples(sampled) => self.n + sampled.delay.inputs(),
+        }
+    }
+
+    /// What a controller in samples knows; `None` if the clock is time.
+    pub fn sampled(&self) -> Option<&Sampled> {
+        match &self.clock {
+            Clock::Time => None,
+            Clock::Samples(sampled) => Some(sampled),
+        }
+    }
+
+    /// The model whose f and g a controller in samples knows at the samples alone: one that is not linear.
+    pub fn model_in_samples(&self) -> Option<&Model> {
+        self.model.as_deref().filter(|_| self.sampled().is_some())
+    }
+
+    /// Whether eps is left to the checks.
+    pub fn leaves_eps(&self) -> bool {
+        match self.sampled() {
+            Some(sampled) => sampled.leaves_eps,
+            None => !self.fixed.contains_key(&Parameter::Eps),
+        }
+    }
+
+    /// Sets the eps that was left open.
+    pub(crate) fn choose_eps(&mut self, eps: Fixed) {
+        self.fixed.insert(Parameter::Eps, eps);
+        if let Clock::Samples(sampled) = &mut self.clock {
+            sampled.leaves_eps = false;
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use std::ops::{Add, Div, Mul, Neg};
 
 use num_traits::{ToPrimitive, Zero};
 
+use super::model::AtSample;
 use crate::algebra::BigRational;
 use crate::code::{
     Access, Code, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
@@ -11,8 +12,6 @@ use crate::code::{
 use crate::linear::Pair;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Guard, Sampled, Spec, What};
-
-use super::model::AtSample;
 
 /// The parts of the program while it is being put together.
 pub(super) struct Builder<'a> {

@@ -7,8 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::controller::Builder;
-use crate::code::{Expr, Shape, Statement};
-use crate::expression::Function;
+use crate::code::{Expr, Shape, Statement, parameter_name};
 use crate::internal::fault;
 use crate::lower::at_sample;
 use crate::program::{Input, Op, Program, Stage, Value, passes};
@@ -34,13 +33,8 @@ impl AtSample {
         roots().for_each(|root| *uses.entry(*root).or_default() += 1);
         for value in program.needed(&roots().copied().collect::<Vec<_>>()) {
             let op = &program.get(value).op;
-            // What is written with its operand twice.
-            let times = match op {
-                Op::Max(..) | Op::Min(..) | Op::Quotient(..) | Op::Call(Function::Sign, _) => 2,
-                _ => 1,
-            };
             for operand in op.operands() {
-                *uses.entry(operand).or_default() += times;
+                *uses.entry(operand).or_default() += Expr::writes(op);
             }
         }
         Self { program, uses, known: BTreeMap::new(), done: BTreeSet::new(), named: 0 }
@@ -100,7 +94,7 @@ impl AtSample {
             Op::Input(Input::Control) => return Expr::local("w"),
             Op::Input(Input::Parameter(parameter)) => {
                 let given = builder.parameter(*parameter);
-                let name = format!("p_{}", parameter.spelling());
+                let name = parameter_name(*parameter);
                 return builder.keep(&name, parameter.meaning(), given);
             }
             Op::Number(number) => return Expr::Number(number.clone()),

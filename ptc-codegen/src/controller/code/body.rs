@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use num_traits::ToPrimitive;
 
-use crate::code::{Expr, Shape, Solve, Statement};
-use crate::controller::plan::{Plan, Routine, parameter_name};
-use crate::expression::Function;
+use crate::code::{Expr, Shape, Solve, Statement, parameter_name};
+use crate::controller::plan::{Plan, Routine};
 use crate::internal::fault;
 use crate::program::{Input, Op, Root, Stage, Value};
 
@@ -55,13 +54,8 @@ fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, u
     for value in plan.program.needed(roots).into_iter().rev() {
         if uses.contains_key(&value) && !plan.is_field(routine, value) {
             let op = &plan.program.get(value).op;
-            // The greater or smaller of two values is written with each of them twice.
-            let times = match op {
-                Op::Max(..) | Op::Min(..) | Op::Quotient(..) | Op::Call(Function::Sign, _) => 2,
-                _ => 1,
-            };
             for operand in op.operands() {
-                *uses.entry(operand).or_default() += times;
+                *uses.entry(operand).or_default() += Expr::writes(op);
             }
         }
     }

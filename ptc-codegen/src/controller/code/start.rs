@@ -4,9 +4,10 @@ use super::{Body, Builder, Field, body};
 use crate::algebra::BigRational;
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Start, Statement, Status, Test, Variable,
+    parameter_name,
 };
 use crate::controller::is_derived;
-use crate::controller::plan::{Routine, parameter_name};
+use crate::controller::plan::Routine;
 use crate::expression::Function as Math;
 use crate::internal::fault;
 use crate::parameter::{Domain, Fixed, Parameter};

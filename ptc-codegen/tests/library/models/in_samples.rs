@@ -65,6 +65,7 @@ fn u_is_what_the_chain_wants_less_f_over_g() {
         let (clipped, status) = step(&spring, &[exact.abs() / 2.0, k], tick, &[q, w]);
         assert_eq!((clipped.abs(), status), (exact.abs() / 2.0, Status::Saturated));
     }
+    // Some forty roundings of either side, of the terms before they cancel.
     assert!(most < 1e-14, "{most:e}");
 }
 
@@ -91,6 +92,7 @@ fn the_emitted_c_ends_within_the_order_of_the_period() {
         let text = SPRING.replace("sample_time = 0.02", &format!("sample_time = {h:?}"));
         let name = format!("models_in_samples_{}", (h * 1000.0) as u32);
         let end = in_c::run(&name, &spec(&text), &plant(h)).remove(0);
+        // Above rounding, so that the ratios below say something, and below a thirtieth of the start.
         assert!(end.iter().all(|x| x.abs() > 1e-13 && x.abs() < 0.03), "{end:?}");
         if let Some(before) = before {
             for (i, (x, before)) in (1..).zip(end.iter().zip(&before)) {

@@ -20,7 +20,8 @@ use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
 use crate::model::Model;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Clock, PlantBounds, Promises, Spec};
+use crate::program::number::round;
+use crate::request::{After, Clock, PlantBounds, Promises, Spec, one_or_each};
 use rates::{Rates, Sizes};
 
 /// Rounds in which a force is widened until it is consistent with itself.
@@ -145,10 +146,10 @@ fn judged(spec: &Spec, model: &Model, found: &Bounded) -> Outcome {
     let Bounded { worst, sizes, force } = found;
     let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
     let errors = &spec.promises.error;
-    let error = |i: usize| crate::request::one_or_each(errors, i).unwrap_or(f64::INFINITY);
+    let error = |i: usize| one_or_each(errors, i).unwrap_or(f64::INFINITY);
     let above = (0..spec.n).find(|i| totals[*i] > error(*i));
     let limit = spec.fixed.get(&Parameter::UMax).and_then(Fixed::number);
-    let limit = limit.map(|limit| crate::program::number::round(limit, spec.precision));
+    let limit = limit.map(|limit| round(limit, spec.precision));
     let clipped = limit.is_some_and(|limit| sizes.u >= limit);
     let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
     let (verdict, summary) = match above {
