@@ -220,3 +220,25 @@ fn states_beside_the_chain_are_not_shown_to_stay() {
         "{found:?}"
     );
 }
+
+/// What has no value somewhere in the envelope, or nothing in the envelope to speak of, is no proof.
+#[test]
+fn nothing_is_proved_of_what_is_not_enclosed() {
+    let text = |output: &str| {
+        format!(
+            "mu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 1e-2\npoles = [-2]\nerror = 1\nx0_max = [1]\nx_max = [3]\n\
+             [params]\ntau = 1\n[model]\nstates = [\"y\"]\ninput = \"u\"\noutput = \"{output}\"\ndynamics = {{ y = \"u - sin(y)\" }}\n"
+        )
+    };
+    assert_eq!(loop_of(&text("y")).verdict, Verdict::Sound);
+    for (output, why) in [
+        ("y + atan(1/(y + 2))/10", "x1 has no bound within x_max"),
+        ("y + 9", "no state within x_max has a chain within its bounds"),
+    ] {
+        let found = loop_of(&text(output));
+        assert!(
+            found.verdict == Verdict::Undecided && found.summary.contains(why),
+            "{output}: {found:?}"
+        );
+    }
+}

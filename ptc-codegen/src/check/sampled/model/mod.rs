@@ -18,6 +18,7 @@ use super::outcome::{NAME, split};
 use crate::algebra::BigRational;
 use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
+use crate::internal::fault;
 use crate::model::Model;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::number::round;
@@ -108,7 +109,10 @@ fn bounded(spec: &Spec, model: &Model) -> Result<Bounded, Lacking> {
 
 /// The chain that w moves, under a force that is any signal within a bound.
 fn chain(spec: &Spec, sensors: &[f64], force: f64) -> Spec {
-    let exact = |value: f64| BigRational::from_float(value).unwrap_or_default();
+    // Bounds that are not finite are refused where they arise.
+    let exact = |value: f64| {
+        BigRational::from_float(value).unwrap_or_else(|| fault("a bound that is not finite"))
+    };
     let fixed = |value: f64| Fixed::Number { value: exact(value), text: value.to_string() };
     let zero = BigRational::zero;
     let mut chain = Spec {

@@ -74,7 +74,7 @@ impl<'a> Rates<'a> {
     /// Bounds of the error of each coordinate of the chain, as the law sees it.
     ///
     /// # Errors
-    /// That memory is lacking.
+    /// That a coordinate has none.
     pub(super) fn sensors(&self) -> Result<Vec<f64>, String> {
         let states = self.errors.len();
         let mut rounded = self.on(&self.emitted, &self.emitted.watched)?;
@@ -84,13 +84,19 @@ impl<'a> Rates<'a> {
             let (rounded, slopes) = (rounded.at(&cell, 0.0), slopes.at(&cell, 0.0));
             for (i, most) in most.iter_mut().enumerate() {
                 let own = size(&rounded[i], |value| value.error);
-                *most = most.max(own + self.seen(&slopes[i * states..]));
+                *most = greater(*most, own + self.seen(&slopes[i * states..]));
             }
         }
-        Ok(most)
+        match most.iter().position(|bound| !bound.is_finite()) {
+            Some(i) => Err(format!("x{} has no bound within x_max", i + 1)),
+            None => Ok(most),
+        }
     }
 
     /// Cells that hold every state of the envelope whose chain is within bounds.
+    ///
+    /// # Errors
+    /// That there is none.
     fn within(&self, chain: &[f64]) -> Result<Vec<Vec<Range>>, String> {
         let exact = vec![0.0; self.errors.len()];
         let mut coordinates =
@@ -104,7 +110,7 @@ impl<'a> Rates<'a> {
                 .iter()
                 .cloned()
                 .reduce(|a, b| a.into_iter().zip(b).map(|(a, b)| a.hull(b)).collect());
-            around = hull.unwrap_or(around);
+            around = hull.ok_or("no state within x_max has a chain within its bounds")?;
         }
         Ok(left)
     }
@@ -126,8 +132,8 @@ impl<'a> Rates<'a> {
         let mut input = self.on(&self.emitted, &[self.emitted.step])?;
         for cell in &cells {
             let found = &input.at(cell, wanted)[0];
-            u = u.max(size(found, |value| value.emitted().size().high()));
-            inexact = inexact.max(size(found, |value| value.error));
+            u = greater(u, size(found, |value| value.emitted().size().high()));
+            inexact = greater(inexact, size(found, |value| value.error));
         }
         if !u.is_finite() {
             return Err("u is not bounded within x_max: g may be 0 there, or f or g has no value"
@@ -140,7 +146,7 @@ impl<'a> Rates<'a> {
             let found = rates.at(cell, (1.0 + off) * (u + step));
             let exact = |i: usize| size(&found[i], |value| value.exact.size().high());
             let input = exact(1) * (inexact + step + off * (u + step));
-            force = force.max(h * exact(0) + input + self.seen(&found[2..]));
+            force = greater(force, h * exact(0) + input + self.seen(&found[2..]));
         }
         if !force.is_finite() {
             return Err("no bound of the rate of f + g u is found within x_max".to_owned());
@@ -162,4 +168,9 @@ impl<'a> Rates<'a> {
         };
         slopes.iter().zip(&self.errors).map(part).sum()
     }
+}
+
+/// The greater of two bounds; infinite where one is no number, which `max` would leave out.
+fn greater(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
