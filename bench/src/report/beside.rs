@@ -83,8 +83,8 @@ with its coefficients as numbers, so the mapping costs them nothing. `sympy` is 
 `sympy_simplified` of v/g - f/g with `simplify` of 1/g and f/g; `casadi` is SX with `cse` and its code generator.
 
 They return no status, hold nothing at eps, do not test u and keep no low part of t0 + tau: on the pendulum that is
-the whole difference. Where ours is further behind, terms that are linear in a state are not collected (drive), or
-quotients are not brought to one denominator (levitation). Divisions are those in the compiled code. Set up and generate with
+the whole difference. On the magnet a test that the divisor is not 0 is in it too. Divisions are those in the compiled code. Set up
+and generate with
 
     python3 -m venv bench/peers/venv
     bench/peers/venv/bin/pip install sympy casadi

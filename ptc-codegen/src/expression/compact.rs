@@ -36,7 +36,7 @@ impl Measure {
 
 /// Factors over and under a fraction bar, and e to what.
 #[derive(Default)]
-struct Product {
+pub(super) struct Product {
     over: Vec<Expression>,
     under: Vec<Expression>,
     exponents: Terms,
@@ -90,7 +90,7 @@ impl Field {
     }
 
     /// Whether the fraction is negative as it is written, and its size.
-    fn signed(&self, ratio: &Ratio) -> (bool, Expression) {
+    pub(super) fn signed(&self, ratio: &Ratio) -> (bool, Expression) {
         if ratio.num.is_zero() {
             return (false, Expression::integer(0));
         }
@@ -137,7 +137,7 @@ impl Field {
         added(poly.terms().map(term).collect())
     }
 
-    fn monomial(&self, monomial: &Monomial, product: &mut Product) {
+    pub(super) fn monomial(&self, monomial: &Monomial, product: &mut Product) {
         for (symbol, exponent) in monomial.factors() {
             self.factor(*symbol, *exponent, product);
         }
@@ -176,7 +176,7 @@ impl Field {
     }
 
     /// number * over * e^exponents / under.
-    fn built(&self, number: &BigRational, mut product: Product) -> Expression {
+    pub(super) fn built(&self, number: &BigRational, mut product: Product) -> Expression {
         if !product.exponents.is_empty() {
             let mut terms = Terms::new();
             for term in std::mem::take(&mut product.exponents) {
@@ -203,7 +203,7 @@ impl Field {
 }
 
 /// The sum of signed terms, positive ones first.
-fn added(terms: Vec<(bool, Expression)>) -> Expression {
+pub(super) fn added(terms: Vec<(bool, Expression)>) -> Expression {
     let (minus, plus): (Vec<_>, Vec<_>) = terms.into_iter().partition(|(negative, _)| *negative);
     let mut total = plus.into_iter().map(|(_, e)| e).reduce(Expression::add);
     for (_, e) in minus {

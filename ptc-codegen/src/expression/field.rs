@@ -118,7 +118,7 @@ impl Field {
             }
             Node::Mul(a, b) => product(&self.terms(a)?, &self.terms(b)?)?,
             Node::Div(a, b) => {
-                let under = self.fraction(b)?.pow(-1)?;
+                let under = self.inverse(b)?;
                 product(&self.terms(a)?, &vec![under])?
             }
             Node::Power(a, b) => vec![self.raised(a, b)?],
@@ -143,6 +143,18 @@ impl Field {
             self.found.insert(expression.clone(), terms.clone());
         }
         Some(terms)
+    }
+
+    /// 1 over an expression, each factor of it by itself: multiplied out, none would cancel alone.
+    fn inverse(&mut self, expression: &Expression) -> Option<Ratio> {
+        match expression.node() {
+            Node::Mul(a, b) => self.inverse(a)?.times(&self.inverse(b)?),
+            Node::Power(a, exponent) => match exponent.small_integer() {
+                Some(k) if k > 0 => self.inverse(a)?.pow(k),
+                _ => self.fraction(expression)?.pow(-1),
+            },
+            _ => self.fraction(expression)?.pow(-1),
+        }
     }
 
     /// The expression as one fraction.

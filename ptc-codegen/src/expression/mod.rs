@@ -13,6 +13,7 @@ pub(crate) mod enclosure;
 pub(crate) mod existence;
 mod field;
 pub(crate) mod generator;
+pub(crate) mod grouped;
 pub(crate) mod interval;
 pub(crate) mod leading;
 mod names;

@@ -5,7 +5,8 @@
 use super::builder::{Builder, PlantPoint};
 use super::closed_loop::states;
 use super::input_gain::over_input_gain;
-use super::{series, state, without_drift};
+use super::plant::without_drift;
+use super::{series, state};
 use crate::expression::Variable;
 use crate::law::Law;
 use crate::program::{Input, Limits, Op, Program, Value};

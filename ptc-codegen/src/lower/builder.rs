@@ -12,6 +12,7 @@ use crate::program::{Input, Limits, Op, Program, Stage, Value};
 use crate::request::Spec;
 
 use super::mapping::Taylor;
+use super::plant::Form;
 
 /// A program under construction.
 pub(super) struct Builder<'a> {
@@ -35,6 +36,8 @@ pub(super) struct Builder<'a> {
     complement: Option<Expression>,
     /// The plant, where time is time-to-go or stretched time.
     pub(super) plant: Option<PlantPoint>,
+    /// The form of the plant that is computed, where it is not that of the request.
+    pub(super) form: Option<Form>,
     /// The axis whose values are being named, from 1, where each has its own.
     pub(super) axis: Option<usize>,
     /// How many outputs the plant has.
@@ -90,6 +93,7 @@ impl<'a> Builder<'a> {
             at_start: false,
             complement: None,
             plant: None,
+            form: None,
             axis: None,
             outputs: spec.decoupled().map_or(1, |coupled| coupled.outputs.len()),
         }

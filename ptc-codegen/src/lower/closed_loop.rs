@@ -70,7 +70,7 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
         let x = b.coordinate(j);
         (1..j).fold(x, |x, _| b.mul(x, taylor.r1))
     });
-    let less = super::without_drift(&mut b, free);
+    let less = super::plant::without_drift(&mut b, free);
     let wanted = super::input_gain::over_input_gain(&mut b, less);
     let (below, control) = clipped(&mut b, wanted);
     b.plant = Some(PlantPoint { states, control: Some(control) });

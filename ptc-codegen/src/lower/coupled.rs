@@ -2,7 +2,8 @@
 
 use super::builder::Builder;
 use super::input_gain::over_input_gain;
-use super::{rows, state, without_drift};
+use super::plant::without_drift;
+use super::{rows, state};
 use crate::expression::Expression;
 use crate::law::Law;
 use crate::model::coupled::{Coupled, Inverse};

@@ -1,26 +1,23 @@
 //! u divided by the input gain g(x, t), and values divided by numbers.
 
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 
 use super::builder::Builder;
 use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Node};
-use crate::parameter::Precision;
+use crate::program::number::is_normal;
 use crate::program::{Op, Value};
+use crate::request::Spec;
 
 /// u divided by g(x, t), never by zero where it is no number.
 pub(super) fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     let spec = b.spec;
-    let Some(gain) = &spec.input_gain else { return u };
-    let varies = |e: &Expression| e.any(&|part| part.variable().is_some());
-    if !varies(gain) {
-        let number = |p| spec.fixed.get(&p)?.number().cloned();
-        let form = bounded(|| normal(&gain.known(&number)));
-        if let Some(number) = form.number().filter(|number| !number.is_zero()) {
-            return over_number(b, u, number);
-        }
+    let own = b.form.as_ref().map_or(&spec.input_gain, |form| &form.input_gain);
+    let Some(gain) = &own.clone() else { return u };
+    if let Some(number) = input_gain_number(spec, gain) {
+        return over_number(b, u, &number);
     }
     match gain.node() {
         // A factor in place of a second division; what depends on parameters alone is formed in `init`.
@@ -41,6 +38,18 @@ pub(super) fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     }
 }
 
+/// Whether an expression changes while the controller runs.
+fn varies(e: &Expression) -> bool {
+    e.any(&|part| part.variable().is_some())
+}
+
+/// g, where it is a number other than 0.
+pub(super) fn input_gain_number(spec: &Spec, gain: &Expression) -> Option<BigRational> {
+    let number = |p| spec.fixed.get(&p)?.number().cloned();
+    let form = (!varies(gain)).then(|| bounded(|| normal(&gain.known(&number))))?;
+    form.number().filter(|number| !number.is_zero()).cloned()
+}
+
 /// g(x, t).
 pub(super) fn input_gain(b: &mut Builder<'_>, gain: &Expression) -> Value {
     let divisor = b.scalar(gain);
@@ -54,13 +63,7 @@ pub(super) fn input_gain(b: &mut Builder<'_>, gain: &Expression) -> Value {
 /// a factor that is a number takes it in.
 pub(super) fn over_number(b: &mut Builder<'_>, value: Value, number: &BigRational) -> Value {
     let precision = b.spec.precision;
-    let normal = |number: &BigRational| {
-        number.to_f64().is_some_and(|v| match precision {
-            Precision::F64 => v.is_normal(),
-            #[allow(clippy::cast_possible_truncation)]
-            Precision::F32 => (v as f32).is_normal(),
-        })
-    };
+    let normal = |number: &BigRational| is_normal(number, precision);
     let inverse = (!number.is_zero()).then(|| number.recip());
     let Some(inverse) = inverse.filter(normal) else {
         let divisor = b.number(number.clone());

@@ -15,6 +15,7 @@ mod coupled;
 mod exp_sum;
 mod input_gain;
 mod mapping;
+mod plant;
 mod quantity;
 mod rows;
 mod sampled;
@@ -29,7 +30,6 @@ use std::collections::BTreeMap;
 
 use axes::{Shared, shares_time};
 use builder::Builder;
-use input_gain::over_input_gain;
 use rows::{Factor, Rows, factor};
 
 use crate::algebra::{Kind, Poly, integer};
@@ -48,13 +48,17 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
         What::Associated => associated::lower(spec, law),
         _ => None,
     };
-    let program = associated.unwrap_or_else(|| controller(spec, law));
+    let one = |form| controller(spec, law, form);
+    let linear = matches!(law.form, Form::Rows { .. }) && spec.axes.is_none();
+    let program = associated.unwrap_or_else(|| plant::cheapest(spec, linear, one));
     Program { fma: spec.fma, latency: spec.latency, ..program }
 }
 
-fn controller(spec: &Spec, law: &Law) -> Program {
+fn controller(spec: &Spec, law: &Law, form: plant::Form) -> Program {
     let designs = spec.designs();
+    // Several outputs have their plant in their decoupling.
     let mut b = Builder::of(spec, law);
+    b.form = spec.decoupled().is_none().then_some(form);
     let (step, others, determinant, shared) = match spec.decoupled() {
         Some(coupled) => {
             let (first, others, determinant) = coupled::controls(&mut b, law, coupled, &designs);
@@ -87,8 +91,7 @@ fn of_chain<'a>(b: &mut Builder<'a>, law: &Law, designs: &'a [Spec]) -> (Value, 
         Some(rows) => rows.step(b, None),
         None => state::step(b),
     };
-    let step = without_drift(b, step);
-    let step = over_input_gain(b, step);
+    let step = plant::control(b, step);
     let shared = match rows {
         Some(rows) if shares_time(spec) => axes::shared(b, law, designs, &rows),
         _ => Shared::default(),
@@ -119,18 +122,6 @@ fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
     }
 }
 
-/// What is wanted of xn', where the law is that of the tracking error, less f(x, t).
-fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
-    let wanted = match b.reference(b.spec.n) {
-        Some(rate) => b.add(law, rate),
-        None => law,
-    };
-    let Some(drift) = &b.spec.drift else { return wanted };
-    let drift = b.scalar(drift);
-    let drift = b.name(drift, "drift", "f, known of the plant");
-    b.sub(wanted, drift)
-}
-
 /// One row: a polynomial in at most one tick quantity, by Horner's rule; `None` for 0.
 fn lower_row(
     b: &mut Builder<'_>,
@@ -138,7 +129,10 @@ fn lower_row(
     row: &Poly,
     scaled: &[coefficient::ScaledGain],
 ) -> Option<Value> {
-    let row = coefficient::with_fixed(b.spec, row, scaled);
+    let mut row = coefficient::with_fixed(b.spec, row, scaled);
+    if let Some(scale) = b.form.as_ref().and_then(|form| form.scale.as_ref()) {
+        row = row.scaled(scale);
+    }
     let quantity = row.symbols().into_iter().find(|s| !coefficient::is_known_at_init(*s));
     let Some(symbol) = quantity else {
         return coefficient::lower(

@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use crate::algebra::{Kind, Symbol};
-use crate::program::Value;
+use crate::program::{Op, Value};
 
 /// Multiplication by 1/base.
 #[derive(Clone, Copy)]
@@ -32,6 +32,29 @@ pub(super) struct Rows {
     pub(super) rows: Vec<Option<Value>>,
 }
 
+/// row * x with the row in the coefficients of x, where all of them are known before the first step and
+/// x is a sum of products with them: a product less.
+fn distributed(b: &mut Builder<'_>, row: Value, x: Value) -> Option<Value> {
+    if b.is_of_tick(row) {
+        return None;
+    }
+    match *b.operation_of(x) {
+        Op::Mul(c, z) if !b.is_of_tick(c) => {
+            let both = b.mul(row, c);
+            Some(b.mul(both, z))
+        }
+        Op::Add(y, z) => {
+            let (y, z) = (distributed(b, row, y)?, distributed(b, row, z)?);
+            Some(b.add(y, z))
+        }
+        Op::Sub(y, z) => {
+            let (y, z) = (distributed(b, row, y)?, distributed(b, row, z)?);
+            Some(b.sub(y, z))
+        }
+        _ => None,
+    }
+}
+
 impl Rows {
     /// u by Horner's rule in 1/base over the rows: the state enters in 2n operations.
     /// `first` replaces the first row times x_1.
@@ -42,7 +65,10 @@ impl Rows {
                 sum = sum.map(|s| self.times_base(b, s));
             }
             let x = b.coordinate(j + 1);
-            let product = row.map(|row| b.mul(row, x));
+            let product = row.map(|row| match distributed(b, row, x) {
+                Some(product) => product,
+                None => b.mul(row, x),
+            });
             sum = b.sum(sum, product);
         }
         let sum = sum.unwrap_or_else(|| b.integer(0));

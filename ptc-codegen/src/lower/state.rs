@@ -121,7 +121,8 @@ impl Builder<'_> {
             return self.push(Op::Input(Input::State(j)));
         };
         let coordinate = &model.coordinates[j - 1];
-        let value = self.scalar(coordinate);
+        let own = self.form.as_ref().and_then(|form| form.coordinates.get(j - 1)).cloned();
+        let value = self.scalar(&own.unwrap_or_else(|| coordinate.clone()));
         let meaning = format!("x{j} of the chain: {}", model.text(coordinate));
         self.name(value, &format!("chain{j}"), &meaning)
     }

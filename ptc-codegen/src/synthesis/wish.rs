@@ -276,15 +276,20 @@ fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnosti
     if gives(entries, &["gains", "poles", "pi0"]) {
         return Ok(choice);
     }
-    if entries.iter().any(|entry| entry.key.starts_with("model.")) && !in_samples {
+    if entries.iter().any(|entry| entry.key.starts_with("model.")) {
         // A law without poles, from which the number of poles of each output follows.
-        let several = gives(entries, &["model.inputs"]);
-        let value = match several {
-            true => Value::Word("extern".to_owned()),
-            false => Value::Negative(Box::new(node(Value::Word("xi1".to_owned())))),
+        let entry =
+            |key: &str, value| Entry { key: key.to_owned(), place: NOWHERE, value: node(value) };
+        let law = match (in_samples, gives(entries, &["model.inputs"])) {
+            (true, _) => (!gives(entries, &["clock"]))
+                .then(|| entry("clock", Value::Word(SAMPLES.to_owned()))),
+            (false, true) => Some(entry("pi0", Value::Word("extern".to_owned()))),
+            (false, false) => {
+                let xi = node(Value::Word("xi1".to_owned()));
+                Some(entry("pi0", Value::Negative(Box::new(xi))))
+            }
         };
-        let law = Entry { key: "pi0".to_owned(), place: NOWHERE, value: node(value) };
-        let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).chain([law]).collect();
+        let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).chain(law).collect();
         let orders = orders(&request::read(&all)?);
         choice.poles = Some(for_each(&orders, &|i| format!("-{}", request::MAX_ORDER + 1 + i)));
         return Ok(choice);

@@ -337,4 +337,12 @@ fn models_get_poles_for_each_output() {
     assert_eq!(numbers(&design, "poles").len(), 2, "{design}");
     assert!(told.contains("|e| <= 0.01 at the end"), "{told}");
     is_taken(&path);
+    // The order of a model in samples follows from it as well, given or chosen.
+    let one = one.replace("reference = \"0.2*sin(t)\"\n", "");
+    for (test, clock) in [("given", "clock = \"samples\"\nsample_time = 0.01\n"), ("open", "")] {
+        let path = folder(&format!("samples_{test}"), &format!("{clock}{one}"));
+        let (design, _) = designed(&path);
+        assert_eq!(numbers(&design, "poles").len(), 2, "{design}");
+        is_taken(&path);
+    }
 }

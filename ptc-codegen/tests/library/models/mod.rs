@@ -5,6 +5,7 @@ mod by_hand;
 mod closed_loop;
 mod coupled;
 mod divisors;
+mod forms;
 pub(crate) mod in_c;
 mod in_samples;
 mod laws;

@@ -1,0 +1,142 @@
+//! The plant's share of u = (w - f)/g, and the chain of a model, in the form that takes the fewest
+//! operations once the numbers of the design are in it.
+
+use super::builder::Builder;
+use super::input_gain::{input_gain_number, over_input_gain};
+use crate::algebra::BigRational;
+use crate::expression::Expression;
+use crate::expression::grouped::{Grouped, grouped, quotient};
+use crate::parameter::Fixed;
+use crate::program::cost::{X86_64, count};
+use crate::program::number::is_normal;
+use crate::program::{Definition, Op, Program, Stage, Value};
+use crate::request::Spec;
+
+/// The expressions of a plant in one of the forms that they may be computed in.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Form {
+    /// The chain of a model.
+    pub(super) coordinates: Vec<Expression>,
+    drift: Option<Expression>,
+    pub(super) input_gain: Option<Expression>,
+    /// Whether `drift` is f/g, which is subtracted from w/g: no digit of w or of f is lost by that, as
+    /// their difference is rounded once either way.
+    divided: bool,
+    /// What the rows of the law are multiplied by: 1/g, where that is a number and no gain is left.
+    pub(super) scale: Option<BigRational>,
+}
+
+impl Form {
+    /// As the request has them.
+    pub(super) fn own(spec: &Spec) -> Self {
+        let model = spec.model.iter().flat_map(|model| &model.coordinates);
+        Self {
+            coordinates: model.cloned().collect(),
+            drift: spec.drift.clone(),
+            input_gain: spec.input_gain.clone(),
+            divided: false,
+            scale: None,
+        }
+    }
+
+    /// The others: what is affine grouped, f/g where that exists wherever f and g do, and 1/g in the
+    /// coefficients of `linear` laws.
+    fn others(&self, spec: &Spec, linear: bool) -> Vec<Self> {
+        let number = |p| spec.fixed.get(&p).and_then(Fixed::number).cloned();
+        let known = |e: &Expression| e.known(&number);
+        let lost = |e: &Expression| e.number().is_some_and(|n| !is_normal(n, spec.precision));
+        let in_range = |form: &Grouped| !form.form.any(&lost);
+        let affine = |e: &Expression| {
+            let form = grouped(&known(e)).filter(|form| form.affine && in_range(form));
+            form.map_or_else(|| e.clone(), |form| form.form)
+        };
+        let tidied = Self {
+            coordinates: self.coordinates.iter().map(affine).collect(),
+            drift: self.drift.as_ref().map(affine),
+            ..self.clone()
+        };
+        let Some(g) = &self.input_gain else { return vec![tidied] };
+        let divided = match &self.drift {
+            Some(f) => {
+                quotient(&known(f), &known(g)).filter(in_range).map(|drift| Some(drift.form))
+            }
+            None => Some(None),
+        };
+        let divided = divided.map(|drift| Self { drift, divided: true, ..tidied.clone() });
+        let one_over = input_gain_number(spec, g).map(|g| g.recip()).filter(|_| linear);
+        let scaled = divided.clone().zip(one_over).map(|(form, one_over)| Self {
+            input_gain: None,
+            scale: Some(one_over),
+            ..form
+        });
+        [Some(tidied), divided, scaled].into_iter().flatten().collect()
+    }
+}
+
+/// The cheapest of the programs that `lower` makes of the forms of the plant, the request's own first.
+/// `linear` says whether the law is one of rows.
+pub(super) fn cheapest(spec: &Spec, linear: bool, lower: impl Fn(Form) -> Program) -> Program {
+    let own = Form::own(spec);
+    let others = own.others(spec, linear).into_iter().filter(|form| *form != own);
+    let others: Vec<_> = others.collect();
+    let keeps = |program: &Program| {
+        let lost = |definition: &Definition| match &definition.op {
+            Op::Number(number) => !is_normal(number, spec.precision),
+            _ => false,
+        };
+        !program.values.iter().any(lost)
+    };
+    let cost = |program: &Program| {
+        let roots: Vec<_> =
+            program.controls().into_iter().chain(program.watched.iter().copied()).collect();
+        count(program, &roots, Stage::Tick).cycles(&X86_64)
+    };
+    others
+        .into_iter()
+        .map(&lower)
+        .filter(keeps)
+        .fold(lower(own), |best, other| if cost(&other) < cost(&best) { other } else { best })
+}
+
+/// u = (w - f)/g, where w is what is wanted of xn': `law`, where that is for the tracking error.
+pub(super) fn control(b: &mut Builder<'_>, law: Value) -> Value {
+    let wanted = wanted(b, law);
+    match b.form.as_ref().is_some_and(|form| form.divided) {
+        true => {
+            let u = over_input_gain(b, wanted);
+            less_drift(b, u, "f/g, known of the plant")
+        }
+        false => {
+            let less = less_drift(b, wanted, "f, known of the plant");
+            over_input_gain(b, less)
+        }
+    }
+}
+
+/// What is wanted of xn', where the law is that of the tracking error, less f(x, t).
+pub(super) fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
+    let wanted = wanted(b, law);
+    less_drift(b, wanted, "f, known of the plant")
+}
+
+fn wanted(b: &mut Builder<'_>, law: Value) -> Value {
+    let Some(rate) = b.reference(b.spec.n) else { return law };
+    let rate = match b.form.as_ref().and_then(|form| form.scale.clone()) {
+        Some(scale) => {
+            let scale = b.number(scale);
+            b.mul(rate, scale)
+        }
+        None => rate,
+    };
+    b.add(law, rate)
+}
+
+fn less_drift(b: &mut Builder<'_>, value: Value, meaning: &str) -> Value {
+    let own = b.form.as_ref().map_or(&b.spec.drift, |form| &form.drift);
+    let Some(drift) = own.clone().filter(|drift| *drift != Expression::integer(0)) else {
+        return value;
+    };
+    let drift = b.scalar(&drift);
+    let drift = b.name(drift, "drift", meaning);
+    b.sub(value, drift)
+}

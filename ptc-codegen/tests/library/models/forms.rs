@@ -1,0 +1,54 @@
+//! The form in which the plant's share of u is computed: few operations, and refused where the request's
+//! own would be.
+
+use ptc_codegen::law::Law;
+use ptc_codegen::lower::lower;
+use ptc_codegen::program::Stage;
+use ptc_codegen::program::cost::{Cost, count};
+use ptc_codegen::program::passes::optimise;
+use ptc_codegen::request::Spec;
+
+use super::{LEVITATION, example, in_c, spec};
+
+/// What a step computes.
+fn step(spec: &Spec) -> Cost {
+    let program = optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+    count(&program, &program.controls(), Stage::Tick)
+}
+
+fn chain(plant: &str) -> Spec {
+    spec(&format!(
+        "n = 3\nmu = \"exp(a=1)\"\npoles = [-4, -5, -6]\n{plant}\n[params]\ntau = 1\neps = 1e-3\n"
+    ))
+}
+
+#[test]
+fn a_gain_that_is_a_number_costs_nothing() {
+    let plain = step(&chain(""));
+    assert_eq!(step(&chain("g = 3")), plain);
+    assert_eq!(step(&chain("g = \"1/0.7\"")), plain);
+    // f/g is a sum of two products.
+    let known = step(&chain("f = \"2*(x2 - 3*x1) - x2/7\"\ng = 0.3"));
+    assert_eq!((known.mul, known.add), (plain.mul + 2, plain.add + 2));
+}
+
+#[test]
+fn what_is_linear_in_a_state_is_one_product() {
+    let cost = step(&spec(&example("drive.toml").replace("u_max = 24 ", "u_max = inf ")));
+    // -T; 1/T; two states with their gains, two of the chain, two of f/g, three times 1/T.
+    assert_eq!((cost.mul, cost.div), (9, 1), "{cost:?}");
+}
+
+#[test]
+fn what_vanishes_with_the_gain_is_refused() {
+    // Where i = -i0 the magnet does not pull: f/g is a number there, w/g is not.
+    let main = format!(
+        "{LEVITATION}\nint main(void)\n{{\n    levitation control;\n    double u = 1.0;\n\
+         \x20   const double x[3] = {{ 0.0, 0.0, -0.8 }};\n\
+         \x20   if (levitation_init(&control, &params) != PTC_OK) {{ return 1; }}\n\
+         \x20   printf(\"%d\", levitation_step(&control, 0.1, x, &u) == PTC_E_RANGE);\n\
+         \x20   printf(\" %g\\n\", u);\n    return 0;\n}}\n"
+    );
+    let told = in_c::run("levitation_without_pull", &spec(&example("levitation.toml")), &main);
+    assert_eq!(told, [[1.0, 0.0]]);
+}
