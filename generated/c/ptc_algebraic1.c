@@ -28,24 +28,21 @@ ptc_status ptc_algebraic1_init(ptc_algebraic1 *self, const ptc_algebraic1_params
             && (isfinite(k1) != 0)
             && (eps < tau)) {
             const double K1 = k1 / a;
-            const double c1_1 = (-K1) / tau;
+            const double c1 = (-K1) / tau;
             const double hold_from = -eps;
-            const double two_tau = 2.0 * tau;
-            const double half_tau = 0.5 * tau;
+            const double inv_tau = 1.0 / tau;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
-            const double size_c1_1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_1);
+            const double size_c1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1);
             if ((1e-200 <= size_K1)
-                && (1e-200 <= size_c1_1)
-                && (isfinite(c1_1) != 0)
+                && (1e-200 <= size_c1)
+                && (isfinite(c1) != 0)
                 && (isfinite(hold_from) != 0)
-                && (isfinite(two_tau) != 0)
-                && (isfinite(half_tau) != 0)) {
+                && (isfinite(inv_tau) != 0)) {
                 built.tau = tau;
-                built.c1_1 = c1_1;
+                built.c1 = c1;
                 built.eps = eps;
                 built.hold_from = hold_from;
-                built.two_tau = two_tau;
-                built.half_tau = half_tau;
+                built.inv_tau = inv_tau;
                 built.u_max = u_max;
                 built.t0 = 0.0;
                 built.deadline = 0.0;
@@ -91,11 +88,11 @@ ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const doubl
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = s1 - (self->half_tau / late);
-            const double row1 = self->c1_1 * one_plus_y2;
-            const double sec = sqrt(one_plus_y2);
-            const double v = row1 * x[0] * sec;
+            const double v1 = late * self->inv_tau;
+            const double h2 = v1 * ((-2.0) - v1);
+            const double v2 = 1.0 / h2;
+            const double inv_h3 = v2 * sqrt(v2);
+            const double v = self->c1 * x[0] * inv_h3;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -129,11 +126,11 @@ ptc_status ptc_algebraic1_tick(const ptc_algebraic1 *self, double t, ptc_algebra
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = s1 - (self->half_tau / late);
-            const double row1 = self->c1_1 * one_plus_y2;
-            const double sec = sqrt(one_plus_y2);
-            gains->gain[0] = row1 * sec;
+            const double v1 = late * self->inv_tau;
+            const double h2 = v1 * ((-2.0) - v1);
+            const double v2 = 1.0 / h2;
+            const double inv_h3 = v2 * sqrt(v2);
+            gains->gain[0] = self->c1 * inv_h3;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

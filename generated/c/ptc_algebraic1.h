@@ -39,11 +39,10 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -k_1 xi_1
  *   u = sum_j gain_j x_j
- *   gain_j = sec^(n+1-j) row_j
+ *   gain_j = inv_h3^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/a^(n+1-i)
- *   row_1 = -tau^-1*K1*one_plus_y2
- *   one_plus_y2 = 1 + y^2
- *   sec = sqrt(1 + y^2)
+ *   row_1 = -tau^-1*K1
+ *   inv_h3 = 1/h^3 = a*tau*kappa'
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -61,8 +60,8 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
- *       multiplications, 2 divisions, 1 square root.
+ * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
+ *       multiplications, 1 division, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC1_H
 #define PTC_ALGEBRAIC1_H
@@ -98,14 +97,13 @@ typedef struct ptc_algebraic1_params {
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_algebraic1 {
     double tau; /* prescribed settling time */
-    double c1_1; /* coefficient of one_plus_y2^1 in the gain of x1 */
+    double c1; /* coefficient of x1 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double two_tau; /* 2*tau */
-    double half_tau; /* tau/2 */
+    double inv_tau; /* 1/tau */
     double u_max; /* bound of |u| */
 } ptc_algebraic1;
 

@@ -42,12 +42,12 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -(k_1 xi_1 + k_2 xi_2)
  *   u = sum_j gain_j x_j
- *   gain_j = sec^(n+1-j) row_j
+ *   gain_j = inv_h3^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/a^(n+1-i)
- *   row_1 = -tau^-2*K1*one_plus_y2^2
- *   row_2 = -tau^-1*K2 - tau^-1*K2*y^2 + 3*tau^-1*y
- *   one_plus_y2 = 1 + y^2
- *   sec = sqrt(1 + y^2)
+ *   row_1 = -tau^-2*K1
+ *   row_2 = -tau^-1*K2 + 3*tau^-1*y_h2
+ *   y_h2 = y*h^2 = (1 - T/tau)*h
+ *   inv_h3 = 1/h^3 = a*tau*kappa'
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -65,8 +65,8 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 10 additions or comparisons, 10
- *       multiplications, 2 divisions, 1 square root.
+ * Operations of one step, without input checks and clipping: 7 additions or comparisons, 10
+ *       multiplications, 1 division, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC2_H
 #define PTC_ALGEBRAIC2_H
@@ -102,17 +102,15 @@ typedef struct ptc_algebraic2_params {
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_algebraic2 {
     double tau; /* prescribed settling time */
-    double c1_2; /* coefficient of one_plus_y2^2 in the gain of x1 */
+    double c1; /* coefficient of x1 */
+    double c2_0; /* coefficient of h2^0 in the gain of x2 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double two_tau; /* 2*tau */
-    double half_tau; /* tau/2 */
-    double c2_2; /* coefficient of y^2 in the gain of x2 */
-    double c2_1; /* coefficient of y^1 in the gain of x2 */
     double inv_tau; /* 1/tau */
+    double c2_1; /* coefficient of y_h2*h2^0 in the gain of x2 */
     double u_max; /* bound of |u| */
 } ptc_algebraic2;
 

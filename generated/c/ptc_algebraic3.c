@@ -38,57 +38,50 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             const double K3 = k3 / a;
             const double v3 = tau * tau;
             const double v4 = tau * v3;
-            const double c1_3 = (-K1) / v4;
+            const double c1 = (-K1) / v4;
+            const double c2_0 = (-K2) / v3;
+            const double c2_2 = (-12.0) / v3;
+            const double c2_4 = 15.0 / v3;
             const double hold_from = -eps;
-            const double two_tau = 2.0 * tau;
-            const double half_tau = 0.5 * tau;
-            const double v5 = -K2;
-            const double c2_0 = (v5 + 3.0) / v3;
-            const double c2_3 = (3.0 * K3) / v3;
-            const double c2_2 = ((-(2.0 * K2)) - 12.0) / v3;
-            const double c2_4 = v5 / v3;
             const double inv_tau = 1.0 / tau;
-            const double c3_2 = (-K3) / tau;
+            const double c2_1 = (3.0 * K3) / v3;
+            const double c3_0 = (-K3) / tau;
             const double c3_1 = 9.0 / tau;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
-            const double size_c1_3 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_3);
-            const double size_c2_3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_3);
-            const double size_c2_4 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_4);
-            const double size_c3_2 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_2);
+            const double size_c1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1);
+            const double size_c2_0 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_0);
+            const double size_c2_1 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_1);
+            const double size_c3_0 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_0);
             if ((1e-200 <= v2)
                 && (1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
                 && (1e-200 <= size_K3)
                 && (1e-200 <= v4)
-                && (1e-200 <= size_c1_3)
-                && (1e-200 <= size_c2_3)
-                && (1e-200 <= size_c2_4)
-                && (1e-200 <= size_c3_2)
-                && (isfinite(c1_3) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(two_tau) != 0)
-                && (isfinite(half_tau) != 0)
+                && (1e-200 <= size_c1)
+                && (1e-200 <= size_c2_0)
+                && (1e-200 <= size_c2_1)
+                && (1e-200 <= size_c3_0)
+                && (isfinite(c1) != 0)
                 && (isfinite(c2_0) != 0)
-                && (isfinite(c2_3) != 0)
                 && (isfinite(c2_2) != 0)
                 && (isfinite(c2_4) != 0)
+                && (isfinite(hold_from) != 0)
                 && (isfinite(inv_tau) != 0)
-                && (isfinite(c3_2) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(c3_0) != 0)
                 && (isfinite(c3_1) != 0)) {
                 built.tau = tau;
-                built.c1_3 = c1_3;
-                built.eps = eps;
-                built.hold_from = hold_from;
-                built.two_tau = two_tau;
-                built.half_tau = half_tau;
+                built.c1 = c1;
                 built.c2_0 = c2_0;
-                built.c2_3 = c2_3;
                 built.c2_2 = c2_2;
                 built.c2_4 = c2_4;
+                built.eps = eps;
+                built.hold_from = hold_from;
                 built.inv_tau = inv_tau;
-                built.c3_2 = c3_2;
+                built.c2_1 = c2_1;
+                built.c3_0 = c3_0;
                 built.c3_1 = c3_1;
                 built.u_max = u_max;
                 built.t0 = 0.0;
@@ -135,16 +128,18 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = s1 - (self->half_tau / late);
-            const double row1 = self->c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
-            const double sec = sqrt(one_plus_y2);
-            const double y = ((late * self->inv_tau) + 1.0) * sec;
-            const double y_squared = one_plus_y2 - 1.0;
-            const double s2 = ((self->c2_4 * y_squared) + self->c2_2) * y_squared;
-            const double row2 = s2 + self->c2_0 + (((self->c2_3 * y_squared) + self->c2_3) * y);
-            const double row3 = (self->c3_2 * y_squared) + self->c3_2 + (self->c3_1 * y);
-            const double v = ((((row1 * x[0] * sec) + (row2 * x[1])) * sec) + (row3 * x[2])) * sec;
+            const double v1 = late * self->inv_tau;
+            const double h2 = v1 * ((-2.0) - v1);
+            const double v2 = 1.0 / h2;
+            const double v3 = sqrt(v2);
+            const double h = h2 * v3;
+            const double y_h2 = (v1 + 1.0) * h;
+            const double s1 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0;
+            const double row2 = s1 + (self->c2_1 * y_h2);
+            const double row3 = self->c3_0 + (self->c3_1 * y_h2);
+            const double inv_h3 = v2 * v3;
+            const double s2 = ((self->c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
+            const double v = (s2 + (row3 * x[2])) * inv_h3;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -181,18 +176,19 @@ ptc_status ptc_algebraic3_tick(const ptc_algebraic3 *self, double t, ptc_algebra
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = s1 - (self->half_tau / late);
-            const double row1 = self->c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
-            const double sec = sqrt(one_plus_y2);
-            const double y = ((late * self->inv_tau) + 1.0) * sec;
-            const double y_squared = one_plus_y2 - 1.0;
-            const double s2 = ((self->c2_4 * y_squared) + self->c2_2) * y_squared;
-            const double row2 = s2 + self->c2_0 + (((self->c2_3 * y_squared) + self->c2_3) * y);
-            const double row3 = (self->c3_2 * y_squared) + self->c3_2 + (self->c3_1 * y);
-            gains->gain[0] = row1 * (sec * sec) * sec;
-            gains->gain[1] = row2 * sec * sec;
-            gains->gain[2] = row3 * sec;
+            const double v1 = late * self->inv_tau;
+            const double h2 = v1 * ((-2.0) - v1);
+            const double v2 = 1.0 / h2;
+            const double v3 = sqrt(v2);
+            const double h = h2 * v3;
+            const double y_h2 = (v1 + 1.0) * h;
+            const double s1 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0;
+            const double row2 = s1 + (self->c2_1 * y_h2);
+            const double row3 = self->c3_0 + (self->c3_1 * y_h2);
+            const double inv_h3 = v2 * v3;
+            gains->gain[0] = self->c1 * (inv_h3 * inv_h3) * inv_h3;
+            gains->gain[1] = row2 * inv_h3 * inv_h3;
+            gains->gain[2] = row3 * inv_h3;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -42,50 +42,34 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             const double K4 = k4 / a;
             const double v4 = tau * tau;
             const double v5 = v4 * v4;
-            const double c1_4 = (-K1) / v5;
+            const double c1 = (-K1) / v5;
+            const double v6 = tau * v4;
+            const double c2_0 = (-K2) / v6;
+            const double c2_2 = (-(12.0 * K4)) / v6;
+            const double c2_4 = (15.0 * K4) / v6;
             const double hold_from = -eps;
-            const double two_tau = 2.0 * tau;
-            const double half_tau = 0.5 * tau;
-            const double v6 = -K2;
-            const double v7 = v6 + (3.0 * K4);
-            const double v8 = tau * v4;
-            const double c2_0 = v7 / v8;
-            const double v9 = 3.0 * K3;
-            const double v10 = v9 - 45.0;
-            const double c2_1 = v10 / v8;
-            const double v11 = -(3.0 * K2);
-            const double v12 = 9.0 * K4;
-            const double v13 = v11 - v12;
-            const double c2_2 = v13 / v8;
-            const double v14 = (6.0 * K3) + 60.0;
-            const double c2_3 = v14 / v8;
-            const double v15 = v11 - (12.0 * K4);
-            const double c2_4 = v15 / v8;
-            const double c2_5 = v9 / v8;
-            const double c2_6 = v6 / v8;
             const double inv_tau = 1.0 / tau;
-            const double v16 = -K3;
-            const double c3_0 = (v16 + 12.0) / v4;
-            const double c3_3 = v12 / v4;
-            const double c3_2 = ((-(2.0 * K3)) - 75.0) / v4;
-            const double c3_4 = v16 / v4;
-            const double c4_2 = (-K4) / tau;
+            const double c2_1 = (3.0 * K3) / v6;
+            const double c2_3 = 60.0 / v6;
+            const double c2_5 = (-105.0) / v6;
+            const double c3_0 = (-K3) / v4;
+            const double c3_2 = (-75.0) / v4;
+            const double c3_4 = 87.0 / v4;
+            const double c3_1 = (9.0 * K4) / v4;
+            const double c4_0 = (-K4) / tau;
             const double c4_1 = 18.0 / tau;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
-            const double size_c1_4 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_4);
-            const double size_c2_0 = (fabs(v7) <= 0.0) ? 1e-200 : fabs(c2_0);
-            const double size_c2_1 = (fabs(v10) <= 0.0) ? 1e-200 : fabs(c2_1);
-            const double size_c2_2 = (fabs(v13) <= 0.0) ? 1e-200 : fabs(c2_2);
-            const double size_c2_3 = (fabs(v14) <= 0.0) ? 1e-200 : fabs(c2_3);
-            const double size_c2_4 = (fabs(v15) <= 0.0) ? 1e-200 : fabs(c2_4);
-            const double size_c2_5 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_5);
-            const double size_c2_6 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_6);
-            const double size_c3_3 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_3);
-            const double size_c3_4 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_4);
-            const double size_c4_2 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_2);
+            const double size_c1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1);
+            const double size_c2_0 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_0);
+            const double size_c2_2 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c2_2);
+            const double size_c2_4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c2_4);
+            const double size_c2_1 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_1);
+            const double size_c3_0 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_0);
+            const double size_c3_1 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_1);
+            const double size_c4_0 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_0);
             if ((1e-200 <= v2)
                 && (1e-200 <= size_K1)
                 && (1e-200 <= v3)
@@ -93,55 +77,48 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
                 && (1e-200 <= size_K3)
                 && (1e-200 <= size_K4)
                 && (1e-200 <= v5)
-                && (1e-200 <= size_c1_4)
-                && (1e-200 <= v8)
+                && (1e-200 <= size_c1)
+                && (1e-200 <= v6)
                 && (1e-200 <= size_c2_0)
-                && (1e-200 <= size_c2_1)
                 && (1e-200 <= size_c2_2)
-                && (1e-200 <= size_c2_3)
                 && (1e-200 <= size_c2_4)
-                && (1e-200 <= size_c2_5)
-                && (1e-200 <= size_c2_6)
-                && (1e-200 <= size_c3_3)
-                && (1e-200 <= size_c3_4)
-                && (1e-200 <= size_c4_2)
-                && (isfinite(c1_4) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(two_tau) != 0)
-                && (isfinite(half_tau) != 0)
+                && (1e-200 <= size_c2_1)
+                && (1e-200 <= c2_3)
+                && (c2_5 <= -1e-200)
+                && (1e-200 <= size_c3_0)
+                && (1e-200 <= size_c3_1)
+                && (1e-200 <= size_c4_0)
+                && (isfinite(c1) != 0)
                 && (isfinite(c2_0) != 0)
-                && (isfinite(c2_1) != 0)
                 && (isfinite(c2_2) != 0)
-                && (isfinite(c2_3) != 0)
                 && (isfinite(c2_4) != 0)
-                && (isfinite(c2_5) != 0)
-                && (isfinite(c2_6) != 0)
+                && (isfinite(hold_from) != 0)
                 && (isfinite(inv_tau) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(c2_3) != 0)
+                && (isfinite(c2_5) != 0)
                 && (isfinite(c3_0) != 0)
-                && (isfinite(c3_3) != 0)
                 && (isfinite(c3_2) != 0)
                 && (isfinite(c3_4) != 0)
-                && (isfinite(c4_2) != 0)
+                && (isfinite(c3_1) != 0)
+                && (isfinite(c4_0) != 0)
                 && (isfinite(c4_1) != 0)) {
                 built.tau = tau;
-                built.c1_4 = c1_4;
+                built.c1 = c1;
+                built.c2_0 = c2_0;
+                built.c2_2 = c2_2;
+                built.c2_4 = c2_4;
                 built.eps = eps;
                 built.hold_from = hold_from;
-                built.two_tau = two_tau;
-                built.half_tau = half_tau;
-                built.c2_0 = c2_0;
-                built.c2_1 = c2_1;
-                built.c2_2 = c2_2;
-                built.c2_3 = c2_3;
-                built.c2_4 = c2_4;
-                built.c2_5 = c2_5;
-                built.c2_6 = c2_6;
                 built.inv_tau = inv_tau;
+                built.c2_1 = c2_1;
+                built.c2_3 = c2_3;
+                built.c2_5 = c2_5;
                 built.c3_0 = c3_0;
-                built.c3_3 = c3_3;
                 built.c3_2 = c3_2;
                 built.c3_4 = c3_4;
-                built.c4_2 = c4_2;
+                built.c3_1 = c3_1;
+                built.c4_0 = c4_0;
                 built.c4_1 = c4_1;
                 built.u_max = u_max;
                 built.t0 = 0.0;
@@ -188,22 +165,20 @@ ptc_status ptc_algebraic4_step(const ptc_algebraic4 *self, double t, const doubl
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = s1 - (self->half_tau / late);
-            const double v1 = one_plus_y2 * one_plus_y2;
-            const double row1 = self->c1_4 * v1 * v1;
-            const double sec = sqrt(one_plus_y2);
-            const double y = ((late * self->inv_tau) + 1.0) * sec;
-            const double y_squared = one_plus_y2 - 1.0;
-            const double s2 = ((self->c2_6 * y_squared) + self->c2_4) * y_squared;
-            const double s3 = ((self->c2_5 * y_squared) + self->c2_3) * y_squared;
-            const double s4 = ((s2 + self->c2_2) * y_squared) + self->c2_0;
-            const double row2 = s4 + ((s3 + self->c2_1) * y);
-            const double s5 = ((self->c3_4 * y_squared) + self->c3_2) * y_squared;
-            const double row3 = s5 + self->c3_0 + (((self->c3_3 * y_squared) + self->c3_3) * y);
-            const double row4 = (self->c4_2 * y_squared) + self->c4_2 + (self->c4_1 * y);
-            const double s6 = ((((row1 * x[0] * sec) + (row2 * x[1])) * sec) + (row3 * x[2])) * sec;
-            const double v = (s6 + (row4 * x[3])) * sec;
+            const double v1 = late * self->inv_tau;
+            const double h2 = v1 * ((-2.0) - v1);
+            const double v2 = 1.0 / h2;
+            const double v3 = sqrt(v2);
+            const double h = h2 * v3;
+            const double y_h2 = (v1 + 1.0) * h;
+            const double s1 = ((((self->c2_5 * h2) + self->c2_3) * h2) + self->c2_1) * y_h2;
+            const double row2 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0 + s1;
+            const double s2 = (((self->c3_4 * h2) + self->c3_2) * h2) + self->c3_0;
+            const double row3 = s2 + (self->c3_1 * y_h2);
+            const double row4 = self->c4_0 + (self->c4_1 * y_h2);
+            const double inv_h3 = v2 * v3;
+            const double s3 = ((self->c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
+            const double v = (((s3 + (row3 * x[2])) * inv_h3) + (row4 * x[3])) * inv_h3;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -241,25 +216,23 @@ ptc_status ptc_algebraic4_tick(const ptc_algebraic4 *self, double t, ptc_algebra
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double s1 = self->half_tau / (self->two_tau + late);
-            const double one_plus_y2 = s1 - (self->half_tau / late);
-            const double v1 = one_plus_y2 * one_plus_y2;
-            const double row1 = self->c1_4 * v1 * v1;
-            const double sec = sqrt(one_plus_y2);
-            const double y = ((late * self->inv_tau) + 1.0) * sec;
-            const double y_squared = one_plus_y2 - 1.0;
-            const double s2 = ((self->c2_6 * y_squared) + self->c2_4) * y_squared;
-            const double s3 = ((self->c2_5 * y_squared) + self->c2_3) * y_squared;
-            const double s4 = ((s2 + self->c2_2) * y_squared) + self->c2_0;
-            const double row2 = s4 + ((s3 + self->c2_1) * y);
-            const double s5 = ((self->c3_4 * y_squared) + self->c3_2) * y_squared;
-            const double row3 = s5 + self->c3_0 + (((self->c3_3 * y_squared) + self->c3_3) * y);
-            const double row4 = (self->c4_2 * y_squared) + self->c4_2 + (self->c4_1 * y);
-            const double v2 = sec * sec;
-            gains->gain[0] = row1 * v2 * v2;
-            gains->gain[1] = row2 * v2 * sec;
-            gains->gain[2] = row3 * sec * sec;
-            gains->gain[3] = row4 * sec;
+            const double v1 = late * self->inv_tau;
+            const double h2 = v1 * ((-2.0) - v1);
+            const double v2 = 1.0 / h2;
+            const double v3 = sqrt(v2);
+            const double h = h2 * v3;
+            const double y_h2 = (v1 + 1.0) * h;
+            const double s1 = ((((self->c2_5 * h2) + self->c2_3) * h2) + self->c2_1) * y_h2;
+            const double row2 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0 + s1;
+            const double s2 = (((self->c3_4 * h2) + self->c3_2) * h2) + self->c3_0;
+            const double row3 = s2 + (self->c3_1 * y_h2);
+            const double row4 = self->c4_0 + (self->c4_1 * y_h2);
+            const double inv_h3 = v2 * v3;
+            const double v4 = inv_h3 * inv_h3;
+            gains->gain[0] = self->c1 * v4 * v4;
+            gains->gain[1] = row2 * v4 * inv_h3;
+            gains->gain[2] = row3 * inv_h3 * inv_h3;
+            gains->gain[3] = row4 * inv_h3;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -53,17 +53,16 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -(k_1 xi_1 + ... + k_4 xi_4)
  *   u = sum_j gain_j x_j
- *   gain_j = sec^(n+1-j) row_j
+ *   gain_j = inv_h3^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/a^(n+1-i)
- *   row_1 = -tau^-4*K1*one_plus_y2^4
- *   row_2 = -tau^-3*K2 - 3*tau^-3*K2*y^2 - 3*tau^-3*K2*y^4 - tau^-3*K2*y^6 + 3*tau^-3*K3*y +
- *       6*tau^-3*K3*y^3 + 3*tau^-3*K3*y^5 + 3*tau^-3*K4 - 9*tau^-3*K4*y^2 - 12*tau^-3*K4*y^4
- *       - 45*tau^-3*y + 60*tau^-3*y^3
- *   row_3 = 12*tau^-2 - tau^-2*K3 - 2*tau^-2*K3*y^2 - tau^-2*K3*y^4 + 9*tau^-2*K4*y +
- *       9*tau^-2*K4*y^3 - 75*tau^-2*y^2
- *   row_4 = -tau^-1*K4 - tau^-1*K4*y^2 + 18*tau^-1*y
- *   one_plus_y2 = 1 + y^2
- *   sec = sqrt(1 + y^2)
+ *   row_1 = -tau^-4*K1
+ *   row_2 = -tau^-3*K2 + 3*tau^-3*K3*y_h2 - 12*tau^-3*K4*h2 + 15*tau^-3*K4*h2^2 +
+ *       60*tau^-3*h2*y_h2 - 105*tau^-3*h2^2*y_h2
+ *   row_3 = -tau^-2*K3 + 9*tau^-2*K4*y_h2 - 75*tau^-2*h2 + 87*tau^-2*h2^2
+ *   row_4 = -tau^-1*K4 + 18*tau^-1*y_h2
+ *   h2 = h^2 = T*(2*tau - T)/tau^2
+ *   y_h2 = y*h^2 = (1 - T/tau)*h
+ *   inv_h3 = 1/h^3 = a*tau*kappa'
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -81,8 +80,8 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 22 additions or comparisons, 25
- *       multiplications, 2 divisions, 1 square root.
+ * Operations of one step, without input checks and clipping: 17 additions or comparisons, 22
+ *       multiplications, 1 division, 1 square root.
  */
 #ifndef PTC_ALGEBRAIC4_H
 #define PTC_ALGEBRAIC4_H
@@ -118,28 +117,25 @@ typedef struct ptc_algebraic4_params {
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_algebraic4 {
     double tau; /* prescribed settling time */
-    double c1_4; /* coefficient of one_plus_y2^4 in the gain of x1 */
+    double c1; /* coefficient of x1 */
+    double c2_0; /* coefficient of h2^0 in the gain of x2 */
+    double c2_2; /* coefficient of h2^1 in the gain of x2 */
+    double c2_4; /* coefficient of h2^2 in the gain of x2 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double two_tau; /* 2*tau */
-    double half_tau; /* tau/2 */
-    double c2_0; /* coefficient of y^0 in the gain of x2 */
-    double c2_1; /* coefficient of y^1 in the gain of x2 */
-    double c2_2; /* coefficient of y^2 in the gain of x2 */
-    double c2_3; /* coefficient of y^3 in the gain of x2 */
-    double c2_4; /* coefficient of y^4 in the gain of x2 */
-    double c2_5; /* coefficient of y^5 in the gain of x2 */
-    double c2_6; /* coefficient of y^6 in the gain of x2 */
     double inv_tau; /* 1/tau */
-    double c3_0; /* coefficient of y^0 in the gain of x3 */
-    double c3_3; /* coefficient of y^3 in the gain of x3 */
-    double c3_2; /* coefficient of y^2 in the gain of x3 */
-    double c3_4; /* coefficient of y^4 in the gain of x3 */
-    double c4_2; /* coefficient of y^2 in the gain of x4 */
-    double c4_1; /* coefficient of y^1 in the gain of x4 */
+    double c2_1; /* coefficient of y_h2*h2^0 in the gain of x2 */
+    double c2_3; /* coefficient of y_h2*h2^1 in the gain of x2 */
+    double c2_5; /* coefficient of y_h2*h2^2 in the gain of x2 */
+    double c3_0; /* coefficient of h2^0 in the gain of x3 */
+    double c3_2; /* coefficient of h2^1 in the gain of x3 */
+    double c3_4; /* coefficient of h2^2 in the gain of x3 */
+    double c3_1; /* coefficient of y_h2*h2^0 in the gain of x3 */
+    double c4_0; /* coefficient of h2^0 in the gain of x4 */
+    double c4_1; /* coefficient of y_h2*h2^0 in the gain of x4 */
     double u_max; /* bound of |u| */
 } ptc_algebraic4;
 

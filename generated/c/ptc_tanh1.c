@@ -29,19 +29,21 @@ ptc_status ptc_tanh1_init(ptc_tanh1 *self, const ptc_tanh1_params *params)
             && (eps < tau)) {
             const double rate = 2.0 * a;
             const double K1 = k1 / rate;
-            const double c1_1 = -K1;
+            const double c1 = -K1;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
             const double minus_two_tau = -two_tau;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             if ((1e-200 <= size_K1)
-                && (isfinite(c1_1) != 0)
+                && (isfinite(c1) != 0)
                 && (isfinite(hold_from) != 0)
+                && (isfinite(two_tau) != 0)
                 && (isfinite(minus_two_tau) != 0)) {
-                built.c1_1 = c1_1;
+                built.c1 = c1;
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
+                built.two_tau = two_tau;
                 built.minus_two_tau = minus_two_tau;
                 built.u_max = u_max;
                 built.t0 = 0.0;
@@ -88,10 +90,8 @@ ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], do
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double E = late / (self->minus_two_tau - late);
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_1 * one_plus_E;
-            const double v = ((-row1) * x[0]) / late;
+            const double inv_TL = self->two_tau / (late * (self->minus_two_tau - late));
+            const double v = self->c1 * x[0] * inv_TL;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -125,10 +125,8 @@ ptc_status ptc_tanh1_tick(const ptc_tanh1 *self, double t, ptc_tanh1_gains *gain
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double E = late / (self->minus_two_tau - late);
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_1 * one_plus_E;
-            gains->gain[0] = (-row1) / late;
+            const double inv_TL = self->two_tau / (late * (self->minus_two_tau - late));
+            gains->gain[0] = self->c1 * inv_TL;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -38,11 +38,10 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -k_1 xi_1
  *   u = sum_j gain_j x_j
- *   gain_j = inv_T^(n+1-j) row_j
+ *   gain_j = inv_TL^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/(2*a)^(n+1-i)
- *   row_1 = -K1*one_plus_E
- *   inv_T = 1/T
- *   one_plus_E = 1 + E
+ *   row_1 = -K1
+ *   inv_TL = 1/(T*L) = 2*tau/(T*(2*tau - T))
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -60,8 +59,8 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 6 additions or comparisons, 2
- *       multiplications, 2 divisions.
+ * Operations of one step, without input checks and clipping: 4 additions or comparisons, 3
+ *       multiplications, 1 division.
  */
 #ifndef PTC_TANH1_H
 #define PTC_TANH1_H
@@ -96,13 +95,14 @@ typedef struct ptc_tanh1_params {
 
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_tanh1 {
-    double c1_1; /* coefficient of one_plus_E^1 in the gain of x1 */
+    double c1; /* coefficient of x1 */
     double t0; /* start time */
     double tau; /* prescribed settling time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
+    double two_tau; /* 2*tau */
     double minus_two_tau; /* -2*tau */
     double u_max; /* bound of |u| */
 } ptc_tanh1;

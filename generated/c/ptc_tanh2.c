@@ -32,29 +32,30 @@ ptc_status ptc_tanh2_init(ptc_tanh2 *self, const ptc_tanh2_params *params)
             const double rate = 2.0 * a;
             const double K1 = k1 / (rate * rate);
             const double K2 = k2 / rate;
-            const double c1_2 = -K1;
+            const double c1 = -K1;
+            const double c2_0 = (-K2) + 1.0;
+            const double c2_1 = 1.0 / tau;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
             const double minus_two_tau = -two_tau;
-            const double v1 = -K2;
-            const double c2_0 = v1 + 1.0;
-            const double c2_1 = v1 - 1.0;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             if ((1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
-                && (isfinite(c1_2) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(minus_two_tau) != 0)
+                && (isfinite(c1) != 0)
                 && (isfinite(c2_0) != 0)
-                && (isfinite(c2_1) != 0)) {
-                built.c1_2 = c1_2;
+                && (isfinite(c2_1) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(two_tau) != 0)
+                && (isfinite(minus_two_tau) != 0)) {
+                built.c1 = c1;
+                built.c2_0 = c2_0;
                 built.tau = tau;
+                built.c2_1 = c2_1;
                 built.eps = eps;
                 built.hold_from = hold_from;
+                built.two_tau = two_tau;
                 built.minus_two_tau = minus_two_tau;
-                built.c2_0 = c2_0;
-                built.c2_1 = c2_1;
                 built.u_max = u_max;
                 built.t0 = 0.0;
                 built.deadline = 0.0;
@@ -100,12 +101,9 @@ ptc_status ptc_tanh2_step(const ptc_tanh2 *self, double t, const double x[2], do
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double E = late / (self->minus_two_tau - late);
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_2 * one_plus_E * one_plus_E;
-            const double row2 = (self->c2_1 * E) + self->c2_0;
-            const double inv_T = (-1.0) / late;
-            const double v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+            const double row2 = (self->c2_1 * late) + self->c2_0;
+            const double inv_TL = self->two_tau / (late * (self->minus_two_tau - late));
+            const double v = ((self->c1 * x[0] * inv_TL) + (row2 * x[1])) * inv_TL;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -139,13 +137,10 @@ ptc_status ptc_tanh2_tick(const ptc_tanh2 *self, double t, ptc_tanh2_gains *gain
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double E = late / (self->minus_two_tau - late);
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_2 * one_plus_E * one_plus_E;
-            const double row2 = (self->c2_1 * E) + self->c2_0;
-            const double inv_T = (-1.0) / late;
-            gains->gain[0] = row1 * inv_T * inv_T;
-            gains->gain[1] = row2 * inv_T;
+            const double row2 = (self->c2_1 * late) + self->c2_0;
+            const double inv_TL = self->two_tau / (late * (self->minus_two_tau - late));
+            gains->gain[0] = self->c1 * inv_TL * inv_TL;
+            gains->gain[1] = row2 * inv_TL;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

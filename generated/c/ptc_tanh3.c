@@ -37,17 +37,15 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             const double K1 = k1 / v2;
             const double K2 = k2 / v1;
             const double K3 = k3 / rate;
-            const double c1_3 = -K1;
+            const double c1 = -K1;
+            const double c2_0 = ((-K2) + K3) - 1.0;
+            const double c2_1 = (K3 - 3.0) / tau;
+            const double c2_2 = (-1.5) / (tau * tau);
             const double hold_from = -eps;
+            const double c3_0 = (-K3) + 3.0;
+            const double c3_1 = 3.0 / tau;
             const double two_tau = 2.0 * tau;
             const double minus_two_tau = -two_tau;
-            const double v3 = -K2;
-            const double c2_0 = (v3 + K3) - 1.0;
-            const double c2_1 = (-(2.0 * K2)) + 4.0;
-            const double c2_2 = (v3 - K3) - 1.0;
-            const double v4 = -K3;
-            const double c3_0 = v4 + 3.0;
-            const double c3_1 = v4 - 3.0;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
@@ -55,24 +53,26 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
                 && (1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
                 && (1e-200 <= size_K3)
-                && (isfinite(c1_3) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(minus_two_tau) != 0)
+                && (isfinite(c1) != 0)
                 && (isfinite(c2_0) != 0)
                 && (isfinite(c2_1) != 0)
                 && (isfinite(c2_2) != 0)
+                && (isfinite(hold_from) != 0)
                 && (isfinite(c3_0) != 0)
-                && (isfinite(c3_1) != 0)) {
-                built.c1_3 = c1_3;
-                built.tau = tau;
-                built.eps = eps;
-                built.hold_from = hold_from;
-                built.minus_two_tau = minus_two_tau;
+                && (isfinite(c3_1) != 0)
+                && (isfinite(two_tau) != 0)
+                && (isfinite(minus_two_tau) != 0)) {
+                built.c1 = c1;
                 built.c2_0 = c2_0;
+                built.tau = tau;
                 built.c2_1 = c2_1;
                 built.c2_2 = c2_2;
+                built.eps = eps;
+                built.hold_from = hold_from;
                 built.c3_0 = c3_0;
                 built.c3_1 = c3_1;
+                built.two_tau = two_tau;
+                built.minus_two_tau = minus_two_tau;
                 built.u_max = u_max;
                 built.t0 = 0.0;
                 built.deadline = 0.0;
@@ -118,14 +118,11 @@ ptc_status ptc_tanh3_step(const ptc_tanh3 *self, double t, const double x[3], do
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double E = late / (self->minus_two_tau - late);
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_3 * one_plus_E * one_plus_E * one_plus_E;
-            const double row2 = (((self->c2_2 * E) + self->c2_1) * E) + self->c2_0;
-            const double row3 = (self->c3_1 * E) + self->c3_0;
-            const double inv_T = (-1.0) / late;
-            const double s1 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
-            const double v = s1 * inv_T;
+            const double row2 = (((self->c2_2 * late) + self->c2_1) * late) + self->c2_0;
+            const double row3 = (self->c3_1 * late) + self->c3_0;
+            const double inv_TL = self->two_tau / (late * (self->minus_two_tau - late));
+            const double s1 = ((self->c1 * x[0] * inv_TL) + (row2 * x[1])) * inv_TL;
+            const double v = (s1 + (row3 * x[2])) * inv_TL;
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
@@ -162,15 +159,12 @@ ptc_status ptc_tanh3_tick(const ptc_tanh3 *self, double t, ptc_tanh3_gains *gain
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double E = late / (self->minus_two_tau - late);
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_3 * one_plus_E * one_plus_E * one_plus_E;
-            const double row2 = (((self->c2_2 * E) + self->c2_1) * E) + self->c2_0;
-            const double row3 = (self->c3_1 * E) + self->c3_0;
-            const double inv_T = (-1.0) / late;
-            gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
-            gains->gain[1] = row2 * inv_T * inv_T;
-            gains->gain[2] = row3 * inv_T;
+            const double row2 = (((self->c2_2 * late) + self->c2_1) * late) + self->c2_0;
+            const double row3 = (self->c3_1 * late) + self->c3_0;
+            const double inv_TL = self->two_tau / (late * (self->minus_two_tau - late));
+            gains->gain[0] = self->c1 * (inv_TL * inv_TL) * inv_TL;
+            gains->gain[1] = row2 * inv_TL * inv_TL;
+            gains->gain[2] = row3 * inv_TL;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -47,13 +47,12 @@
  *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
  *   u = sum_j gain_j x_j
- *   gain_j = inv_T^(n+1-j) row_j
+ *   gain_j = inv_TL^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/(2*a)^(n+1-i)
- *   row_1 = -K1*one_plus_E^3
- *   row_2 = -1 - K2 - 2*K2*E - K2*E^2 + K3 - K3*E^2 + 4*E - E^2
- *   row_3 = 3 - K3 - K3*E - 3*E
- *   inv_T = 1/T
- *   one_plus_E = 1 + E
+ *   row_1 = -K1
+ *   row_2 = -1 - 3/2*tau^-2*T^2 - tau^-1*K3*T + 3*tau^-1*T - K2 + K3
+ *   row_3 = 3 - 3*tau^-1*T - K3
+ *   inv_TL = 1/(T*L) = 2*tau/(T*(2*tau - T))
  *
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -71,8 +70,8 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 10 additions or comparisons, 12
- *       multiplications, 2 divisions.
+ * Operations of one step, without input checks and clipping: 9 additions or comparisons, 10
+ *       multiplications, 1 division.
  */
 #ifndef PTC_TANH3_H
 #define PTC_TANH3_H
@@ -107,19 +106,20 @@ typedef struct ptc_tanh3_params {
 
 /* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_tanh3 {
-    double c1_3; /* coefficient of one_plus_E^3 in the gain of x1 */
-    double t0; /* start time */
+    double c1; /* coefficient of x1 */
+    double c2_0; /* coefficient of late^0 in the gain of x2 */
     double tau; /* prescribed settling time */
+    double c2_1; /* coefficient of late^1 in the gain of x2 */
+    double c2_2; /* coefficient of late^2 in the gain of x2 */
+    double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
+    double c3_0; /* coefficient of late^0 in the gain of x3 */
+    double c3_1; /* coefficient of late^1 in the gain of x3 */
+    double two_tau; /* 2*tau */
     double minus_two_tau; /* -2*tau */
-    double c2_0; /* coefficient of E^0 in the gain of x2 */
-    double c2_1; /* coefficient of E^1 in the gain of x2 */
-    double c2_2; /* coefficient of E^2 in the gain of x2 */
-    double c3_0; /* coefficient of E^0 in the gain of x3 */
-    double c3_1; /* coefficient of E^1 in the gain of x3 */
     double u_max; /* bound of |u| */
 } ptc_tanh3;
 

@@ -39,11 +39,10 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -k_1 xi_1
 //!   u = sum_j gain_j x_j
-//!   gain_j = sec^(n+1-j) row_j
+//!   gain_j = inv_h3^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/a^(n+1-i)
-//!   row_1 = -tau^-1*K1*one_plus_y2
-//!   one_plus_y2 = 1 + y^2
-//!   sec = sqrt(1 + y^2)
+//!   row_1 = -tau^-1*K1
+//!   inv_h3 = 1/h^3 = a*tau*kappa'
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -60,8 +59,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
-//!       multiplications, 2 divisions, 1 square root.
+//! Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
+//!       multiplications, 1 division, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -168,8 +167,8 @@ pub struct PtcAlgebraic1Params {
 pub struct PtcAlgebraic1 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of one_plus_y2^1 in the gain of x1.
-    c1_1: f64,
+    /// coefficient of x1.
+    c1: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -180,10 +179,8 @@ pub struct PtcAlgebraic1 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
-    /// tau/2.
-    half_tau: f64,
+    /// 1/tau.
+    inv_tau: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -235,28 +232,25 @@ impl PtcAlgebraic1 {
             return Err(Error::Param);
         }
         let K1 = k1 / a;
-        let c1_1 = (-K1) / tau;
+        let c1 = (-K1) / tau;
         let hold_from = -eps;
-        let two_tau = 2.0 * tau;
-        let half_tau = 0.5 * tau;
+        let inv_tau = 1.0 / tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
-        let size_c1_1 = if k1.abs() <= 0.0 { 1e-200 } else { c1_1.abs() };
+        let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
         if !((1e-200 <= size_K1)
-            && (1e-200 <= size_c1_1)
-            && c1_1.is_finite()
+            && (1e-200 <= size_c1)
+            && c1.is_finite()
             && hold_from.is_finite()
-            && two_tau.is_finite()
-            && half_tau.is_finite())
+            && inv_tau.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_1,
+            c1,
             eps,
             hold_from,
-            two_tau,
-            half_tau,
+            inv_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -302,11 +296,11 @@ impl PtcAlgebraic1 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let row1 = self.c1_1 * one_plus_y2;
-        let sec = math::sqrt(one_plus_y2);
-        let v = row1 * x[0] * sec;
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let inv_h3 = v2 * math::sqrt(v2);
+        let v = self.c1 * x[0] * inv_h3;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
@@ -341,17 +335,17 @@ impl PtcAlgebraic1 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let row1 = self.c1_1 * one_plus_y2;
-        let sec = math::sqrt(one_plus_y2);
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let inv_h3 = v2 * math::sqrt(v2);
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic1Gains {
-            gain: [row1 * sec],
+            gain: [self.c1 * inv_h3],
             u_max: self.u_max,
             status,
         })

@@ -42,12 +42,12 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + k_2 xi_2)
 //!   u = sum_j gain_j x_j
-//!   gain_j = sec^(n+1-j) row_j
+//!   gain_j = inv_h3^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/a^(n+1-i)
-//!   row_1 = -tau^-2*K1*one_plus_y2^2
-//!   row_2 = -tau^-1*K2 - tau^-1*K2*y^2 + 3*tau^-1*y
-//!   one_plus_y2 = 1 + y^2
-//!   sec = sqrt(1 + y^2)
+//!   row_1 = -tau^-2*K1
+//!   row_2 = -tau^-1*K2 + 3*tau^-1*y_h2
+//!   y_h2 = y*h^2 = (1 - T/tau)*h
+//!   inv_h3 = 1/h^3 = a*tau*kappa'
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -64,8 +64,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 10 additions or comparisons, 10
-//!       multiplications, 2 divisions, 1 square root.
+//! Operations of one step, without input checks and clipping: 7 additions or comparisons, 10
+//!       multiplications, 1 division, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -172,8 +172,10 @@ pub struct PtcAlgebraic2Params {
 pub struct PtcAlgebraic2 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of one_plus_y2^2 in the gain of x1.
-    c1_2: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of h2^0 in the gain of x2.
+    c2_0: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -184,16 +186,10 @@ pub struct PtcAlgebraic2 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
-    /// tau/2.
-    half_tau: f64,
-    /// coefficient of y^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of y^1 in the gain of x2.
-    c2_1: f64,
     /// 1/tau.
     inv_tau: f64,
+    /// coefficient of y_h2*h2^0 in the gain of x2.
+    c2_1: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -248,41 +244,35 @@ impl PtcAlgebraic2 {
         }
         let K1 = k1 / (a * a);
         let K2 = k2 / a;
-        let c1_2 = (-K1) / (tau * tau);
+        let c1 = (-K1) / (tau * tau);
+        let c2_0 = (-K2) / tau;
         let hold_from = -eps;
-        let two_tau = 2.0 * tau;
-        let half_tau = 0.5 * tau;
-        let c2_2 = (-K2) / tau;
-        let c2_1 = 3.0 / tau;
         let inv_tau = 1.0 / tau;
+        let c2_1 = 3.0 / tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
-        let size_c1_2 = if k1.abs() <= 0.0 { 1e-200 } else { c1_2.abs() };
-        let size_c2_2 = if k2.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
+        let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
+        let size_c2_0 = if k2.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
         if !((1e-200 <= size_K1)
             && (1e-200 <= size_K2)
-            && (1e-200 <= size_c1_2)
-            && (1e-200 <= size_c2_2)
-            && c1_2.is_finite()
+            && (1e-200 <= size_c1)
+            && (1e-200 <= size_c2_0)
+            && c1.is_finite()
+            && c2_0.is_finite()
             && hold_from.is_finite()
-            && two_tau.is_finite()
-            && half_tau.is_finite()
-            && c2_2.is_finite()
-            && c2_1.is_finite()
-            && inv_tau.is_finite())
+            && inv_tau.is_finite()
+            && c2_1.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_2,
+            c1,
+            c2_0,
             eps,
             hold_from,
-            two_tau,
-            half_tau,
-            c2_2,
-            c2_1,
             inv_tau,
+            c2_1,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -328,14 +318,15 @@ impl PtcAlgebraic2 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let row1 = self.c1_2 * one_plus_y2 * one_plus_y2;
-        let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
-        let y_squared = one_plus_y2 - 1.0;
-        let row2 = (self.c2_2 * y_squared) + self.c2_2 + (self.c2_1 * y);
-        let v = ((row1 * x[0] * sec) + (row2 * x[1])) * sec;
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let v3 = math::sqrt(v2);
+        let h = h2 * v3;
+        let y_h2 = (v1 + 1.0) * h;
+        let row2 = self.c2_0 + (self.c2_1 * y_h2);
+        let inv_h3 = v2 * v3;
+        let v = ((self.c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
@@ -370,20 +361,21 @@ impl PtcAlgebraic2 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let row1 = self.c1_2 * one_plus_y2 * one_plus_y2;
-        let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
-        let y_squared = one_plus_y2 - 1.0;
-        let row2 = (self.c2_2 * y_squared) + self.c2_2 + (self.c2_1 * y);
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let v3 = math::sqrt(v2);
+        let h = h2 * v3;
+        let y_h2 = (v1 + 1.0) * h;
+        let row2 = self.c2_0 + (self.c2_1 * y_h2);
+        let inv_h3 = v2 * v3;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic2Gains {
-            gain: [row1 * sec * sec, row2 * sec],
+            gain: [self.c1 * inv_h3 * inv_h3, row2 * inv_h3],
             u_max: self.u_max,
             status,
         })

@@ -48,14 +48,14 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
 //!   u = sum_j gain_j x_j
-//!   gain_j = sec^(n+1-j) row_j
+//!   gain_j = inv_h3^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/a^(n+1-i)
-//!   row_1 = -tau^-3*K1*one_plus_y2^3
-//!   row_2 = 3*tau^-2 - tau^-2*K2 - 2*tau^-2*K2*y^2 - tau^-2*K2*y^4 + 3*tau^-2*K3*y +
-//!       3*tau^-2*K3*y^3 - 12*tau^-2*y^2
-//!   row_3 = -tau^-1*K3 - tau^-1*K3*y^2 + 9*tau^-1*y
-//!   one_plus_y2 = 1 + y^2
-//!   sec = sqrt(1 + y^2)
+//!   row_1 = -tau^-3*K1
+//!   row_2 = -tau^-2*K2 + 3*tau^-2*K3*y_h2 - 12*tau^-2*h2 + 15*tau^-2*h2^2
+//!   row_3 = -tau^-1*K3 + 9*tau^-1*y_h2
+//!   h2 = h^2 = T*(2*tau - T)/tau^2
+//!   y_h2 = y*h^2 = (1 - T/tau)*h
+//!   inv_h3 = 1/h^3 = a*tau*kappa'
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -72,8 +72,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 15 additions or comparisons, 17
-//!       multiplications, 2 divisions, 1 square root.
+//! Operations of one step, without input checks and clipping: 11 additions or comparisons, 15
+//!       multiplications, 1 division, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -180,8 +180,14 @@ pub struct PtcAlgebraic3Params {
 pub struct PtcAlgebraic3 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of one_plus_y2^3 in the gain of x1.
-    c1_3: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of h2^0 in the gain of x2.
+    c2_0: f64,
+    /// coefficient of h2^1 in the gain of x2.
+    c2_2: f64,
+    /// coefficient of h2^2 in the gain of x2.
+    c2_4: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -192,23 +198,13 @@ pub struct PtcAlgebraic3 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
-    /// tau/2.
-    half_tau: f64,
-    /// coefficient of y^0 in the gain of x2.
-    c2_0: f64,
-    /// coefficient of y^3 in the gain of x2.
-    c2_3: f64,
-    /// coefficient of y^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of y^4 in the gain of x2.
-    c2_4: f64,
     /// 1/tau.
     inv_tau: f64,
-    /// coefficient of y^2 in the gain of x3.
-    c3_2: f64,
-    /// coefficient of y^1 in the gain of x3.
+    /// coefficient of y_h2*h2^0 in the gain of x2.
+    c2_1: f64,
+    /// coefficient of h2^0 in the gain of x3.
+    c3_0: f64,
+    /// coefficient of y_h2*h2^0 in the gain of x3.
     c3_1: f64,
     /// bound of |u|.
     u_max: f64,
@@ -271,61 +267,54 @@ impl PtcAlgebraic3 {
         let K3 = k3 / a;
         let v3 = tau * tau;
         let v4 = tau * v3;
-        let c1_3 = (-K1) / v4;
+        let c1 = (-K1) / v4;
+        let c2_0 = (-K2) / v3;
+        let c2_2 = (-12.0) / v3;
+        let c2_4 = 15.0 / v3;
         let hold_from = -eps;
-        let two_tau = 2.0 * tau;
-        let half_tau = 0.5 * tau;
-        let v5 = -K2;
-        let c2_0 = (v5 + 3.0) / v3;
-        let c2_3 = (3.0 * K3) / v3;
-        let c2_2 = ((-(2.0 * K2)) - 12.0) / v3;
-        let c2_4 = v5 / v3;
         let inv_tau = 1.0 / tau;
-        let c3_2 = (-K3) / tau;
+        let c2_1 = (3.0 * K3) / v3;
+        let c3_0 = (-K3) / tau;
         let c3_1 = 9.0 / tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
-        let size_c1_3 = if k1.abs() <= 0.0 { 1e-200 } else { c1_3.abs() };
-        let size_c2_3 = if k3.abs() <= 0.0 { 1e-200 } else { c2_3.abs() };
-        let size_c2_4 = if k2.abs() <= 0.0 { 1e-200 } else { c2_4.abs() };
-        let size_c3_2 = if k3.abs() <= 0.0 { 1e-200 } else { c3_2.abs() };
+        let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
+        let size_c2_0 = if k2.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
+        let size_c2_1 = if k3.abs() <= 0.0 { 1e-200 } else { c2_1.abs() };
+        let size_c3_0 = if k3.abs() <= 0.0 { 1e-200 } else { c3_0.abs() };
         if !((1e-200 <= v2)
             && (1e-200 <= size_K1)
             && (1e-200 <= size_K2)
             && (1e-200 <= size_K3)
             && (1e-200 <= v4)
-            && (1e-200 <= size_c1_3)
-            && (1e-200 <= size_c2_3)
-            && (1e-200 <= size_c2_4)
-            && (1e-200 <= size_c3_2)
-            && c1_3.is_finite()
-            && hold_from.is_finite()
-            && two_tau.is_finite()
-            && half_tau.is_finite()
+            && (1e-200 <= size_c1)
+            && (1e-200 <= size_c2_0)
+            && (1e-200 <= size_c2_1)
+            && (1e-200 <= size_c3_0)
+            && c1.is_finite()
             && c2_0.is_finite()
-            && c2_3.is_finite()
             && c2_2.is_finite()
             && c2_4.is_finite()
+            && hold_from.is_finite()
             && inv_tau.is_finite()
-            && c3_2.is_finite()
+            && c2_1.is_finite()
+            && c3_0.is_finite()
             && c3_1.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_3,
-            eps,
-            hold_from,
-            two_tau,
-            half_tau,
+            c1,
             c2_0,
-            c2_3,
             c2_2,
             c2_4,
+            eps,
+            hold_from,
             inv_tau,
-            c3_2,
+            c2_1,
+            c3_0,
             c3_1,
             u_max,
             t0: 0.0,
@@ -372,16 +361,18 @@ impl PtcAlgebraic3 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let row1 = self.c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
-        let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
-        let y_squared = one_plus_y2 - 1.0;
-        let s2 = ((self.c2_4 * y_squared) + self.c2_2) * y_squared;
-        let row2 = s2 + self.c2_0 + (((self.c2_3 * y_squared) + self.c2_3) * y);
-        let row3 = (self.c3_2 * y_squared) + self.c3_2 + (self.c3_1 * y);
-        let v = ((((row1 * x[0] * sec) + (row2 * x[1])) * sec) + (row3 * x[2])) * sec;
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let v3 = math::sqrt(v2);
+        let h = h2 * v3;
+        let y_h2 = (v1 + 1.0) * h;
+        let s1 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0;
+        let row2 = s1 + (self.c2_1 * y_h2);
+        let row3 = self.c3_0 + (self.c3_1 * y_h2);
+        let inv_h3 = v2 * v3;
+        let s2 = ((self.c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
+        let v = (s2 + (row3 * x[2])) * inv_h3;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
@@ -416,22 +407,27 @@ impl PtcAlgebraic3 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let row1 = self.c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
-        let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
-        let y_squared = one_plus_y2 - 1.0;
-        let s2 = ((self.c2_4 * y_squared) + self.c2_2) * y_squared;
-        let row2 = s2 + self.c2_0 + (((self.c2_3 * y_squared) + self.c2_3) * y);
-        let row3 = (self.c3_2 * y_squared) + self.c3_2 + (self.c3_1 * y);
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let v3 = math::sqrt(v2);
+        let h = h2 * v3;
+        let y_h2 = (v1 + 1.0) * h;
+        let s1 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0;
+        let row2 = s1 + (self.c2_1 * y_h2);
+        let row3 = self.c3_0 + (self.c3_1 * y_h2);
+        let inv_h3 = v2 * v3;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic3Gains {
-            gain: [row1 * (sec * sec) * sec, row2 * sec * sec, row3 * sec],
+            gain: [
+                self.c1 * (inv_h3 * inv_h3) * inv_h3,
+                row2 * inv_h3 * inv_h3,
+                row3 * inv_h3,
+            ],
             u_max: self.u_max,
             status,
         })

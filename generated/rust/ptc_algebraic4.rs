@@ -53,17 +53,16 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + ... + k_4 xi_4)
 //!   u = sum_j gain_j x_j
-//!   gain_j = sec^(n+1-j) row_j
+//!   gain_j = inv_h3^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/a^(n+1-i)
-//!   row_1 = -tau^-4*K1*one_plus_y2^4
-//!   row_2 = -tau^-3*K2 - 3*tau^-3*K2*y^2 - 3*tau^-3*K2*y^4 - tau^-3*K2*y^6 + 3*tau^-3*K3*y +
-//!       6*tau^-3*K3*y^3 + 3*tau^-3*K3*y^5 + 3*tau^-3*K4 - 9*tau^-3*K4*y^2 - 12*tau^-3*K4*y^4
-//!       - 45*tau^-3*y + 60*tau^-3*y^3
-//!   row_3 = 12*tau^-2 - tau^-2*K3 - 2*tau^-2*K3*y^2 - tau^-2*K3*y^4 + 9*tau^-2*K4*y +
-//!       9*tau^-2*K4*y^3 - 75*tau^-2*y^2
-//!   row_4 = -tau^-1*K4 - tau^-1*K4*y^2 + 18*tau^-1*y
-//!   one_plus_y2 = 1 + y^2
-//!   sec = sqrt(1 + y^2)
+//!   row_1 = -tau^-4*K1
+//!   row_2 = -tau^-3*K2 + 3*tau^-3*K3*y_h2 - 12*tau^-3*K4*h2 + 15*tau^-3*K4*h2^2 +
+//!       60*tau^-3*h2*y_h2 - 105*tau^-3*h2^2*y_h2
+//!   row_3 = -tau^-2*K3 + 9*tau^-2*K4*y_h2 - 75*tau^-2*h2 + 87*tau^-2*h2^2
+//!   row_4 = -tau^-1*K4 + 18*tau^-1*y_h2
+//!   h2 = h^2 = T*(2*tau - T)/tau^2
+//!   y_h2 = y*h^2 = (1 - T/tau)*h
+//!   inv_h3 = 1/h^3 = a*tau*kappa'
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -80,8 +79,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 22 additions or comparisons, 25
-//!       multiplications, 2 divisions, 1 square root.
+//! Operations of one step, without input checks and clipping: 17 additions or comparisons, 22
+//!       multiplications, 1 division, 1 square root.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -188,8 +187,14 @@ pub struct PtcAlgebraic4Params {
 pub struct PtcAlgebraic4 {
     /// prescribed settling time.
     tau: f64,
-    /// coefficient of one_plus_y2^4 in the gain of x1.
-    c1_4: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of h2^0 in the gain of x2.
+    c2_0: f64,
+    /// coefficient of h2^1 in the gain of x2.
+    c2_2: f64,
+    /// coefficient of h2^2 in the gain of x2.
+    c2_4: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -200,37 +205,25 @@ pub struct PtcAlgebraic4 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau.
-    two_tau: f64,
-    /// tau/2.
-    half_tau: f64,
-    /// coefficient of y^0 in the gain of x2.
-    c2_0: f64,
-    /// coefficient of y^1 in the gain of x2.
-    c2_1: f64,
-    /// coefficient of y^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of y^3 in the gain of x2.
-    c2_3: f64,
-    /// coefficient of y^4 in the gain of x2.
-    c2_4: f64,
-    /// coefficient of y^5 in the gain of x2.
-    c2_5: f64,
-    /// coefficient of y^6 in the gain of x2.
-    c2_6: f64,
     /// 1/tau.
     inv_tau: f64,
-    /// coefficient of y^0 in the gain of x3.
+    /// coefficient of y_h2*h2^0 in the gain of x2.
+    c2_1: f64,
+    /// coefficient of y_h2*h2^1 in the gain of x2.
+    c2_3: f64,
+    /// coefficient of y_h2*h2^2 in the gain of x2.
+    c2_5: f64,
+    /// coefficient of h2^0 in the gain of x3.
     c3_0: f64,
-    /// coefficient of y^3 in the gain of x3.
-    c3_3: f64,
-    /// coefficient of y^2 in the gain of x3.
+    /// coefficient of h2^1 in the gain of x3.
     c3_2: f64,
-    /// coefficient of y^4 in the gain of x3.
+    /// coefficient of h2^2 in the gain of x3.
     c3_4: f64,
-    /// coefficient of y^2 in the gain of x4.
-    c4_2: f64,
-    /// coefficient of y^1 in the gain of x4.
+    /// coefficient of y_h2*h2^0 in the gain of x3.
+    c3_1: f64,
+    /// coefficient of h2^0 in the gain of x4.
+    c4_0: f64,
+    /// coefficient of y_h2*h2^0 in the gain of x4.
     c4_1: f64,
     /// bound of |u|.
     u_max: f64,
@@ -297,50 +290,34 @@ impl PtcAlgebraic4 {
         let K4 = k4 / a;
         let v4 = tau * tau;
         let v5 = v4 * v4;
-        let c1_4 = (-K1) / v5;
+        let c1 = (-K1) / v5;
+        let v6 = tau * v4;
+        let c2_0 = (-K2) / v6;
+        let c2_2 = (-(12.0 * K4)) / v6;
+        let c2_4 = (15.0 * K4) / v6;
         let hold_from = -eps;
-        let two_tau = 2.0 * tau;
-        let half_tau = 0.5 * tau;
-        let v6 = -K2;
-        let v7 = v6 + (3.0 * K4);
-        let v8 = tau * v4;
-        let c2_0 = v7 / v8;
-        let v9 = 3.0 * K3;
-        let v10 = v9 - 45.0;
-        let c2_1 = v10 / v8;
-        let v11 = -(3.0 * K2);
-        let v12 = 9.0 * K4;
-        let v13 = v11 - v12;
-        let c2_2 = v13 / v8;
-        let v14 = (6.0 * K3) + 60.0;
-        let c2_3 = v14 / v8;
-        let v15 = v11 - (12.0 * K4);
-        let c2_4 = v15 / v8;
-        let c2_5 = v9 / v8;
-        let c2_6 = v6 / v8;
         let inv_tau = 1.0 / tau;
-        let v16 = -K3;
-        let c3_0 = (v16 + 12.0) / v4;
-        let c3_3 = v12 / v4;
-        let c3_2 = ((-(2.0 * K3)) - 75.0) / v4;
-        let c3_4 = v16 / v4;
-        let c4_2 = (-K4) / tau;
+        let c2_1 = (3.0 * K3) / v6;
+        let c2_3 = 60.0 / v6;
+        let c2_5 = (-105.0) / v6;
+        let c3_0 = (-K3) / v4;
+        let c3_2 = (-75.0) / v4;
+        let c3_4 = 87.0 / v4;
+        let c3_1 = (9.0 * K4) / v4;
+        let c4_0 = (-K4) / tau;
         let c4_1 = 18.0 / tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
         let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
-        let size_c1_4 = if k1.abs() <= 0.0 { 1e-200 } else { c1_4.abs() };
-        let size_c2_0 = if v7.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
-        let size_c2_1 = if v10.abs() <= 0.0 { 1e-200 } else { c2_1.abs() };
-        let size_c2_2 = if v13.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
-        let size_c2_3 = if v14.abs() <= 0.0 { 1e-200 } else { c2_3.abs() };
-        let size_c2_4 = if v15.abs() <= 0.0 { 1e-200 } else { c2_4.abs() };
-        let size_c2_5 = if k3.abs() <= 0.0 { 1e-200 } else { c2_5.abs() };
-        let size_c2_6 = if k2.abs() <= 0.0 { 1e-200 } else { c2_6.abs() };
-        let size_c3_3 = if k4.abs() <= 0.0 { 1e-200 } else { c3_3.abs() };
-        let size_c3_4 = if k3.abs() <= 0.0 { 1e-200 } else { c3_4.abs() };
-        let size_c4_2 = if k4.abs() <= 0.0 { 1e-200 } else { c4_2.abs() };
+        let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
+        let size_c2_0 = if k2.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
+        let size_c2_2 = if k4.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
+        let size_c2_4 = if k4.abs() <= 0.0 { 1e-200 } else { c2_4.abs() };
+        let size_c2_1 = if k3.abs() <= 0.0 { 1e-200 } else { c2_1.abs() };
+        let size_c3_0 = if k3.abs() <= 0.0 { 1e-200 } else { c3_0.abs() };
+        let size_c3_1 = if k4.abs() <= 0.0 { 1e-200 } else { c3_1.abs() };
+        let size_c4_0 = if k4.abs() <= 0.0 { 1e-200 } else { c4_0.abs() };
         if !((1e-200 <= v2)
             && (1e-200 <= size_K1)
             && (1e-200 <= v3)
@@ -348,59 +325,52 @@ impl PtcAlgebraic4 {
             && (1e-200 <= size_K3)
             && (1e-200 <= size_K4)
             && (1e-200 <= v5)
-            && (1e-200 <= size_c1_4)
-            && (1e-200 <= v8)
+            && (1e-200 <= size_c1)
+            && (1e-200 <= v6)
             && (1e-200 <= size_c2_0)
-            && (1e-200 <= size_c2_1)
             && (1e-200 <= size_c2_2)
-            && (1e-200 <= size_c2_3)
             && (1e-200 <= size_c2_4)
-            && (1e-200 <= size_c2_5)
-            && (1e-200 <= size_c2_6)
-            && (1e-200 <= size_c3_3)
-            && (1e-200 <= size_c3_4)
-            && (1e-200 <= size_c4_2)
-            && c1_4.is_finite()
-            && hold_from.is_finite()
-            && two_tau.is_finite()
-            && half_tau.is_finite()
+            && (1e-200 <= size_c2_1)
+            && (1e-200 <= c2_3)
+            && (c2_5 <= -1e-200)
+            && (1e-200 <= size_c3_0)
+            && (1e-200 <= size_c3_1)
+            && (1e-200 <= size_c4_0)
+            && c1.is_finite()
             && c2_0.is_finite()
-            && c2_1.is_finite()
             && c2_2.is_finite()
-            && c2_3.is_finite()
             && c2_4.is_finite()
-            && c2_5.is_finite()
-            && c2_6.is_finite()
+            && hold_from.is_finite()
             && inv_tau.is_finite()
+            && c2_1.is_finite()
+            && c2_3.is_finite()
+            && c2_5.is_finite()
             && c3_0.is_finite()
-            && c3_3.is_finite()
             && c3_2.is_finite()
             && c3_4.is_finite()
-            && c4_2.is_finite()
+            && c3_1.is_finite()
+            && c4_0.is_finite()
             && c4_1.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
             tau,
-            c1_4,
+            c1,
+            c2_0,
+            c2_2,
+            c2_4,
             eps,
             hold_from,
-            two_tau,
-            half_tau,
-            c2_0,
-            c2_1,
-            c2_2,
-            c2_3,
-            c2_4,
-            c2_5,
-            c2_6,
             inv_tau,
+            c2_1,
+            c2_3,
+            c2_5,
             c3_0,
-            c3_3,
             c3_2,
             c3_4,
-            c4_2,
+            c3_1,
+            c4_0,
             c4_1,
             u_max,
             t0: 0.0,
@@ -447,22 +417,20 @@ impl PtcAlgebraic4 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let v1 = one_plus_y2 * one_plus_y2;
-        let row1 = self.c1_4 * v1 * v1;
-        let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
-        let y_squared = one_plus_y2 - 1.0;
-        let s2 = ((self.c2_6 * y_squared) + self.c2_4) * y_squared;
-        let s3 = ((self.c2_5 * y_squared) + self.c2_3) * y_squared;
-        let s4 = ((s2 + self.c2_2) * y_squared) + self.c2_0;
-        let row2 = s4 + ((s3 + self.c2_1) * y);
-        let s5 = ((self.c3_4 * y_squared) + self.c3_2) * y_squared;
-        let row3 = s5 + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
-        let row4 = (self.c4_2 * y_squared) + self.c4_2 + (self.c4_1 * y);
-        let s6 = ((((row1 * x[0] * sec) + (row2 * x[1])) * sec) + (row3 * x[2])) * sec;
-        let v = (s6 + (row4 * x[3])) * sec;
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let v3 = math::sqrt(v2);
+        let h = h2 * v3;
+        let y_h2 = (v1 + 1.0) * h;
+        let s1 = ((((self.c2_5 * h2) + self.c2_3) * h2) + self.c2_1) * y_h2;
+        let row2 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0 + s1;
+        let s2 = (((self.c3_4 * h2) + self.c3_2) * h2) + self.c3_0;
+        let row3 = s2 + (self.c3_1 * y_h2);
+        let row4 = self.c4_0 + (self.c4_1 * y_h2);
+        let inv_h3 = v2 * v3;
+        let s3 = ((self.c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
+        let v = (((s3 + (row3 * x[2])) * inv_h3) + (row4 * x[3])) * inv_h3;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
@@ -502,21 +470,19 @@ impl PtcAlgebraic4 {
         } else {
             self.hold_from
         };
-        let s1 = self.half_tau / (self.two_tau + late);
-        let one_plus_y2 = s1 - (self.half_tau / late);
-        let v1 = one_plus_y2 * one_plus_y2;
-        let row1 = self.c1_4 * v1 * v1;
-        let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
-        let y_squared = one_plus_y2 - 1.0;
-        let s2 = ((self.c2_6 * y_squared) + self.c2_4) * y_squared;
-        let s3 = ((self.c2_5 * y_squared) + self.c2_3) * y_squared;
-        let s4 = ((s2 + self.c2_2) * y_squared) + self.c2_0;
-        let row2 = s4 + ((s3 + self.c2_1) * y);
-        let s5 = ((self.c3_4 * y_squared) + self.c3_2) * y_squared;
-        let row3 = s5 + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
-        let row4 = (self.c4_2 * y_squared) + self.c4_2 + (self.c4_1 * y);
-        let v2 = sec * sec;
+        let v1 = late * self.inv_tau;
+        let h2 = v1 * ((-2.0) - v1);
+        let v2 = 1.0 / h2;
+        let v3 = math::sqrt(v2);
+        let h = h2 * v3;
+        let y_h2 = (v1 + 1.0) * h;
+        let s1 = ((((self.c2_5 * h2) + self.c2_3) * h2) + self.c2_1) * y_h2;
+        let row2 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0 + s1;
+        let s2 = (((self.c3_4 * h2) + self.c3_2) * h2) + self.c3_0;
+        let row3 = s2 + (self.c3_1 * y_h2);
+        let row4 = self.c4_0 + (self.c4_1 * y_h2);
+        let inv_h3 = v2 * v3;
+        let v4 = inv_h3 * inv_h3;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -524,10 +490,10 @@ impl PtcAlgebraic4 {
         };
         Ok(PtcAlgebraic4Gains {
             gain: [
-                row1 * v2 * v2,
-                row2 * v2 * sec,
-                row3 * sec * sec,
-                row4 * sec,
+                self.c1 * v4 * v4,
+                row2 * v4 * inv_h3,
+                row3 * inv_h3 * inv_h3,
+                row4 * inv_h3,
             ],
             u_max: self.u_max,
             status,

@@ -38,11 +38,10 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -k_1 xi_1
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_TL^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(2*a)^(n+1-i)
-//!   row_1 = -K1*one_plus_E
-//!   inv_T = 1/T
-//!   one_plus_E = 1 + E
+//!   row_1 = -K1
+//!   inv_TL = 1/(T*L) = 2*tau/(T*(2*tau - T))
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -59,8 +58,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 6 additions or comparisons, 2
-//!       multiplications, 2 divisions.
+//! Operations of one step, without input checks and clipping: 4 additions or comparisons, 3
+//!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -149,8 +148,8 @@ pub struct PtcTanh1Params {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh1 {
-    /// coefficient of one_plus_E^1 in the gain of x1.
-    c1_1: f64,
+    /// coefficient of x1.
+    c1: f64,
     /// start time.
     t0: f64,
     /// prescribed settling time.
@@ -163,6 +162,8 @@ pub struct PtcTanh1 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
+    /// 2*tau.
+    two_tau: f64,
     /// -2*tau.
     minus_two_tau: f64,
     /// bound of |u|.
@@ -217,23 +218,25 @@ impl PtcTanh1 {
         }
         let rate = 2.0 * a;
         let K1 = k1 / rate;
-        let c1_1 = -K1;
+        let c1 = -K1;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
         let minus_two_tau = -two_tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         if !((1e-200 <= size_K1)
-            && c1_1.is_finite()
+            && c1.is_finite()
             && hold_from.is_finite()
+            && two_tau.is_finite()
             && minus_two_tau.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
-            c1_1,
+            c1,
             tau,
             eps,
             hold_from,
+            two_tau,
             minus_two_tau,
             u_max,
             t0: 0.0,
@@ -280,10 +283,8 @@ impl PtcTanh1 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let row1 = self.c1_1 * one_plus_E;
-        let v = ((-row1) * x[0]) / late;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
+        let v = self.c1 * x[0] * inv_TL;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
@@ -318,16 +319,14 @@ impl PtcTanh1 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let row1 = self.c1_1 * one_plus_E;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcTanh1Gains {
-            gain: [(-row1) / late],
+            gain: [self.c1 * inv_TL],
             u_max: self.u_max,
             status,
         })

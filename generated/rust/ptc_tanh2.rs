@@ -41,12 +41,11 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + k_2 xi_2)
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_TL^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(2*a)^(n+1-i)
-//!   row_1 = -K1*one_plus_E^2
-//!   row_2 = 1 - K2 - K2*E - E
-//!   inv_T = 1/T
-//!   one_plus_E = 1 + E
+//!   row_1 = -K1
+//!   row_2 = 1 - tau^-1*T - K2
+//!   inv_TL = 1/(T*L) = 2*tau/(T*(2*tau - T))
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -63,8 +62,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 7 additions or comparisons, 7
-//!       multiplications, 2 divisions.
+//! Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
+//!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -153,12 +152,16 @@ pub struct PtcTanh2Params {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh2 {
-    /// coefficient of one_plus_E^2 in the gain of x1.
-    c1_2: f64,
-    /// start time.
-    t0: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of late^0 in the gain of x2.
+    c2_0: f64,
     /// prescribed settling time.
     tau: f64,
+    /// coefficient of late^1 in the gain of x2.
+    c2_1: f64,
+    /// start time.
+    t0: f64,
     /// t0 + tau, rounded.
     deadline: f64,
     /// low part of t0 + tau (compensated sum).
@@ -167,12 +170,10 @@ pub struct PtcTanh2 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
+    /// 2*tau.
+    two_tau: f64,
     /// -2*tau.
     minus_two_tau: f64,
-    /// coefficient of E^0 in the gain of x2.
-    c2_0: f64,
-    /// coefficient of E^1 in the gain of x2.
-    c2_1: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -228,33 +229,34 @@ impl PtcTanh2 {
         let rate = 2.0 * a;
         let K1 = k1 / (rate * rate);
         let K2 = k2 / rate;
-        let c1_2 = -K1;
+        let c1 = -K1;
+        let c2_0 = (-K2) + 1.0;
+        let c2_1 = 1.0 / tau;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
         let minus_two_tau = -two_tau;
-        let v1 = -K2;
-        let c2_0 = v1 + 1.0;
-        let c2_1 = v1 - 1.0;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         if !((1e-200 <= size_K1)
             && (1e-200 <= size_K2)
-            && c1_2.is_finite()
-            && hold_from.is_finite()
-            && minus_two_tau.is_finite()
+            && c1.is_finite()
             && c2_0.is_finite()
-            && c2_1.is_finite())
+            && c2_1.is_finite()
+            && hold_from.is_finite()
+            && two_tau.is_finite()
+            && minus_two_tau.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
-            c1_2,
+            c1,
+            c2_0,
             tau,
+            c2_1,
             eps,
             hold_from,
+            two_tau,
             minus_two_tau,
-            c2_0,
-            c2_1,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -300,12 +302,9 @@ impl PtcTanh2 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let row1 = self.c1_2 * one_plus_E * one_plus_E;
-        let row2 = (self.c2_1 * E) + self.c2_0;
-        let inv_T = (-1.0) / late;
-        let v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+        let row2 = (self.c2_1 * late) + self.c2_0;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
+        let v = ((self.c1 * x[0] * inv_TL) + (row2 * x[1])) * inv_TL;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
@@ -340,18 +339,15 @@ impl PtcTanh2 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let row1 = self.c1_2 * one_plus_E * one_plus_E;
-        let row2 = (self.c2_1 * E) + self.c2_0;
-        let inv_T = (-1.0) / late;
+        let row2 = (self.c2_1 * late) + self.c2_0;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcTanh2Gains {
-            gain: [row1 * inv_T * inv_T, row2 * inv_T],
+            gain: [self.c1 * inv_TL * inv_TL, row2 * inv_TL],
             u_max: self.u_max,
             status,
         })

@@ -47,13 +47,12 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_TL^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(2*a)^(n+1-i)
-//!   row_1 = -K1*one_plus_E^3
-//!   row_2 = -1 - K2 - 2*K2*E - K2*E^2 + K3 - K3*E^2 + 4*E - E^2
-//!   row_3 = 3 - K3 - K3*E - 3*E
-//!   inv_T = 1/T
-//!   one_plus_E = 1 + E
+//!   row_1 = -K1
+//!   row_2 = -1 - 3/2*tau^-2*T^2 - tau^-1*K3*T + 3*tau^-1*T - K2 + K3
+//!   row_3 = 3 - 3*tau^-1*T - K3
+//!   inv_TL = 1/(T*L) = 2*tau/(T*(2*tau - T))
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -70,8 +69,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 10 additions or comparisons, 12
-//!       multiplications, 2 divisions.
+//! Operations of one step, without input checks and clipping: 9 additions or comparisons, 10
+//!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -160,12 +159,18 @@ pub struct PtcTanh3Params {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh3 {
-    /// coefficient of one_plus_E^3 in the gain of x1.
-    c1_3: f64,
-    /// start time.
-    t0: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of late^0 in the gain of x2.
+    c2_0: f64,
     /// prescribed settling time.
     tau: f64,
+    /// coefficient of late^1 in the gain of x2.
+    c2_1: f64,
+    /// coefficient of late^2 in the gain of x2.
+    c2_2: f64,
+    /// start time.
+    t0: f64,
     /// t0 + tau, rounded.
     deadline: f64,
     /// low part of t0 + tau (compensated sum).
@@ -174,18 +179,14 @@ pub struct PtcTanh3 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
+    /// coefficient of late^0 in the gain of x3.
+    c3_0: f64,
+    /// coefficient of late^1 in the gain of x3.
+    c3_1: f64,
+    /// 2*tau.
+    two_tau: f64,
     /// -2*tau.
     minus_two_tau: f64,
-    /// coefficient of E^0 in the gain of x2.
-    c2_0: f64,
-    /// coefficient of E^1 in the gain of x2.
-    c2_1: f64,
-    /// coefficient of E^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of E^0 in the gain of x3.
-    c3_0: f64,
-    /// coefficient of E^1 in the gain of x3.
-    c3_1: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -246,17 +247,15 @@ impl PtcTanh3 {
         let K1 = k1 / v2;
         let K2 = k2 / v1;
         let K3 = k3 / rate;
-        let c1_3 = -K1;
+        let c1 = -K1;
+        let c2_0 = ((-K2) + K3) - 1.0;
+        let c2_1 = (K3 - 3.0) / tau;
+        let c2_2 = (-1.5) / (tau * tau);
         let hold_from = -eps;
+        let c3_0 = (-K3) + 3.0;
+        let c3_1 = 3.0 / tau;
         let two_tau = 2.0 * tau;
         let minus_two_tau = -two_tau;
-        let v3 = -K2;
-        let c2_0 = (v3 + K3) - 1.0;
-        let c2_1 = (-(2.0 * K2)) + 4.0;
-        let c2_2 = (v3 - K3) - 1.0;
-        let v4 = -K3;
-        let c3_0 = v4 + 3.0;
-        let c3_1 = v4 - 3.0;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
@@ -264,28 +263,30 @@ impl PtcTanh3 {
             && (1e-200 <= size_K1)
             && (1e-200 <= size_K2)
             && (1e-200 <= size_K3)
-            && c1_3.is_finite()
-            && hold_from.is_finite()
-            && minus_two_tau.is_finite()
+            && c1.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite()
             && c2_2.is_finite()
+            && hold_from.is_finite()
             && c3_0.is_finite()
-            && c3_1.is_finite())
+            && c3_1.is_finite()
+            && two_tau.is_finite()
+            && minus_two_tau.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
-            c1_3,
-            tau,
-            eps,
-            hold_from,
-            minus_two_tau,
+            c1,
             c2_0,
+            tau,
             c2_1,
             c2_2,
+            eps,
+            hold_from,
             c3_0,
             c3_1,
+            two_tau,
+            minus_two_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -331,14 +332,11 @@ impl PtcTanh3 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let row1 = self.c1_3 * one_plus_E * one_plus_E * one_plus_E;
-        let row2 = (((self.c2_2 * E) + self.c2_1) * E) + self.c2_0;
-        let row3 = (self.c3_1 * E) + self.c3_0;
-        let inv_T = (-1.0) / late;
-        let s1 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
-        let v = s1 * inv_T;
+        let row2 = (((self.c2_2 * late) + self.c2_1) * late) + self.c2_0;
+        let row3 = (self.c3_1 * late) + self.c3_0;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
+        let s1 = ((self.c1 * x[0] * inv_TL) + (row2 * x[1])) * inv_TL;
+        let v = (s1 + (row3 * x[2])) * inv_TL;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
@@ -373,12 +371,9 @@ impl PtcTanh3 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let row1 = self.c1_3 * one_plus_E * one_plus_E * one_plus_E;
-        let row2 = (((self.c2_2 * E) + self.c2_1) * E) + self.c2_0;
-        let row3 = (self.c3_1 * E) + self.c3_0;
-        let inv_T = (-1.0) / late;
+        let row2 = (((self.c2_2 * late) + self.c2_1) * late) + self.c2_0;
+        let row3 = (self.c3_1 * late) + self.c3_0;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -386,9 +381,9 @@ impl PtcTanh3 {
         };
         Ok(PtcTanh3Gains {
             gain: [
-                row1 * (inv_T * inv_T) * inv_T,
-                row2 * inv_T * inv_T,
-                row3 * inv_T,
+                self.c1 * (inv_TL * inv_TL) * inv_TL,
+                row2 * inv_TL * inv_TL,
+                row3 * inv_TL,
             ],
             u_max: self.u_max,
             status,

@@ -52,15 +52,14 @@
 //!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
 //!   pi0 = -(k_1 xi_1 + ... + k_4 xi_4)
 //!   u = sum_j gain_j x_j
-//!   gain_j = inv_T^(n+1-j) row_j
+//!   gain_j = inv_TL^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/(2*a)^(n+1-i)
-//!   row_1 = -K1*one_plus_E^4
-//!   row_2 = 1 - K2 - 3*K2*E - 3*K2*E^2 - K2*E^3 + K3 + K3*E - K3*E^2 - K3*E^3 - K4 + 3*K4*E +
-//!       3*K4*E^2 - K4*E^3 - 11*E + 11*E^2 - E^3
-//!   row_3 = -7 - K3 - 2*K3*E - K3*E^2 + 3*K4 - 3*K4*E^2 + 22*E - 7*E^2
-//!   row_4 = 6 - K4 - K4*E - 6*E
-//!   inv_T = 1/T
-//!   one_plus_E = 1 + E
+//!   row_1 = -K1
+//!   row_2 = 1 - 3*tau^-3*T^3 - 3/2*tau^-2*K4*T^2 + 9*tau^-2*T^2 - tau^-1*K3*T + 3*tau^-1*K4*T
+//!       - 7*tau^-1*T - K2 + K3 - K4
+//!   row_3 = -7 - 9*tau^-2*T^2 - 3*tau^-1*K4*T + 18*tau^-1*T - K3 + 3*K4
+//!   row_4 = 6 - 6*tau^-1*T - K4
+//!   inv_TL = 1/(T*L) = 2*tau/(T*(2*tau - T))
 //!
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
@@ -77,8 +76,8 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 14 additions or comparisons, 17
-//!       multiplications, 2 divisions.
+//! Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
+//!       multiplications, 1 division.
 //! ```
 #![forbid(unsafe_code)]
 
@@ -167,12 +166,20 @@ pub struct PtcTanh4Params {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh4 {
-    /// coefficient of one_plus_E^4 in the gain of x1.
-    c1_4: f64,
-    /// start time.
-    t0: f64,
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of late^0 in the gain of x2.
+    c2_0: f64,
     /// prescribed settling time.
     tau: f64,
+    /// coefficient of late^1 in the gain of x2.
+    c2_1: f64,
+    /// coefficient of late^2 in the gain of x2.
+    c2_2: f64,
+    /// coefficient of late^3 in the gain of x2.
+    c2_3: f64,
+    /// start time.
+    t0: f64,
     /// t0 + tau, rounded.
     deadline: f64,
     /// low part of t0 + tau (compensated sum).
@@ -181,26 +188,20 @@ pub struct PtcTanh4 {
     eps: f64,
     /// -eps: later than this the gains are held.
     hold_from: f64,
+    /// coefficient of late^0 in the gain of x3.
+    c3_0: f64,
+    /// coefficient of late^1 in the gain of x3.
+    c3_1: f64,
+    /// coefficient of late^2 in the gain of x3.
+    c3_2: f64,
+    /// coefficient of late^0 in the gain of x4.
+    c4_0: f64,
+    /// coefficient of late^1 in the gain of x4.
+    c4_1: f64,
+    /// 2*tau.
+    two_tau: f64,
     /// -2*tau.
     minus_two_tau: f64,
-    /// coefficient of E^0 in the gain of x2.
-    c2_0: f64,
-    /// coefficient of E^1 in the gain of x2.
-    c2_1: f64,
-    /// coefficient of E^2 in the gain of x2.
-    c2_2: f64,
-    /// coefficient of E^3 in the gain of x2.
-    c2_3: f64,
-    /// coefficient of E^0 in the gain of x3.
-    c3_0: f64,
-    /// coefficient of E^1 in the gain of x3.
-    c3_1: f64,
-    /// coefficient of E^2 in the gain of x3.
-    c3_2: f64,
-    /// coefficient of E^0 in the gain of x4.
-    c4_0: f64,
-    /// coefficient of E^1 in the gain of x4.
-    c4_1: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -265,24 +266,22 @@ impl PtcTanh4 {
         let K2 = k2 / v3;
         let K3 = k3 / v1;
         let K4 = k4 / rate;
-        let c1_4 = -K1;
+        let c1 = -K1;
+        let c2_0 = (((-K2) + K3) - K4) + 1.0;
+        let v4 = 3.0 * K4;
+        let c2_1 = ((K3 - v4) + 7.0) / tau;
+        let v5 = tau * tau;
+        let c2_2 = ((-(1.5 * K4)) + 9.0) / v5;
+        let v6 = tau * v5;
+        let c2_3 = 3.0 / v6;
         let hold_from = -eps;
+        let c3_0 = ((-K3) + v4) - 7.0;
+        let c3_1 = (v4 - 18.0) / tau;
+        let c3_2 = (-9.0) / v5;
+        let c4_0 = (-K4) + 6.0;
+        let c4_1 = 6.0 / tau;
         let two_tau = 2.0 * tau;
         let minus_two_tau = -two_tau;
-        let v4 = -K2;
-        let c2_0 = ((v4 + K3) - K4) + 1.0;
-        let v5 = -(3.0 * K2);
-        let v6 = 3.0 * K4;
-        let c2_1 = (v5 + K3 + v6) - 11.0;
-        let c2_2 = (v5 - K3) + v6 + 11.0;
-        let c2_3 = ((v4 - K3) - K4) - 1.0;
-        let v7 = -K3;
-        let c3_0 = (v7 + v6) - 7.0;
-        let c3_1 = (-(2.0 * K3)) + 22.0;
-        let c3_2 = (v7 - v6) - 7.0;
-        let v8 = -K4;
-        let c4_0 = v8 + 6.0;
-        let c4_1 = v8 - 6.0;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
@@ -293,36 +292,40 @@ impl PtcTanh4 {
             && (1e-200 <= size_K2)
             && (1e-200 <= size_K3)
             && (1e-200 <= size_K4)
-            && c1_4.is_finite()
-            && hold_from.is_finite()
-            && minus_two_tau.is_finite()
+            && (1e-200 <= v6)
+            && (1e-200 <= c2_3)
+            && c1.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite()
             && c2_2.is_finite()
             && c2_3.is_finite()
+            && hold_from.is_finite()
             && c3_0.is_finite()
             && c3_1.is_finite()
             && c3_2.is_finite()
             && c4_0.is_finite()
-            && c4_1.is_finite())
+            && c4_1.is_finite()
+            && two_tau.is_finite()
+            && minus_two_tau.is_finite())
         {
             return Err(Error::Param);
         }
         let mut built = Self {
-            c1_4,
-            tau,
-            eps,
-            hold_from,
-            minus_two_tau,
+            c1,
             c2_0,
+            tau,
             c2_1,
             c2_2,
             c2_3,
+            eps,
+            hold_from,
             c3_0,
             c3_1,
             c3_2,
             c4_0,
             c4_1,
+            two_tau,
+            minus_two_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -368,17 +371,13 @@ impl PtcTanh4 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let v1 = one_plus_E * one_plus_E;
-        let row1 = self.c1_4 * v1 * v1;
-        let s1 = ((((self.c2_3 * E) + self.c2_2) * E) + self.c2_1) * E;
+        let s1 = ((((self.c2_3 * late) + self.c2_2) * late) + self.c2_1) * late;
         let row2 = s1 + self.c2_0;
-        let row3 = (((self.c3_2 * E) + self.c3_1) * E) + self.c3_0;
-        let row4 = (self.c4_1 * E) + self.c4_0;
-        let inv_T = (-1.0) / late;
-        let s2 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
-        let v = ((s2 * inv_T) + (row4 * x[3])) * inv_T;
+        let row3 = (((self.c3_2 * late) + self.c3_1) * late) + self.c3_0;
+        let row4 = (self.c4_1 * late) + self.c4_0;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
+        let s2 = ((self.c1 * x[0] * inv_TL) + (row2 * x[1])) * inv_TL;
+        let v = (((s2 + (row3 * x[2])) * inv_TL) + (row4 * x[3])) * inv_TL;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
@@ -418,16 +417,12 @@ impl PtcTanh4 {
         } else {
             self.hold_from
         };
-        let E = late / (self.minus_two_tau - late);
-        let one_plus_E = 1.0 + E;
-        let v1 = one_plus_E * one_plus_E;
-        let row1 = self.c1_4 * v1 * v1;
-        let s1 = ((((self.c2_3 * E) + self.c2_2) * E) + self.c2_1) * E;
+        let s1 = ((((self.c2_3 * late) + self.c2_2) * late) + self.c2_1) * late;
         let row2 = s1 + self.c2_0;
-        let row3 = (((self.c3_2 * E) + self.c3_1) * E) + self.c3_0;
-        let row4 = (self.c4_1 * E) + self.c4_0;
-        let inv_T = (-1.0) / late;
-        let v2 = inv_T * inv_T;
+        let row3 = (((self.c3_2 * late) + self.c3_1) * late) + self.c3_0;
+        let row4 = (self.c4_1 * late) + self.c4_0;
+        let inv_TL = self.two_tau / (late * (self.minus_two_tau - late));
+        let v1 = inv_TL * inv_TL;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
@@ -435,10 +430,10 @@ impl PtcTanh4 {
         };
         Ok(PtcTanh4Gains {
             gain: [
-                row1 * v2 * v2,
-                row2 * v2 * inv_T,
-                row3 * inv_T * inv_T,
-                row4 * inv_T,
+                self.c1 * v1 * v1,
+                row2 * v1 * inv_TL,
+                row3 * inv_TL * inv_TL,
+                row4 * inv_TL,
             ],
             u_max: self.u_max,
             status,

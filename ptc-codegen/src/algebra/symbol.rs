@@ -43,12 +43,20 @@ pub enum Kind {
     InverseTimeToGo,
     /// 1/T^2, which is kappa' of the rational family but for a factor.
     InverseSquare,
-    /// 1 + E, the inverse of g.
+    /// 2 tau/(T (2 tau - T)), which is kappa' of the tanh family but for a factor.
+    InverseProduct,
+    /// 1 + E, the inverse of L.
     OnePlusDecay,
     /// 1 + y^2, the inverse of V.
     OnePlusSquare,
     /// sqrt(1 + y^2) = 1/h of the algebraic family.
     Secant,
+    /// h^2 of the algebraic family.
+    CosineSquare,
+    /// y h^2 = y/(1 + y^2) of the algebraic family.
+    AngleOverSquare,
+    /// 1/h^3, which is kappa' of the algebraic family but for a factor.
+    InverseCube,
     /// (pi/(2 tau)) cot(th) of the tan family, which is 1/T at the deadline.
     CotangentRate,
     /// (pi/(2 tau)) (1 + y^2) = kappa'/a of the tan family.
@@ -124,9 +132,13 @@ impl Symbol {
             Kind::Mode => "e",
             Kind::InverseTimeToGo => "inv_T",
             Kind::InverseSquare => "inv_T_squared",
+            Kind::InverseProduct => "inv_TL",
             Kind::OnePlusDecay => "one_plus_E",
             Kind::OnePlusSquare => "one_plus_y2",
             Kind::Secant => "sec",
+            Kind::CosineSquare => "h2",
+            Kind::AngleOverSquare => "y_h2",
+            Kind::InverseCube => "inv_h3",
             Kind::CotangentRate => "cot_rate",
             Kind::Slope => "slope",
             Kind::Lag => "H",
@@ -156,9 +168,13 @@ impl Symbol {
             Kind::InverseTimeToGo => "T^{-1}".to_owned(),
             Kind::InverseSquare => "T^{-2}".to_owned(),
             Kind::InverseLag => "H^{-1}".to_owned(),
+            Kind::InverseProduct => "(TL)^{-1}".to_owned(),
             Kind::OnePlusDecay => "(1+E)".to_owned(),
             Kind::OnePlusSquare => "(1+y^2)".to_owned(),
             Kind::Secant => r"h^{-1}".to_owned(),
+            Kind::CosineSquare => "(h^2)".to_owned(),
+            Kind::AngleOverSquare => "(y h^2)".to_owned(),
+            Kind::InverseCube => "(h^{-3})".to_owned(),
             Kind::CotangentRate => r"\tfrac{\pi}{2\tau}y".to_owned(),
             Kind::Slope => r"\tfrac{\kappa'}{a}".to_owned(),
             _ if index == 0 => self.text(),
@@ -176,9 +192,13 @@ impl Symbol {
             Kind::InverseSquare => Some("1/T^2"),
             Kind::InverseLag => Some("1/H = a*kappa'"),
             Kind::InversePowerRatio => Some("(T/tau)^-m"),
+            Kind::InverseProduct => Some("1/(T*L) = 2*tau/(T*(2*tau - T))"),
             Kind::OnePlusDecay => Some("1 + E"),
             Kind::OnePlusSquare => Some("1 + y^2"),
             Kind::Secant => Some("sqrt(1 + y^2)"),
+            Kind::CosineSquare => Some("h^2 = T*(2*tau - T)/tau^2"),
+            Kind::AngleOverSquare => Some("y*h^2 = (1 - T/tau)*h"),
+            Kind::InverseCube => Some("1/h^3 = a*tau*kappa'"),
             Kind::CotangentRate => Some("(pi/(2*tau))*y = (pi/(2*tau))*cot(th)"),
             Kind::Slope => Some("(pi/(2*tau))*(1 + y^2) = kappa'/a"),
             _ => None,

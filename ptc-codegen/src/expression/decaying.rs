@@ -152,7 +152,7 @@ mod tests {
         ("tanh", "2*tau*exp(-2*a*t)/(1 + exp(-2*a*t))"),
         (
             "tau*tanh(t)*tanh(a*t)",
-            "2*tau*(exp(-2*a*t) + exp(-2*t))/(1 + exp(-2*a*t) + exp(-2*t*(1 + a)) + exp(-2*t))",
+            "2*tau*(exp(-2*a*t) + exp(-2*t))/((1 + exp(-2*a*t))*(1 + exp(-2*t)))",
         ),
         ("tau*(1 - 1/cosh(t))", "2*tau*exp(-t)/(1 + exp(-2*t))"),
         ("2*tau*atan(sinh(t))/pi", "2*tau*atan(2*exp(-t)/(tanh(t)*(1 + exp(-2*t))))/pi"),

@@ -17,6 +17,7 @@ mod input_gain;
 mod mapping;
 mod plant;
 mod quantity;
+mod row;
 mod rows;
 mod sampled;
 mod scalar;
@@ -26,13 +27,11 @@ mod state;
 mod taylor;
 mod time;
 
-use std::collections::BTreeMap;
-
 use axes::{Shared, shares_time};
 use builder::Builder;
+use row::lower_row;
 use rows::{Factor, Rows, factor};
 
-use crate::algebra::{Kind, Poly, integer};
 use crate::law::{Form, Law};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
@@ -49,7 +48,8 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
         _ => None,
     };
     let one = |form| controller(spec, law, form);
-    let linear = matches!(law.form, Form::Rows { .. }) && spec.axes.is_none();
+    // Gains that are handed over are those of x, whatever g is.
+    let linear = matches!(law.form, Form::Rows { .. }) && !shares_time(spec);
     let program = associated.unwrap_or_else(|| plant::cheapest(spec, linear, one));
     Program { fma: spec.fma, latency: spec.latency, ..program }
 }
@@ -120,73 +120,4 @@ fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
         }
         Form::State => None,
     }
-}
-
-/// One row: a polynomial in at most one tick quantity, by Horner's rule; `None` for 0.
-fn lower_row(
-    b: &mut Builder<'_>,
-    j: usize,
-    row: &Poly,
-    scaled: &[coefficient::ScaledGain],
-) -> Option<Value> {
-    let mut row = coefficient::with_fixed(b.spec, row, scaled);
-    if let Some(scale) = b.form.as_ref().and_then(|form| form.scale.as_ref()) {
-        row = row.scaled(scale);
-    }
-    let quantity = row.symbols().into_iter().find(|s| !coefficient::is_known_at_init(*s));
-    let Some(symbol) = quantity else {
-        return coefficient::lower(
-            b,
-            &row,
-            scaled,
-            &format!("c{}", j + 1),
-            &format!("coefficient of x{}", j + 1),
-        );
-    };
-    // In -T, which is there, a polynomial in T has the other sign at its odd powers.
-    let reflected = symbol.kind == Kind::TimeToGo;
-    let written = if reflected { "late".to_owned() } else { symbol.text() };
-    let mut coefficients = BTreeMap::new();
-    for (exponent, poly) in row.collect(symbol) {
-        let poly = if reflected && exponent % 2 != 0 { poly.scaled(&integer(-1)) } else { poly };
-        let name = format!("c{}_{exponent}", j + 1);
-        let meaning = format!("coefficient of {written}^{exponent} in the gain of x{}", j + 1);
-        let value = coefficient::lower(b, &poly, scaled, &name, &meaning);
-        coefficients.extend(value.map(|value| (exponent, value)));
-    }
-    let variable = if reflected { b.late() } else { b.quantity(symbol) };
-    let row = match b.square(symbol) {
-        None => horner(b, &coefficients, variable),
-        Some(square) => {
-            let part = |parity| {
-                let part = coefficients.iter().filter(|(e, _)| **e % 2 == parity);
-                crate::collect::map(part.map(|(e, value)| (e / 2, *value)))
-            };
-            let (even, odd) = (part(0), part(1));
-            let odd = horner(b, &odd, square).map(|odd| b.mul(odd, variable));
-            let even = horner(b, &even, square);
-            b.sum(even, odd)
-        }
-    }?;
-    let meaning = format!("gain of x{} without its power of the base", j + 1);
-    Some(b.name(row, &format!("row{}", j + 1), &meaning))
-}
-
-/// sum of coefficient * variable^exponent by Horner's rule; `None` for no term.
-fn horner(
-    b: &mut Builder<'_>,
-    coefficients: &BTreeMap<i32, Value>,
-    variable: Value,
-) -> Option<Value> {
-    let mut sum: Option<(Value, i32)> = None;
-    for (exponent, coefficient) in coefficients.iter().rev() {
-        sum = Some(match sum {
-            None => (*coefficient, *exponent),
-            Some((sum, previous)) => {
-                let shifted = b.shift(sum, variable, previous - exponent);
-                (b.add(shifted, *coefficient), *exponent)
-            }
-        });
-    }
-    sum.map(|(sum, lowest)| b.shift(sum, variable, lowest))
 }

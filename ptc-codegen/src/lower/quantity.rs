@@ -35,11 +35,15 @@ impl Builder<'_> {
             Kind::InversePowerRatio => self.inverse_power_ratio(),
             Kind::Decay => self.decay(),
             Kind::Secant => self.secant(),
-            Kind::CotangentRate => self.cotangent_rate(),
-            Kind::Slope => self.slope(),
             Kind::StretchedAngle => self.algebraic_angle(),
             Kind::OnePlusDecay => self.one_plus_decay(),
             Kind::OnePlusSquare => self.one_plus_square(),
+            Kind::InverseProduct => self.inverse_product(),
+            Kind::CosineSquare => self.cosine_square(),
+            Kind::AngleOverSquare => self.angle_over_square(),
+            Kind::InverseCube => self.inverse_cube(),
+            Kind::CotangentRate => self.cotangent_rate(),
+            Kind::Slope => self.slope(),
             Kind::InverseLag => self.inverse_lag(),
             Kind::Bend => self.bend(),
             other => {
@@ -76,6 +80,13 @@ impl Builder<'_> {
     fn decay(&mut self) -> Value {
         let (late, rest) = (self.late(), self.minus_rest());
         self.div(late, rest)
+    }
+
+    /// 2 tau/(T (2 tau - T)), three roundings: no sum in it cancels.
+    fn inverse_product(&mut self) -> Value {
+        let (late, rest, double) = (self.late(), self.minus_rest(), self.two_tau());
+        let product = self.mul(late, rest);
+        self.div(double, product)
     }
 
     /// q = (tau/T)^m: a multiplication chain for integer m, with a root for half an integer.
@@ -120,6 +131,37 @@ impl Builder<'_> {
         let elapsed = self.add(share, one);
         let secant = self.quantity(Symbol::plain(Kind::Secant));
         self.mul(elapsed, secant)
+    }
+
+    /// h^2 = w (2 - w) with w = T/tau: no sum in it cancels, so it has the digits of w.
+    fn cosine_square(&mut self) -> Value {
+        let (minus_two, share) = (self.integer(-2), self.late_share());
+        let rest = self.sub(minus_two, share);
+        self.mul(share, rest)
+    }
+
+    /// 1/h^2 and 1/h: their product leaves the range where u does, h^3 sooner.
+    fn inverse_cosines(&mut self) -> (Value, Value) {
+        let (one, square) = (self.integer(1), self.quantity(Symbol::plain(Kind::CosineSquare)));
+        let inverse = self.div(one, square);
+        (inverse, self.push(Op::Call(Function::Sqrt, inverse)))
+    }
+
+    /// 1/h^3: one and a half times the error of h^2, and two roundings.
+    fn inverse_cube(&mut self) -> Value {
+        let (square, single) = self.inverse_cosines();
+        self.mul(square, single)
+    }
+
+    /// y h^2 = (1 - w) h: the difference is as exact as time is.
+    fn angle_over_square(&mut self) -> Value {
+        let (one, share) = (self.integer(1), self.late_share());
+        let elapsed = self.add(share, one);
+        let square = self.quantity(Symbol::plain(Kind::CosineSquare));
+        let (_, inverse) = self.inverse_cosines();
+        let cosine = self.mul(square, inverse);
+        let cosine = self.name(cosine, "h", "1/sqrt(1 + y^2)");
+        self.mul(elapsed, cosine)
     }
 
     /// The square of a quantity in which rows are evaluated by their even and odd parts; none

@@ -1,10 +1,12 @@
 //! A law that is not a sum of gains: u = kappa'^n pi0(BB_n x, t_kappa) - kappa'^n b_n^T x.
 
 use super::builder::Builder;
+use super::coefficients::Coefficient;
 use super::mapping::{self, Taylor};
 use super::rows::{Factor, Rows};
 use super::series;
 use crate::algebra::BigRational;
+use crate::expansion::bell::factorials;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
@@ -66,6 +68,25 @@ impl Builder<'_> {
     /// Stretched time since the start.
     pub(super) fn stretched(&mut self) -> Value {
         self.taylor().stretched
+    }
+
+    /// r_k = mu^(k) at the stretched time.
+    pub(super) fn rate(&mut self, k: usize) -> Value {
+        let taylor = self.taylor();
+        let value = match k {
+            1 => taylor.r1,
+            _ => {
+                let factorial = factorials(k)[k].clone().into();
+                let mut rate = self.times(&taylor.tail[k - 2], &Coefficient::Exact(factorial));
+                if let Some(unit) = taylor.unit {
+                    let unit = self.power(unit, u32::try_from(k - 1).unwrap_or(u32::MAX));
+                    rate = self.times(&rate, &Coefficient::Value(unit));
+                }
+                let rate = self.times(&rate, &Coefficient::Value(taylor.r1));
+                self.coefficient(&rate)
+            }
+        };
+        self.name(value, &format!("r_{k}"), &format!("derivative {k} of mu"))
     }
 
     /// State xi_j of the infinite-time system; where there are several chains, j counts through all.

@@ -88,7 +88,8 @@ impl Builder<'_> {
         self.sub(minus, late)
     }
 
-    fn two_tau(&mut self) -> Value {
+    /// 2 tau.
+    pub(super) fn two_tau(&mut self) -> Value {
         let (two, tau) = (self.integer(2), self.parameter(Parameter::Tau));
         let double = self.mul(two, tau);
         self.name(double, "two_tau", "2*tau")

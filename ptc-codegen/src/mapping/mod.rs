@@ -7,17 +7,19 @@
 mod atoms;
 mod custom;
 mod derivatives;
+mod evaluation;
 mod rings;
 pub(crate) mod time;
 
 pub use atoms::Atoms;
 pub use custom::{Custom, Form, Kappa};
+pub use evaluation::{Evaluated, Evaluation};
 pub use time::TimeMapping;
 
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 
-/// How a negative power of an atom is evaluated: `atom^-power = by`, a single term, which is also
-/// `expansion` where that is a polynomial in another atom.
+/// How a negative power of an atom is evaluated: `atom^-power = by`, which is also `expansion` where that
+/// is a polynomial in another atom.
 #[derive(Clone, Debug)]
 pub struct Reciprocal {
     /// The atom.
@@ -39,16 +41,20 @@ pub struct Mapping {
     pub derivations: Vec<(Symbol, Poly)>,
     /// Names for negative powers of atoms.
     pub reciprocals: Vec<Reciprocal>,
-    /// Atoms that are evaluated as a single term in another quantity.
-    pub evaluated: Vec<(Symbol, Poly)>,
     /// The rate of stretched time, a single term: B_{i,j} is rate^i times something free of it.
     pub rate: Poly,
-    /// The single term `base` for which B_{i,j}/base^j holds no time but in the evaluated atoms, and
-    /// the tick quantity equal to 1/base; `None` if time does not decide it.
-    pub base: Option<(Poly, Symbol)>,
+    /// How rows of any order are evaluated.
+    pub evaluation: Evaluation,
+    /// How those of low orders are, where that takes fewer operations.
+    pub short: Option<Evaluation>,
 }
 
 impl Mapping {
+    /// How the rows of order `n` are evaluated.
+    pub fn evaluation(&self, n: usize) -> &Evaluation {
+        self.short.as_ref().filter(|_| n <= evaluation::SHORT).unwrap_or(&self.evaluation)
+    }
+
     /// D applied to a polynomial in the atoms, in canonical form.
     pub fn derive(&self, poly: &Poly) -> Poly {
         let find = |s| self.derivations.iter().find(|(atom, _)| *atom == s).map(|(_, d)| d.clone());
@@ -74,12 +80,12 @@ impl Mapping {
     pub fn free(order: usize) -> Self {
         let r = |k| Symbol::indexed(Kind::R, k);
         Self {
-            base: None,
             r1: Poly::symbol(r(1)),
             derivations: (1..=order).map(|k| (r(k), Poly::symbol(r(k + 1)))).collect(),
             reciprocals: Vec::new(),
-            evaluated: Vec::new(),
             rate: Poly::one(),
+            evaluation: Evaluation::default(),
+            short: None,
         }
     }
 
@@ -91,12 +97,12 @@ impl Mapping {
             .map(|k| (Symbol::indexed(Kind::Derivative, k), s(k + 1).times(&r1)))
             .collect();
         Self {
-            base: None,
             r1,
             derivations,
             reciprocals: Vec::new(),
-            evaluated: Vec::new(),
             rate: Poly::one(),
+            evaluation: Evaluation::default(),
+            short: None,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The families as differential rings, in time-to-go form.
 
-use super::{Mapping, Reciprocal};
+use super::{Evaluated, Evaluation, Mapping, Reciprocal};
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 use crate::family::Family;
 
@@ -20,12 +20,12 @@ impl Mapping {
     }
 }
 
-const fn plain(kind: Kind) -> Symbol {
+pub(super) const fn plain(kind: Kind) -> Symbol {
     Symbol::plain(kind)
 }
 
 /// `coefficient * product of powers`.
-fn term(coefficient: i64, powers: &[(Kind, i32)]) -> Poly {
+pub(super) fn term(coefficient: i64, powers: &[(Kind, i32)]) -> Poly {
     let monomial = powers
         .iter()
         .fold(Monomial::one(), |m, (kind, e)| m.times(&Monomial::power(plain(*kind), *e)));
@@ -48,9 +48,9 @@ fn exp() -> Mapping {
         derivations: vec![(plain(Kind::TimeToGo), r1.scaled(&integer(-1)))],
         r1,
         reciprocals: vec![inverse_time_to_go()],
-        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+        evaluation: Evaluation::over(term(1, &[(Kind::TimeToGo, 1)]), Kind::InverseTimeToGo),
+        short: None,
     }
 }
 
@@ -62,9 +62,9 @@ fn rational() -> Mapping {
         derivations: vec![(plain(Kind::TimeToGo), r1.scaled(&integer(-1)))],
         r1,
         reciprocals: Vec::new(),
-        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1), (Kind::Tau, -1)]),
-        base: Some((term(1, &[(Kind::TimeToGo, 2)]), plain(Kind::InverseSquare))),
+        evaluation: Evaluation::over(term(1, &[(Kind::TimeToGo, 2)]), Kind::InverseSquare),
+        short: None,
     }
 }
 
@@ -89,9 +89,9 @@ fn power() -> Mapping {
                 expansion: None,
             },
         ],
-        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+        evaluation: Evaluation::over(term(1, &[(Kind::TimeToGo, 1)]), Kind::InverseTimeToGo),
+        short: None,
     }
 }
 
@@ -113,13 +113,19 @@ fn tan() -> Mapping {
             by: term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::Slope, 1)]),
             expansion: Some(one_plus_square()),
         }],
-        evaluated: vec![(y, term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::CotangentRate, 1)]))],
         rate: term(1, &[(Kind::A, 1)]),
-        base: None,
+        evaluation: Evaluation {
+            base: None,
+            evaluated: vec![Evaluated::As(
+                y,
+                term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::CotangentRate, 1)]),
+            )],
+        },
+        short: None,
     }
 }
 
-/// With E = e^{-2 a t} and L = 1/(1 + E): T = 2 tau E g, r_1 = 2 a T g.
+/// With E = e^{-2 a t} and L = 1/(1 + E): T = 2 tau E L, r_1 = 2 a T L.
 fn tanh() -> Mapping {
     let r1 = term(2, &[(Kind::A, 1), (Kind::TimeToGo, 1), (Kind::Logistic, 1)]);
     Mapping {
@@ -141,9 +147,9 @@ fn tanh() -> Mapping {
                 expansion: Some(Poly::one().plus(&Poly::symbol(plain(Kind::Decay)))),
             },
         ],
-        evaluated: Vec::new(),
         rate: term(2, &[(Kind::A, 1)]),
-        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+        evaluation: Evaluation::over(term(1, &[(Kind::TimeToGo, 1)]), Kind::InverseTimeToGo),
+        short: Some(Evaluation::of_tanh()),
     }
 }
 
@@ -164,9 +170,9 @@ fn algebraic() -> Mapping {
             by: Poly::symbol(plain(Kind::OnePlusSquare)),
             expansion: Some(one_plus_square()),
         }],
-        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: Some((term(1, &[(Kind::Cosine, 1)]), plain(Kind::Secant))),
+        evaluation: Evaluation::over(term(1, &[(Kind::Cosine, 1)]), Kind::Secant),
+        short: Some(Evaluation::of_algebraic()),
     }
 }
 
@@ -184,14 +190,14 @@ fn exp_sum(rates: usize) -> Mapping {
         (1..=rates).fold(Poly::zero(), |sum, i| sum.plus(&rate(i).times(&Poly::symbol(mode(i)))));
     let r1 = sum.times(&Poly::symbol(plain(Kind::Tau))).scaled(&count.recip());
     Mapping {
-        base: None,
         r1,
         derivations: (1..=rates)
             .map(|i| (mode(i), rate(i).times(&Poly::symbol(mode(i))).scaled(&integer(-1))))
             .collect(),
         reciprocals: Vec::new(),
-        evaluated: Vec::new(),
         rate: Poly::one(),
+        evaluation: Evaluation::default(),
+        short: None,
     }
 }
 
@@ -216,8 +222,8 @@ fn soft() -> Mapping {
             by: of(Kind::InverseLag),
             expansion: None,
         }],
-        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: Some((of(Kind::Lag), plain(Kind::InverseLag))),
+        evaluation: Evaluation::over(of(Kind::Lag), Kind::InverseLag),
+        short: None,
     }
 }

@@ -53,12 +53,18 @@ fn power(symbol: Symbol, exponent: i32) -> Math {
     let written = match symbol.kind {
         Kind::InverseTimeToGo => return sup(name("T"), digits(-exponent)),
         Kind::InverseSquare => return sup(name("T"), digits(-2 * exponent)),
+        Kind::InverseProduct => {
+            return sup(fenced("(", row([name("T"), name("L")]), ")"), digits(-exponent));
+        }
         Kind::InversePowerRatio => return sup(name("P"), digits(-exponent)),
         Kind::Secant => return sup(name("h"), digits(-exponent)),
+        Kind::CosineSquare => return sup(name("h"), digits(2 * exponent)),
+        Kind::InverseCube => return sup(name("h"), digits(-3 * exponent)),
         Kind::OnePlusDecay => fenced("(", relation(number(1), "+", name("E")), ")"),
         Kind::OnePlusSquare => {
             fenced("(", relation(number(1), "+", sup(name("y"), number(2))), ")")
         }
+        Kind::AngleOverSquare => bracketed(product(name("y"), sup(name("h"), number(2))), exponent),
         Kind::CotangentRate => {
             let rate = fraction(name("\u{3c0}"), row([number(2), name("\u{3c4}")]));
             bracketed(product(rate, name("y")), exponent)

@@ -29,7 +29,7 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
     let mut elsewhere = Vec::new();
     for info in &NAMES {
         let (index, exact) = match info.sense {
-            Sense::Indexed(_) | Sense::Gain => match info.index(name) {
+            Sense::Indexed(_) | Sense::Gain | Sense::Rate => match info.index(name) {
                 Some(found) => found,
                 None => continue,
             },
@@ -39,6 +39,8 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
         let exists = (1..=n).contains(&index);
         match info.sense {
             Sense::Gain if subject == Law || !exact || !exists => return Found::Free,
+            // Several outputs have no order in common.
+            Sense::Rate if subject != Law || !exact || n == 0 => return Found::Free,
             // Several chains have no order in common.
             Sense::Indexed(_) if n == 0 && matches!(subject, Subject::Objective | Law) => {
                 let message = format!("`{shown}` does not exist where there are several outputs");
@@ -50,9 +52,10 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
                 };
                 return Found::wrong(message, help.to_owned());
             }
-            Sense::Indexed(_) if !exists => {
+            Sense::Indexed(_) | Sense::Rate if !exists => {
                 let message = format!("`{shown}` does not exist for order n = {n}");
-                let at_start = if index == 0 { "; the state at t0 is x1_0..xn_0" } else { "" };
+                let of_state = index == 0 && !matches!(info.sense, Sense::Rate);
+                let at_start = if of_state { "; the state at t0 is x1_0..xn_0" } else { "" };
                 return Found::wrong(message, format!("the indices are 1..={n}{at_start}"));
             }
             Sense::Indexed(_) if !exact => return misspelt(&shown, &info.with_index(index)),
@@ -87,7 +90,7 @@ fn not_in_the_table(name: &str, subject: Subject) -> Found {
         return Found::wrong(message, format!("legal: {}", legal(subject)));
     }
     // T and t differ in nothing else.
-    let alike = |info: &&NameInfo| plain(info.name) == plain(name);
+    let alike = |info: &&NameInfo| !info.is_indexed() && plain(info.name) == plain(name);
     let same_case = |info: &&NameInfo| info.name.contains('T') == name.contains('T');
     let alike: Vec<_> = NAMES.iter().filter(alike).collect();
     if let Some(meant) = alike.iter().copied().find(same_case).or(alike.first().copied()) {
@@ -145,7 +148,7 @@ mod tests {
 
     /// V where a name has its meaning, P where it names a parameter, E where it is an error: in mu,
     /// kappa, pi0, f, g, reference, plant.f, plant.g, plant.dynamics, h and the bounds, at order 3.
-    const VERDICTS: [(&str, &[&str]); 18] = [
+    const VERDICTS: [(&str, &[&str]); 20] = [
         ("VVVVVVVVVVV", &["tau", "pi"]),
         ("VEVVVVVVVVV", &["t"]),
         ("EVVVVVVVVVV", &["dt"]),
@@ -158,6 +161,8 @@ mod tests {
         ("EEVVVEVVEVE", &["x1_0", "x3_0"]),
         ("EEVEEEEEEEE", &["xi1", "xi3", "xi1_0", "xi3_0"]),
         ("EEPEEEEEEEE", &["k1", "k3"]),
+        ("PPVPPPPPPPP", &["r_1", "r_3"]),
+        ("PPEPPPPPPPP", &["r_0", "r_4"]),
         ("VVEEEEEEEEE", &["rational"]),
         ("EEEEEEEEEEE", &["x0", "x4", "xi0", "xi4", "x0_0", "x4_0", "xi4_0", "x_0"]),
         ("EEEEEEEEEEE", &["x", "xi", "X", "Xi", "x01", "X1", "x_1", "Xi2", "XI1_0", "xi_1_0"]),
@@ -188,7 +193,10 @@ mod tests {
         ),
         (
             "PPPPPPPPPPP",
-            &["psi", "a", "m", "w", "h", "rho", "e", "k0", "k4", "k", "x1y", "tau2", "K1"],
+            &[
+                "psi", "a", "m", "w", "h", "rho", "e", "k0", "k4", "k", "x1y", "tau2", "K1", "r1",
+                "R_1", "r",
+            ],
         ),
     ];
 

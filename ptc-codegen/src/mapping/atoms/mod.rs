@@ -10,7 +10,7 @@ mod values;
 use choice::{Chosen, choose, degree, undivided};
 use values::{decay, inverse};
 
-use super::{Custom, Form, Mapping, Reciprocal};
+use super::{Custom, Evaluation, Form, Mapping, Reciprocal};
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 use crate::collect::set;
 use crate::expression::effort::bounded;
@@ -163,9 +163,12 @@ fn closure(
         r1: over(rate.times(&base)),
         derivations,
         reciprocals,
-        evaluated: Vec::new(),
         rate: rate.clone(),
-        base: constant.is_none().then_some((base, INVERSE_BASE)),
+        evaluation: Evaluation {
+            base: constant.is_none().then_some((base, INVERSE_BASE)),
+            evaluated: Vec::new(),
+        },
+        short: None,
     };
     let polys = ring.derivations.iter().map(|(_, d)| d).chain([&ring.r1, denominator]);
     let names = set(polys.flat_map(Poly::symbols));

@@ -1,6 +1,6 @@
 //! The law: gains, poles, or an expression; and the input gain of the plant.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::Zero;
 
@@ -12,7 +12,7 @@ use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::model::{Coupled, Model, own_names};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Feedback, Pole, gains};
+use crate::request::{Feedback, Pole, Spec, gains};
 use crate::syntax::{Node, Value, constant};
 
 /// What the keys of the law say.
@@ -115,6 +115,20 @@ impl<'a> Reader<'a> {
             None => {}
         }
         law
+    }
+
+    /// Refuses r_k of the mapping in pi0 beside a parameter of that name.
+    pub(super) fn fits_rates(&mut self, spec: &Spec) {
+        let parameters: BTreeSet<_> =
+            spec.expressions().flat_map(Expression::parameters).map(|p| p.spelling()).collect();
+        let both = |e: &Expression| match e.variable() {
+            Some(Variable::Rate(k)) => Some(format!("r_{k}")).filter(|r| parameters.contains(r)),
+            _ => None,
+        };
+        let Some(name) = spec.laws().find_map(|law| law.first(&mut |e| both(e))) else { return };
+        let node = self.keys.get("pi0").map(|node| node.place);
+        let message = format!("`{name}` is a derivative of mu in pi0, and a parameter elsewhere");
+        self.found.push("conflict", "pi0", node, message, "give the parameter another name");
     }
 
     /// The known f of a chain, which a clock in time cancels at any state; 0 is none at all.

@@ -238,6 +238,7 @@ impl<'a> Reader<'a> {
         self.fits_coupled(&spec, samples);
         self.fits_reference(&spec, samples);
         self.fits_units(&spec);
+        self.fits_rates(&spec);
         // A law of the user's program knows all of them.
         if let (Feedback::Extern, Some(chains)) = (&spec.feedback, spec.chains()) {
             spec.coupled = Some(Box::new(chains));

@@ -157,6 +157,66 @@ fn a_law_of_one_input_knows_the_states() {
     }
 }
 
+/// By hand: mu = 1 - e^-t at tau = 1, so that r_k = -(-1)^k T.
+#[test]
+fn a_law_knows_the_derivatives_of_the_mapping() {
+    let own = spec(&PENDULUM.replace(
+        "stiff*sin(q)*T + q*w*kappa_rate",
+        "stiff*sin(q)*r_1 + r_2*w^2 + q*w*kappa_rate*r_1",
+    ));
+    let main = "static const pendulum_params params = { .t0 = 0.25 };\n\
+        int main(void)\n{\n    pendulum control;\n    double u;\n\
+        \x20   const double x[2] = { 0.5, -0.75 };\n\
+        \x20   if (pendulum_init(&control, &params) != PTC_OK) { return 1; }\n\
+        \x20   for (double t = 0.25; t < 1.5; t += 0.1875) {\n\
+        \x20       if (pendulum_step(&control, t, x, &u) < 0) { return 2; }\n\
+        \x20       printf(\"%.17g %.17g\\n\", t, u);\n    }\n    return 0;\n}\n";
+    let rows = in_c::run("laws_rates", &own, main);
+    assert_eq!(rows.len(), 7);
+    let (q, w) = (0.5_f64, -0.75_f64);
+    for row in rows {
+        let to_go = (1.25 - row[0]).max(0.01);
+        let pi0 = -6.0 * q - 5.0 * to_go * w - 0.5 * q.sin() * to_go - to_go * w * w + q * w;
+        let wanted = ((pi0 / to_go + w) / to_go + q.sin()) / 2.0;
+        assert!((row[1] - wanted).abs() <= 1e-13 * (1.0 + wanted.abs()), "{row:?}: {wanted}");
+    }
+    assert_eq!(crate::command::spec_of(&own.command()).expect("a legal command"), own);
+    for (from, to, message, help) in [
+        ("*T +", "*r_3 +", "`r_3` does not exist for order n = 2", "the indices are 1..=2"),
+        ("2*M", "2*M*r_1", "`r_1` is a derivative of mu in pi0, and a parameter", "another name"),
+    ] {
+        let text = PENDULUM.replace("*kappa_rate", "*r_1").replace(from, to);
+        let folder = folder_with("laws_rates_mistakes", "d.toml", text);
+        let (status, _, stderr) = run_in(&folder, &["check", "d.toml"]);
+        assert_ne!(status, Some(0), "{from}");
+        assert!(stderr.contains(message) && stderr.contains(help), "{from}: {stderr}");
+    }
+}
+
+/// Every mapping: families from kappa and from mu, and mappings of the user's, against long arithmetic.
+#[test]
+fn the_derivatives_of_every_mapping_are_those_of_the_definition() {
+    for mu in [
+        "exp(a=2)",
+        "rational(a=1/2)",
+        "power(a=1, m=2)",
+        "tan(a=1)",
+        "tanh(a=1)",
+        "algebraic(a=2)",
+        "exp_sum(rates=[1, 3])",
+        "soft(a=1, start=0.1)",
+        "tau*tanh(sinh(t))",
+        "tau*(1 - 1/(1 + t + t^2))",
+    ] {
+        let text = format!(
+            "name = \"all\"\nn = 4\nmu = \"{mu}\"\npi0 = \"-r_1*xi1 - xi2*r_2^2 - r_3*xi3 + sin(r_4)*xi4 - r_1/(1 + r_2^2)\"\n\
+             [params]\ntau = 2\neps = 1e-3\n"
+        );
+        let name = format!("laws_rates_of_{}", mu.split('(').next().unwrap_or_default());
+        assert_eq!(in_c::selftest(&name.replace('*', "_"), &spec(&text)), 0.0, "{mu}");
+    }
+}
+
 /// The command in the head gives the design back, in the names of the plant.
 #[test]
 fn the_command_is_in_the_names_of_the_plant() {
