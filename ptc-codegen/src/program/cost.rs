@@ -36,8 +36,11 @@ pub struct Weights {
 /// instructions for a call of a library function.
 pub static X86_64: Weights = Weights { add: 4, mul: 4, fused: 4, div: 14, sqrt: 18, calls: 60 };
 
+/// Instructions: one for each operation, and some 60 for a call of a library function.
+pub static INSTRUCTIONS: Weights = Weights { add: 1, mul: 1, fused: 1, div: 1, sqrt: 1, calls: 60 };
+
 impl Cost {
-    /// Cycles in the model.
+    /// Cycles in the model, or instructions.
     pub fn cycles(&self, weights: &Weights) -> usize {
         self.add * weights.add
             + self.mul * weights.mul

@@ -17,6 +17,14 @@ fn they_find_nothing_wrong() {
         ("none", MIX.replace("name =", "guard = \"none\"\nname =")),
         ("bound", MIX.replace("eps = 1e-2\nu_max = inf", "")),
         ("barrier", example("barrier_arm.toml")),
+        // A product of constants and parameters is too long a test for one line.
+        (
+            "constants",
+            "name = \"constants\"\nmu = \"tanh(a=1/2)\"\npoles = [-6, -7, -8]\n[params]\ntau = 2\neps = 1e-2\n\
+             [model]\nstates = [\"z1\", \"z2\", \"z3\"]\ninput = \"u\"\noutput = \"z1\"\n\
+             dynamics = { z1 = \"z2\", z2 = \"z3 + c^2\", z3 = \"u - cos(0.5)*p + z2\" }\n"
+                .to_owned(),
+        ),
         ("axis", "name = \"axis\"\nn = 2\naxes = 1\nmu = \"exp\"\npi0 = \"extern\"\n".to_owned()),
         (
             "axes",

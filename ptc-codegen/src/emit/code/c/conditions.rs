@@ -54,7 +54,7 @@ pub(in crate::emit) fn start_tests(code: &Code) -> [Vec<String>; 2] {
 }
 
 /// The tests whether a factor is 0, for each test of what `init` forms.
-pub(in crate::emit) fn zero_tests(code: &Code) -> Vec<Vec<String>> {
+pub(in crate::emit) fn zero_tests<'c>(code: &'c Code) -> Vec<Vec<String>> {
     let notes = Notes::default();
     let printer = C::new(code, &notes);
     let known = |wanted: &str| {
@@ -63,15 +63,20 @@ pub(in crate::emit) fn zero_tests(code: &Code) -> Vec<Vec<String>> {
             _ => None,
         })
     };
-    let zeros = |test: &Test| {
+    let zeros = |test: &'c Test| {
         let mut zeros = Vec::new();
+        // What is too long for a line is a local of its own.
+        let resolved = |expr: &'c Expr| match expr {
+            Expr::Local(name) => known(name),
+            other => Some(other),
+        };
         let mut size = match test {
-            Test::AtMost(_, Expr::Local(name)) => known(name),
+            Test::AtMost(_, size) => resolved(size),
             _ => None,
         };
         while let Some(Expr::Choose(zero, _, rest)) = size {
             zeros.push(format!("({})", printer.test(zero)));
-            size = Some(rest);
+            size = resolved(rest);
         }
         zeros.reverse();
         zeros
