@@ -1,5 +1,5 @@
-//! Controllers with a clock in samples, and observers alone, of every kind: chains and other plants,
-//! delays, observers, disturbances, what is fixed and what is not, both precisions, both guards.
+//! Controllers with a clock in samples, and observers alone, of every kind: chains, linear plants and models that
+//! are not linear, delays, observers, disturbances, what is fixed and what is not, both precisions, both guards.
 
 use ptc_codegen::request::{Spec, What};
 
@@ -22,7 +22,7 @@ const MOTOR: [(&str, &str); 11] = [
     ("after_observer", "-90+20i,-90-20i,-100,-120"),
 ];
 
-const DESIGNS: [Keys; 18] = [
+const DESIGNS: [Keys; 20] = [
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
     &[
@@ -146,6 +146,28 @@ const DESIGNS: [Keys; 18] = [
         ("disturbance", "constant"),
         ("observer_poles", "-4,-5"),
         ("observer_samples", "8"),
+    ],
+    // Models that are not linear: a stiff spring, and a motor whose torque falls with its angle.
+    &[
+        ("mu", "exp(a=1)"),
+        ("poles", "-3,-4"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+        ("model.states", "q, w"),
+        ("model.input", "F"),
+        ("model.output", "q + q^3/6"),
+        ("model.dynamics", "w, F/(2 + q^2) - k*q^3 - 3*w"),
+    ],
+    &[
+        ("mu", "exp(a=1)"),
+        ("precision", "f32"),
+        ("guard", "none"),
+        ("u_max", "inf"),
+        ("after", "zero"),
+        ("model.states", "q, w, i"),
+        ("model.input", "V"),
+        ("model.output", "q"),
+        ("model.dynamics", "w, i/(1 + q^2) - w/4, 50*(V - 2*i - w)"),
     ],
 ];
 
