@@ -143,8 +143,7 @@ from t to u, where each call is given a time that waits for the u before it; the
 rounds, in which the contestants take turns. `hand` is order 3 written by hand as in the table of
 other generators, with every parameter at each call.
 
-Not ahead: u of exp and tanh at n = 3 waits a little longer than by hand, where nothing is held, there
-is no status and t0 + tau has no low part; tanh and algebraic at n = 3 take more instructions.";
+Not ahead: u of exp at n = 3 waits a little longer than by hand, for the minimum that holds T at eps.";
 
 pub(super) fn latency(text: &mut String, found: &[Latency]) {
     section(text, "Latency", "latency", LATENCY);
