@@ -73,6 +73,10 @@ fn main() -> Result<()> {
 fn engine(root: &Path, target: &Path) -> Result<Vec<u8>> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.args(["build", "--package", "ptc-explorer", "--bin", "engine", "--target", TARGET]);
+    // A stripped module needs no room at its addresses for a linker that comes later.
+    cargo
+        .arg("--config")
+        .arg(format!("target.{TARGET}.rustflags=[\"-Clink-arg=--compress-relocations\"]"));
     cargo.args(["--profile", PROFILE]).current_dir(root).env("CARGO_TARGET_DIR", target);
     let built = cargo.status().context("cargo cannot be run")?;
     ensure!(built.success(), "cargo build failed; `rustup target add {TARGET}` adds the target");

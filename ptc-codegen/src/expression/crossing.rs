@@ -39,7 +39,7 @@ pub(crate) fn crossing(expression: &Expression, free: &[Free], given: &Names) ->
         }
     }
     // All values have one sign: from where they are smallest, a descent looks for the other one.
-    tried.sort_by(|a: &Tried, b| a.value.abs().total_cmp(&b.value.abs()));
+    tried.sort_unstable_by(|a: &Tried, b| a.value.abs().total_cmp(&b.value.abs()));
     tried.truncate(DESCENTS);
     for mut best in tried {
         let mut step = 0.25;

@@ -1,8 +1,6 @@
 //! Expressions as quotients of polynomials in what moves: coefficients of parameters stand together, so
 //! that they are formed before the first step, and the polynomials are nested.
 
-use std::collections::BTreeMap;
-
 use super::Expression;
 use super::compact::{Product, added};
 use super::effort::bounded;
@@ -59,76 +57,93 @@ impl Field {
     }
 
     fn grouped(&self, ratio: &Ratio) -> Option<Grouped> {
-        let moving = |poly: &Poly| poly.symbols().into_iter().any(|s| self.moves(s));
-        let (under, known): (Vec<_>, Vec<_>) =
-            ratio.den.iter().cloned().partition(|(factor, _)| moving(factor));
-        let (_, common) = content(&ratio.num);
-        let outer = common.restrict(|s| self.moves(s));
-        let parts = self.parts(&ratio.num.shifted(&outer.pow(-1)));
-        let degree = |m: &Monomial| m.factors().iter().map(|(_, e)| e.unsigned_abs()).sum::<u32>();
-        let affine = under.is_empty() && parts.keys().all(|m| degree(&m.times(&outer)) <= 1);
-        // A coefficient that all have in common is taken out; another one takes in what is known.
-        let first = parts.values().next().cloned().unwrap_or_default();
-        let opposite = first.scaled(&integer(-1));
-        let alike = parts.values().all(|c| *c == first || *c == opposite);
-        let coefficient = |num: Poly| self.signed(&Ratio { num, den: known.clone() });
-        let (turned, scale) = match alike {
-            true => coefficient(first.clone()),
-            false => (false, Expression::integer(1)),
-        };
-        let whole = parts.into_iter().map(|(monomial, c)| {
-            let one = ((c != first) != turned, Expression::integer(1));
-            (monomial, if alike { one } else { coefficient(c) })
-        });
-        let sum = self.nested(whole.collect());
-        let side = |sign: i32| {
-            let factors = outer.factors().iter().filter(|(_, e)| e.signum() == sign);
-            Monomial::from_sorted(factors.map(|(s, e)| (*s, e.abs())).collect())
-        };
-        let over = scale.mul(self.product(&side(1))).mul(sum);
-        let below = under.iter().fold(self.product(&side(-1)), |product, (factor, count)| {
-            let plain = |(m, c)| (m, self.signed(&Ratio::of(c)));
-            let parts = self.parts(factor).into_iter().map(plain);
-            let factor = self.nested(parts.collect());
-            product.mul(factor.power(Expression::integer(i64::from(*count))))
-        });
+        let (mut poles, mut known) = (Vec::new(), Vec::new());
+        let mut below = Expression::integer(1);
+        for (factor, count) in &ratio.den {
+            if factor.symbols().into_iter().any(|s| self.moves(s)) {
+                let sum = self.sum(factor, &[])?.0;
+                below = below.mul(sum.power(Expression::integer(i64::from(*count))));
+                poles.push(factor.clone());
+            } else {
+                known.push((factor.clone(), *count));
+            }
+        }
+        let outer = content(&ratio.num).1.restrict(|s| self.moves(s));
+        let (sum, degree) = self.sum(&ratio.num.shifted(&outer.pow(-1)), &known)?;
+        let mut over = sum;
+        for (symbol, exponent) in outer.factors() {
+            let factor = self.product(&Monomial::power(*symbol, exponent.abs()));
+            if *exponent > 0 {
+                over = over.mul(factor);
+            } else {
+                below = below.mul(factor);
+                poles.push(Poly::symbol(*symbol));
+            }
+        }
+        let affine = poles.is_empty() && degree + total(&outer) <= 1;
         let form = over.div(below);
-        let of_monomial =
-            side(-1).factors().iter().map(|(s, _)| Poly::symbol(*s)).collect::<Vec<_>>();
-        let poles = under.into_iter().map(|(factor, _)| factor).chain(of_monomial).collect();
         form.is_kept().then_some(Grouped { form, affine, poles })
     }
 
+    /// A polynomial over what does not move, nested, and its degree in what moves.
+    fn sum(&self, poly: &Poly, known: &[(Poly, u32)]) -> Option<(Expression, u32)> {
+        let parts = self.parts(poly);
+        // A coefficient that all have in common is taken out; another one takes in what is known.
+        let first = parts.first()?.1.clone();
+        let opposite = first.scaled(&integer(-1));
+        let alike = parts.iter().all(|(_, c)| *c == first || *c == opposite);
+        let coefficient =
+            |num: &Poly| self.signed(&Ratio { num: num.clone(), den: known.to_vec() });
+        let (turned, scale) = coefficient(&first);
+        let (mut whole, mut degree) = (Vec::with_capacity(parts.len()), 0);
+        for (monomial, c) in parts {
+            degree = degree.max(total(&monomial));
+            let one = ((c != first) != turned, Expression::integer(1));
+            whole.push((monomial, if alike { one } else { coefficient(&c) }));
+        }
+        let sum = self.nested(whole);
+        Some((if alike { scale.mul(sum) } else { sum }, degree))
+    }
+
     /// The polynomial by what moves.
-    fn parts(&self, poly: &Poly) -> BTreeMap<Monomial, Poly> {
-        let mut parts: BTreeMap<Monomial, Poly> = BTreeMap::new();
+    fn parts(&self, poly: &Poly) -> Vec<(Monomial, Poly)> {
+        let mut parts: Vec<(Monomial, Poly)> = Vec::new();
         for (monomial, c) in poly.terms() {
             let known = monomial.restrict(|s| !self.moves(s));
-            let own = parts.entry(monomial.restrict(|s| self.moves(s))).or_default();
-            own.add_term(c.clone(), known);
+            let moving = monomial.restrict(|s| self.moves(s));
+            match parts.iter_mut().find(|(own, _)| *own == moving) {
+                Some((_, own)) => own.add_term(c.clone(), known),
+                None => parts.push((moving, Poly::term(c.clone(), known))),
+            }
         }
         parts
     }
 
     /// The sum of the parts, nested in the symbol that most of them have, the first of several.
     fn nested(&self, parts: Vec<Part>) -> Expression {
-        let symbols = parts.iter().flat_map(|(m, _)| m.factors().iter().map(|(s, _)| *s));
-        let mut counts: BTreeMap<Symbol, usize> = BTreeMap::new();
-        for symbol in symbols {
-            *counts.entry(symbol).or_default() += 1;
+        let mut counts: Vec<(Symbol, usize)> = Vec::new();
+        for (symbol, _) in parts.iter().flat_map(|(m, _)| m.factors()) {
+            match counts.iter_mut().find(|(own, _)| own == symbol) {
+                Some((_, count)) => *count += 1,
+                None => counts.push((*symbol, 1)),
+            }
         }
-        let most = counts.values().copied().max().unwrap_or(0);
-        let chosen = counts.iter().find(|(_, count)| **count == most && most > 1);
-        let Some((&symbol, _)) = chosen else {
+        let most = counts.iter().map(|(_, count)| *count).max().unwrap_or(0);
+        let chosen = counts.into_iter().find(|(_, count)| *count == most && most > 1);
+        let Some((symbol, _)) = chosen else {
             let term = |(m, (negative, c)): Part| (negative, c.mul(self.product(&m)));
             return added(parts.into_iter().map(term).collect());
         };
-        let (with, without): (Vec<_>, Vec<_>) =
-            parts.into_iter().partition(|(m, _)| m.exponent(symbol) != 0);
-        let least = with.iter().map(|(m, _)| m.exponent(symbol)).min().unwrap_or(1);
-        let power = Monomial::power(symbol, least);
-        let divided = with.into_iter().map(|(m, c)| (m.times(&power.pow(-1)), c)).collect();
-        let first = self.nested(divided).mul(self.product(&power));
+        let least = parts.iter().map(|(m, _)| m.exponent(symbol)).filter(|e| *e != 0).min();
+        let power = Monomial::power(symbol, least.unwrap_or(1));
+        let (mut with, mut without) = (Vec::new(), Vec::new());
+        for (monomial, c) in parts {
+            match monomial.exponent(symbol) {
+                0 => without.push((monomial, c)),
+                _ => with.push((monomial.times(&power.pow(-1)), c)),
+            }
+        }
+        let first = self.nested(with).mul(self.product(&power));
         match without.is_empty() {
             true => first,
             false => first.add(self.nested(without)),
@@ -141,6 +156,11 @@ impl Field {
         self.monomial(monomial, &mut product);
         self.built(&integer(1), product)
     }
+}
+
+/// The degree of a monomial.
+fn total(monomial: &Monomial) -> u32 {
+    monomial.factors().iter().map(|(_, e)| e.unsigned_abs()).sum()
 }
 
 #[cfg(test)]

@@ -50,7 +50,7 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
     let one = |form| controller(spec, law, form);
     // Gains that are handed over are those of x, whatever g is.
     let linear = matches!(law.form, Form::Rows { .. }) && !shares_time(spec);
-    let program = associated.unwrap_or_else(|| plant::cheapest(spec, linear, one));
+    let program = associated.unwrap_or_else(|| plant::cheapest(spec, linear, &one));
     Program { fma: spec.fma, latency: spec.latency, ..program }
 }
 

@@ -75,27 +75,27 @@ impl Form {
 
 /// The cheapest of the programs that `lower` makes of the forms of the plant, the request's own first.
 /// `linear` says whether the law is one of rows.
-pub(super) fn cheapest(spec: &Spec, linear: bool, lower: impl Fn(Form) -> Program) -> Program {
+pub(super) fn cheapest(spec: &Spec, linear: bool, lower: &dyn Fn(Form) -> Program) -> Program {
     let own = Form::own(spec);
-    let others = own.others(spec, linear).into_iter().filter(|form| *form != own);
-    let others: Vec<_> = others.collect();
-    let keeps = |program: &Program| {
-        let lost = |definition: &Definition| match &definition.op {
-            Op::Number(number) => !is_normal(number, spec.precision),
-            _ => false,
-        };
-        !program.values.iter().any(lost)
+    let lost = |definition: &Definition| match &definition.op {
+        Op::Number(number) => !is_normal(number, spec.precision),
+        _ => false,
     };
     let cost = |program: &Program| {
-        let roots: Vec<_> =
-            program.controls().into_iter().chain(program.watched.iter().copied()).collect();
+        let roots = [program.controls(), program.watched.clone()].concat();
         count(program, &roots, Stage::Tick).cycles(&X86_64)
     };
-    others
-        .into_iter()
-        .map(&lower)
-        .filter(keeps)
-        .fold(lower(own), |best, other| if cost(&other) < cost(&best) { other } else { best })
+    let mut best = lower(own.clone());
+    for form in own.others(spec, linear) {
+        if form == own {
+            continue;
+        }
+        let other = lower(form);
+        if !other.values.iter().any(lost) && cost(&other) < cost(&best) {
+            best = other;
+        }
+    }
+    best
 }
 
 /// u = (w - f)/g, where w is what is wanted of xn': `law`, where that is for the tracking error.

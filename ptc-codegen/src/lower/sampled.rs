@@ -9,7 +9,7 @@ use crate::request::Spec;
 /// x_1..x_n of the states of the model of `spec`, all watched; its step is u = (w - f)/g, where
 /// [`Input::Control`] stands for w, the last rate that the law wants.
 pub fn at_sample(spec: &Spec) -> Program {
-    cheapest(spec, false, |form| of_form(spec, form))
+    cheapest(spec, false, &|form| of_form(spec, form))
 }
 
 fn of_form(spec: &Spec, form: Form) -> Program {

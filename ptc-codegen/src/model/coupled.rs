@@ -2,7 +2,7 @@
 //! and a matrix says which input moves the last rate of which.
 
 use super::decide::is_zero;
-use super::determinant::{CLOSED, determinant, divided, inverse, is_regular};
+use super::determinant::{CLOSED, determinant, divided, inverse, is_regular, written_out};
 use super::lie::{Affine, Ill};
 use super::{Values, named};
 use crate::expression::effort::bounded;
@@ -283,6 +283,15 @@ impl Coupled {
             Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
         };
         chains.chain(matrix.iter().flatten()).chain(others)
+    }
+
+    /// The determinant of the decoupling matrix, where the law divides by it and it is short enough.
+    pub fn determinant(&self) -> Option<Expression> {
+        match &self.inverse {
+            Inverse::Adjugate { determinant, .. } => Some(determinant.clone()),
+            Inverse::Elimination { matrix, .. } => written_out(matrix),
+            Inverse::Inertia { .. } => None,
+        }
     }
 
     /// The rate of each state, where they are given.

@@ -4,12 +4,13 @@ use super::Values;
 use super::decide::{is_regular_at_a_point, is_zero};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
+use crate::expression::effort::bounded;
 use crate::expression::normal::{normal, shorter};
 
 /// Outputs that are decoupled in closed form: a determinant has as many products as its rows have orders.
 pub(super) const CLOSED: usize = 3;
 
-/// Outputs up to which their determinant is still written out to see whether it is 0.
+/// Outputs up to which their determinant is still written out to see where it is 0.
 const DECIDED: usize = 6;
 
 /// The matrix without a row and a column.
@@ -50,8 +51,12 @@ pub(super) fn is_regular(matrix: &[Vec<Expression>], values: &Values) -> Option<
     if is_regular_at_a_point(matrix, values) {
         return Some(true);
     }
-    let short = matrix.len() <= DECIDED;
-    Some(!short.then(|| is_zero(&determinant(matrix), values))??)
+    Some(!is_zero(&written_out(matrix)?, values)?)
+}
+
+/// The determinant of a matrix of any size, where it is short enough to be looked at.
+pub(super) fn written_out(matrix: &[Vec<Expression>]) -> Option<Expression> {
+    (matrix.len() <= DECIDED).then(|| bounded(|| shorter(determinant(matrix))))
 }
 
 /// A determinant that is a number is divided by when generating.

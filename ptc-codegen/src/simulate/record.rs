@@ -98,7 +98,7 @@ fn along<S: Side>(
     let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
     let mut shares = if asked.whole { grid() } else { Vec::new() };
     shares.extend(asked.at.iter().map(|(share, _)| share));
-    shares.sort_by(|a, b| b.total_cmp(a));
+    shares.sort_unstable_by(|a, b| b.total_cmp(a));
     shares.dedup();
     let mut rows = Vec::with_capacity(shares.len());
     let mut index = 0;

@@ -177,7 +177,7 @@ impl Sampled {
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
         let mut armed = around.arm_at.clone();
-        armed.sort_by(f64::total_cmp);
+        armed.sort_unstable_by(f64::total_cmp);
         let mut armed = armed.into_iter().peekable();
         let mut deadline = tau;
         let mut walk = Walk::default();

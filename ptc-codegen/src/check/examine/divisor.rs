@@ -10,15 +10,14 @@ use crate::expression::crossing::{Free, Zero, crossing};
 use crate::expression::enclosure::Names;
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Variable};
-use crate::model::coupled::Inverse;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
 /// The check `envelope` where the divisor of the law passes through 0 in it.
 pub(super) fn zero(spec: &Spec) -> Option<Outcome> {
     let (divisor, what) = divisor(spec)?;
-    let (free, given) = inputs(spec, divisor)?;
-    let (word, point, details) = match crossing(divisor, &free, &given)? {
+    let (free, given) = inputs(spec, &divisor)?;
+    let (word, point, details) = match crossing(&divisor, &free, &given)? {
         Zero::At(point) => ("at", point, Vec::new()),
         Zero::Near(point) => {
             let passes = "its sign changes there, and it is continuous";
@@ -32,7 +31,7 @@ pub(super) fn zero(spec: &Spec) -> Option<Outcome> {
         verdict: Verdict::Refuted,
         summary: format!(
             "{what}, {}, is 0 {word} {}: the law divides by it",
-            text(spec, divisor),
+            text(spec, &divisor),
             at.join(", ")
         ),
         details,
@@ -41,13 +40,10 @@ pub(super) fn zero(spec: &Spec) -> Option<Outcome> {
 }
 
 /// What the law divides by at each step, and what it is.
-fn divisor(spec: &Spec) -> Option<(&Expression, &'static str)> {
-    match spec.coupled.as_deref().map(|coupled| &coupled.inverse) {
-        Some(Inverse::Adjugate { determinant, .. }) => {
-            Some((determinant, "the determinant of the decoupling matrix"))
-        }
-        Some(Inverse::Elimination { .. } | Inverse::Inertia { .. }) => None,
-        None => spec.input_gain.as_ref().map(|gain| (gain, "the gain of u")),
+fn divisor(spec: &Spec) -> Option<(Expression, &'static str)> {
+    match &spec.coupled {
+        Some(coupled) => Some((coupled.determinant()?, "the determinant of the decoupling matrix")),
+        None => spec.input_gain.clone().map(|gain| (gain, "the gain of u")),
     }
 }
 
@@ -68,7 +64,7 @@ fn inputs(spec: &Spec, expression: &Expression) -> Option<(Vec<Free>, Names)> {
             names.push(e.clone());
         }
     });
-    names.sort_by_key(|name| (name.parameter(), name.variable()));
+    names.sort_unstable_by_key(|name| (name.parameter(), name.variable()));
     let (mut free, mut given) = (Vec::new(), Names::new());
     for name in names {
         let (low, high) = match (name.parameter(), name.variable()) {

@@ -104,10 +104,10 @@ impl Problem<'_> {
             points.push(if self.is_mu { power } else { power.recip() });
         }
         if self.is_mu {
-            points.sort();
+            points.sort_unstable();
         } else {
             points.retain(Signed::is_positive);
-            points.sort_by(|a, b| b.cmp(a));
+            points.sort_unstable_by(|a, b| b.cmp(a));
         }
         let mut before: Option<(BigRational, Interval)> = None;
         for point in points {

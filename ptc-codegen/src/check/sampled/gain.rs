@@ -48,7 +48,7 @@ pub(super) fn true_gain(spec: &Spec) -> Result<[BigRational; 2], String> {
     let known = known_gain(spec)?;
     let parts = spec.promises.g_error.iter().filter_map(|part| Some(part.number()? * &known));
     let mut ends: Vec<_> = parts.collect();
-    ends.sort();
+    ends.sort_unstable();
     match ends.as_slice() {
         [low, high] => Ok([low.clone(), high.clone()]),
         _ => Ok([known.clone(), known]),

@@ -15,8 +15,8 @@ fn coefficients_stand_together() {
         ("2*(a*t - tau*sin(t))/(a + 1)", "2*a/(1 + a)*t - 2*tau/(1 + a)*sin(t)", true),
         ("5*(sin(t) - t)/a", "5/a*(sin(t) - t)", true),
         ("tau - t", "tau - t", true),
-        ("(1 + t)^2 - 1", "t*(2 + t)", false),
-        ("a*t^2 + tau*t^3", "t^2*(a + tau*t)", false),
+        ("(1 + t)^2 - 1", "(2 + t)*t", false),
+        ("a*t^2 + tau*t^3", "(tau*t + a)*t^2", false),
         ("(t + t^2)/(t + t^3)", "(1 + t)/(1 + t^2)", false),
     ] {
         assert_eq!(written(text), (form.to_owned(), affine), "{text}");

@@ -1,6 +1,6 @@
 //! The law: gains, poles, or an expression; and the input gain of the plant.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use num_traits::Zero;
 
@@ -119,10 +119,12 @@ impl<'a> Reader<'a> {
 
     /// Refuses r_k of the mapping in pi0 beside a parameter of that name.
     pub(super) fn fits_rates(&mut self, spec: &Spec) {
-        let parameters: BTreeSet<_> =
-            spec.expressions().flat_map(Expression::parameters).map(|p| p.spelling()).collect();
+        let is_parameter = |name: &String| {
+            let named = |e: &Expression| e.parameter().is_some_and(|p| p.spelling() == *name);
+            spec.expressions().any(|e| e.any(&named))
+        };
         let both = |e: &Expression| match e.variable() {
-            Some(Variable::Rate(k)) => Some(format!("r_{k}")).filter(|r| parameters.contains(r)),
+            Some(Variable::Rate(k)) => Some(format!("r_{k}")).filter(is_parameter),
             _ => None,
         };
         let Some(name) = spec.laws().find_map(|law| law.first(&mut |e| both(e))) else { return };
