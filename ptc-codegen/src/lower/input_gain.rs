@@ -7,6 +7,7 @@ use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Node};
+use crate::parameter::Parameter;
 use crate::program::number::is_normal;
 use crate::program::{Op, Value};
 use crate::request::Spec;
@@ -43,10 +44,17 @@ fn varies(e: &Expression) -> bool {
     e.any(&|part| part.variable().is_some())
 }
 
+/// The expression with the numbers that parameters keep: t0 is armed anew, whatever it is fixed at.
+pub(super) fn settled(spec: &Spec, expression: &Expression) -> Expression {
+    expression.known(&|parameter| match parameter {
+        Parameter::StartTime => None,
+        parameter => spec.fixed.get(&parameter)?.number().cloned(),
+    })
+}
+
 /// g, where it is a number other than 0.
 pub(super) fn input_gain_number(spec: &Spec, gain: &Expression) -> Option<BigRational> {
-    let number = |p| spec.fixed.get(&p)?.number().cloned();
-    let form = (!varies(gain)).then(|| bounded(|| normal(&gain.known(&number))))?;
+    let form = (!varies(gain)).then(|| bounded(|| normal(&settled(spec, gain))))?;
     form.number().filter(|number| !number.is_zero()).cloned()
 }
 

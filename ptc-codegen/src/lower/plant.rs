@@ -2,11 +2,10 @@
 //! operations once the numbers of the design are in it.
 
 use super::builder::Builder;
-use super::input_gain::{input_gain_number, over_input_gain};
+use super::input_gain::{input_gain_number, over_input_gain, settled};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::grouped::{Grouped, grouped, quotient};
-use crate::parameter::Fixed;
 use crate::program::cost::{X86_64, count};
 use crate::program::number::is_normal;
 use crate::program::{Definition, Op, Program, Stage, Value};
@@ -42,8 +41,7 @@ impl Form {
     /// The others: what is affine grouped, f/g where that exists wherever f and g do, and 1/g in the
     /// coefficients of `linear` laws.
     fn others(&self, spec: &Spec, linear: bool) -> Vec<Self> {
-        let number = |p| spec.fixed.get(&p).and_then(Fixed::number).cloned();
-        let known = |e: &Expression| e.known(&number);
+        let known = |e: &Expression| settled(spec, e);
         let lost = |e: &Expression| e.number().is_some_and(|n| !is_normal(n, spec.precision));
         let in_range = |form: &Grouped| !form.form.any(&lost);
         let affine = |e: &Expression| {

@@ -39,6 +39,27 @@ fn what_is_linear_in_a_state_is_one_product() {
     assert_eq!((cost.mul, cost.div), (9, 1), "{cost:?}");
 }
 
+/// poles -4 and -5: T^2 x1'' = -20 x1 - 8 T x1'.
+#[test]
+fn a_start_that_is_armed_anew_is_that_of_f_and_g() {
+    let text = "name = \"again\"\nn = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nf = \"t0*x1 + x2\"\ng = \"2 + t0\"\n\
+        [params]\ntau = 1\nt0 = 0\neps = 1e-3\nu_max = inf\n";
+    let main = "int main(void)\n{\n    again control;\n    const again_params params = { 0 };\n    double u;\n\
+        \x20   const double x[2] = { 0.5, -0.25 };\n\
+        \x20   if (again_init(&control, &params) != PTC_OK) { return 1; }\n\
+        \x20   for (double t0 = 0.0; t0 < 4.0; t0 += 1.5) {\n\
+        \x20       if (again_arm(&control, t0) != PTC_OK) { return 2; }\n\
+        \x20       if (again_step(&control, t0 + 0.5, x, &u) != PTC_OK) { return 3; }\n\
+        \x20       printf(\"%.17g %.17g\\n\", t0, u);\n    }\n    return 0;\n}\n";
+    let rows = in_c::run("armed_anew", &spec(text), main);
+    assert_eq!(rows.len(), 3);
+    for row in rows {
+        let (t0, x1, x2, to_go) = (row[0], 0.5, -0.25, 0.5);
+        let wanted = (-20.0 * x1 / (to_go * to_go) - 8.0 * x2 / to_go - t0 * x1 - x2) / (2.0 + t0);
+        assert!((row[1] - wanted).abs() < 1e-13 * wanted.abs(), "{row:?}, not {wanted}");
+    }
+}
+
 #[test]
 fn what_vanishes_with_the_gain_is_refused() {
     // Where i = -i0 the magnet does not pull: f/g is a number there, w/g is not.
