@@ -150,7 +150,7 @@ impl Field {
         match expression.node() {
             Node::Mul(a, b) => self.inverse(a)?.times(&self.inverse(b)?),
             Node::Power(a, exponent) => match exponent.small_integer() {
-                Some(k) if k > 0 => self.inverse(a)?.pow(k),
+                Some(k) if k > 0 && is_expanded(&self.fraction(a)?, k) => self.inverse(a)?.pow(k),
                 _ => self.fraction(expression)?.pow(-1),
             },
             _ => self.fraction(expression)?.pow(-1),
@@ -233,9 +233,7 @@ impl Field {
             return self.root(inner, exponent.numer().to_i32()?, exponent.denom().to_i32()?);
         }
         if q == 1 {
-            let products = base.num.len().pow(2) * (p.unsigned_abs() as usize);
-            let many = base.num.len() > 1 && !EXPANDED.admits(products);
-            if u64::from(p.unsigned_abs()) > POWER.most || (p > 0 && many) {
+            if u64::from(p.unsigned_abs()) > POWER.most || (p > 0 && !is_expanded(&base, p)) {
                 return self.power_of(Kernel::Root(base, Expression::integer(1)), p);
             }
             return base.pow(p);
@@ -322,6 +320,13 @@ impl Field {
             _ => (F::Sin, 1, rest, false),
         })
     }
+}
+
+/// Whether a positive whole power is multiplied out; one that is not is a kernel, over and under a fraction bar.
+fn is_expanded(base: &Ratio, power: i32) -> bool {
+    let power = power.unsigned_abs();
+    let products = base.num.len().pow(2) * (power as usize);
+    u64::from(power) <= POWER.most && (base.num.len() <= 1 || EXPANDED.admits(products))
 }
 
 /// The q-th root of a positive number, where it is a rational one.
