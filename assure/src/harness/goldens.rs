@@ -53,6 +53,23 @@ pub fn of_axes() -> [Spec; 2] {
     ]
 }
 
+/// Plants with two inputs: of outputs of different orders, and of which nothing is left to run time.
+pub fn of_two_inputs() -> [Spec; 2] {
+    let plant = [
+        ("mu", "exp(a=1)"),
+        ("poles", "[[-4,-5],[-3]]"),
+        ("states", "p, v, h"),
+        ("inputs", "a, b"),
+        ("outputs", "p, h"),
+        ("dynamics", "v, -v + (2 + sin(p))*a + h*b, v*h + h*a + (2 + h^2)*b"),
+    ];
+    let fixed = [("tau", "1"), ("eps", "1e-2"), ("limits", "40, 15"), ("guard", "result")];
+    [
+        spec(&[&plant[..], &[("name", "mix")]].concat()),
+        spec(&[&plant[..], &fixed, &[("name", "mix_fixed")]].concat()),
+    ]
+}
+
 /// A plant with more inputs than have a closed form, which its step solves for.
 pub fn of_inputs() -> Spec {
     spec(&[

@@ -20,7 +20,7 @@ use ptc_codegen::request::Spec;
 use self::coverage::{Coverage, measure, mixed_decisions};
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
-use crate::harness::goldens::of_axes;
+use crate::harness::goldens::{of_axes, of_inputs, of_two_inputs};
 use crate::harness::machine::Machine;
 use crate::harness::selftest::{main_program, sources, write_selftest};
 use crate::harness::{STRICT, empty, in_pairs, in_samples, run as execute};
@@ -55,6 +55,8 @@ fn run(context: &Context) -> Result<Finding> {
         context.in_samples(),
         context.goldens(),
         of_axes().to_vec(),
+        of_two_inputs().to_vec(),
+        vec![of_inputs()],
         context.families(2),
         context.random(20),
     ]

@@ -1,18 +1,36 @@
 //! The branches of the program: calls that take those that no other call took, and which are left.
 
+use std::collections::BTreeSet;
+
 use super::maker::Maker;
 use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable, Wanted};
 use crate::code::Solve;
-use crate::parameter::Parameter;
+use crate::parameter::{Parameter, Precision};
 use crate::program::number::settle;
 use crate::program::{Op, Value};
 use crate::reference::Status;
 use crate::request::Guard;
 
+/// The first input beyond its bound.
+fn first_saturated(inputs: &[Wanted]) -> Option<usize> {
+    inputs.iter().position(|input| input.status == Status::Saturated)
+}
+
 /// As many where an iteration has branches that few numbers take.
 const ITERATED: usize = 4000;
 
 impl Maker<'_> {
+    /// Number of inputs that follow from all outputs; 0 where each is of its own chain.
+    fn decoupled(&self) -> usize {
+        self.spec().decoupled().map_or(0, |coupled| coupled.outputs.len())
+    }
+
+    /// Whether an input has a bound.
+    fn is_bounded(&self) -> bool {
+        let own = self.spec().axes.as_ref().is_some_and(|axes| !axes.limits.is_empty());
+        own || self.controller.program.limits.u_max.is_some()
+    }
+
     /// The branches of iterations, of divisions and of the test of u alone that no call takes.
     pub(super) fn never(&self, sessions: &[Session]) -> Vec<Unreachable> {
         let program = self.controller.program;
@@ -30,7 +48,37 @@ impl Maker<'_> {
         {
             add("isnan(margin)".to_owned(), "u was not beyond the range");
         }
+        let calls = || sessions.iter().flat_map(|session| &session.calls);
+        let bounded = self.is_bounded();
+        for k in 0..self.decoupled() {
+            let finite = |call: &Call, j: usize| call.inputs[j].status != Status::Range;
+            let first = |call: &Call| (0..k).all(|j| finite(call, j)) && !finite(call, k);
+            let beside = |call: &Call| call.status == Status::Range && finite(call, k);
+            if !calls().any(first) || !calls().any(beside) {
+                let what =
+                    "it was never the first u that is no number, or never finite beside one,";
+                add(format!("(isfinite(control{}) != 0)", k + 1), what);
+            }
+            let only = |call: &Call| first_saturated(&call.inputs) == Some(k);
+            let none = |call: &Call| first_saturated(&call.inputs).is_none_or(|first| first > k);
+            if bounded && (!calls().any(only) || !calls().any(none)) {
+                let what = "it was never the first u beyond its bound, or always behind one,";
+                add(format!("(axes[{k}] == PTC_SATURATED)"), what);
+            }
+        }
         let needed = program.needed(&program.controls());
+        let equations = needed.iter().find_map(|value| match &program.get(*value).op {
+            Op::Elimination { right, .. } => Some(right.len()),
+            _ => None,
+        });
+        let is_singular = |session: &Session| {
+            let mut failing = session.calls.iter().filter(|call| call.status == Status::Range);
+            failing.any(|call| self.trial(session, call.t, &call.x).singular)
+        };
+        if let Some(m) = equations.filter(|_| !sessions.iter().any(is_singular)) {
+            let suffix = if self.spec().precision == Precision::F32 { "f" } else { "" };
+            add(format!("(a[({m}U * k) + k] > 0.0{suffix})"), "the matrix was not singular");
+        }
         let divides = |value: &&Value| matches!(program.get(**value).op, Op::Quotient(..));
         let divisions: Vec<_> = match self.spec().joins_axes() {
             true => needed.iter().filter(divides).copied().collect(),
@@ -91,6 +139,7 @@ impl Maker<'_> {
         let all = self.chosen.at_run_time();
         let mut found = Vec::new();
         let iterated = self.spec().is_iterated();
+        let (mut saturated, mut singular) = (BTreeSet::new(), false);
         for round in self.trials.rounds(if iterated { ITERATED } else { CANDIDATES }) {
             let eps = draw.of(&[1e-3, 0.05, 0.3]);
             let mut session = self.session(eps);
@@ -129,9 +178,19 @@ impl Maker<'_> {
                 })
                 .collect();
             let seen = self.trial(&session, t, &x);
-            if seen.decisions.is_subset(&self.taken) || !self.is_taken(&session) {
+            let first = seen.each.iter().position(|(status, _)| *status == Status::Saturated);
+            let is_first = first.is_some_and(|first| {
+                first < self.decoupled()
+                    && seen.step == Status::Saturated
+                    && !saturated.contains(&first)
+            });
+            let is_new =
+                is_first || (seen.singular && !singular) || !seen.decisions.is_subset(&self.taken);
+            if !is_new || !self.is_taken(&session) {
                 continue;
             }
+            saturated.extend(first);
+            singular |= seen.singular;
             let nan = seen.each.iter().any(|(_, u)| u.is_nan());
             let zero_gain = nan && seen.step == Status::Range;
             if zero_gain {

@@ -37,6 +37,8 @@ pub(super) struct Seen {
     /// Status of `axis`, where there is one.
     pub(super) axis: Option<Status>,
     pub(super) decisions: BTreeSet<Decision>,
+    /// Whether the matrix of several inputs has the determinant 0.
+    pub(super) singular: bool,
 }
 
 impl Trial<'_> {
@@ -139,6 +141,7 @@ impl Trial<'_> {
             let mut own = Interpreter::on(program, self.machine.clone(), &input);
             status(own.value(axis), u_max)
         });
-        Seen { step: told, each, axis, decisions: step.decisions().clone() }
+        let singular = program.determinant.is_some_and(|value| step.value(value) == 0.0);
+        Seen { step: told, each, axis, decisions: step.decisions().clone(), singular }
     }
 }
