@@ -33,9 +33,9 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
             const double K2 = k2 / a;
             const double c1 = (-K1) / (tau * tau);
             const double c2_0 = (-K2) / tau;
+            const double c2_1 = 3.0 / tau;
             const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
-            const double c2_1 = 3.0 / tau;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_c1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1);
@@ -46,16 +46,16 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
                 && (1e-200 <= size_c2_0)
                 && (isfinite(c1) != 0)
                 && (isfinite(c2_0) != 0)
+                && (isfinite(c2_1) != 0)
                 && (isfinite(hold_from) != 0)
-                && (isfinite(inv_tau) != 0)
-                && (isfinite(c2_1) != 0)) {
+                && (isfinite(inv_tau) != 0)) {
                 built.tau = tau;
                 built.c1 = c1;
                 built.c2_0 = c2_0;
+                built.c2_1 = c2_1;
                 built.eps = eps;
                 built.hold_from = hold_from;
                 built.inv_tau = inv_tau;
-                built.c2_1 = c2_1;
                 built.u_max = u_max;
                 built.t0 = 0.0;
                 built.deadline = 0.0;
@@ -107,7 +107,7 @@ ptc_status ptc_algebraic2_step(const ptc_algebraic2 *self, double t, const doubl
             const double v3 = sqrt(v2);
             const double h = h2 * v3;
             const double y_h2 = (v1 + 1.0) * h;
-            const double row2 = self->c2_0 + (self->c2_1 * y_h2);
+            const double row2 = (self->c2_1 * y_h2) + self->c2_0;
             const double inv_h3 = v2 * v3;
             const double v = ((self->c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
             *u = v;
@@ -149,7 +149,7 @@ ptc_status ptc_algebraic2_tick(const ptc_algebraic2 *self, double t, ptc_algebra
             const double v3 = sqrt(v2);
             const double h = h2 * v3;
             const double y_h2 = (v1 + 1.0) * h;
-            const double row2 = self->c2_0 + (self->c2_1 * y_h2);
+            const double row2 = (self->c2_1 * y_h2) + self->c2_0;
             const double inv_h3 = v2 * v3;
             gains->gain[0] = self->c1 * inv_h3 * inv_h3;
             gains->gain[1] = row2 * inv_h3;

@@ -103,14 +103,14 @@ typedef struct ptc_algebraic2_params {
 typedef struct ptc_algebraic2 {
     double tau; /* prescribed settling time */
     double c1; /* coefficient of x1 */
-    double c2_0; /* coefficient of h2^0 in the gain of x2 */
+    double c2_0; /* coefficient of y_h2^0 in the gain of x2 */
+    double c2_1; /* coefficient of y_h2^1 in the gain of x2 */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
     double inv_tau; /* 1/tau */
-    double c2_1; /* coefficient of y_h2*h2^0 in the gain of x2 */
     double u_max; /* bound of |u| */
 } ptc_algebraic2;
 

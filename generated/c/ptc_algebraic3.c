@@ -136,7 +136,7 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
             const double y_h2 = (v1 + 1.0) * h;
             const double s1 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0;
             const double row2 = s1 + (self->c2_1 * y_h2);
-            const double row3 = self->c3_0 + (self->c3_1 * y_h2);
+            const double row3 = (self->c3_1 * y_h2) + self->c3_0;
             const double inv_h3 = v2 * v3;
             const double s2 = ((self->c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
             const double v = (s2 + (row3 * x[2])) * inv_h3;
@@ -184,7 +184,7 @@ ptc_status ptc_algebraic3_tick(const ptc_algebraic3 *self, double t, ptc_algebra
             const double y_h2 = (v1 + 1.0) * h;
             const double s1 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0;
             const double row2 = s1 + (self->c2_1 * y_h2);
-            const double row3 = self->c3_0 + (self->c3_1 * y_h2);
+            const double row3 = (self->c3_1 * y_h2) + self->c3_0;
             const double inv_h3 = v2 * v3;
             gains->gain[0] = self->c1 * (inv_h3 * inv_h3) * inv_h3;
             gains->gain[1] = row2 * inv_h3 * inv_h3;

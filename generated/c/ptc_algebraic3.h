@@ -121,8 +121,8 @@ typedef struct ptc_algebraic3 {
     double hold_from; /* -eps: later than this the gains are held */
     double inv_tau; /* 1/tau */
     double c2_1; /* coefficient of y_h2*h2^0 in the gain of x2 */
-    double c3_0; /* coefficient of h2^0 in the gain of x3 */
-    double c3_1; /* coefficient of y_h2*h2^0 in the gain of x3 */
+    double c3_0; /* coefficient of y_h2^0 in the gain of x3 */
+    double c3_1; /* coefficient of y_h2^1 in the gain of x3 */
     double u_max; /* bound of |u| */
 } ptc_algebraic3;
 

@@ -175,7 +175,7 @@ ptc_status ptc_algebraic4_step(const ptc_algebraic4 *self, double t, const doubl
             const double row2 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0 + s1;
             const double s2 = (((self->c3_4 * h2) + self->c3_2) * h2) + self->c3_0;
             const double row3 = s2 + (self->c3_1 * y_h2);
-            const double row4 = self->c4_0 + (self->c4_1 * y_h2);
+            const double row4 = (self->c4_1 * y_h2) + self->c4_0;
             const double inv_h3 = v2 * v3;
             const double s3 = ((self->c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
             const double v = (((s3 + (row3 * x[2])) * inv_h3) + (row4 * x[3])) * inv_h3;
@@ -226,7 +226,7 @@ ptc_status ptc_algebraic4_tick(const ptc_algebraic4 *self, double t, ptc_algebra
             const double row2 = (((self->c2_4 * h2) + self->c2_2) * h2) + self->c2_0 + s1;
             const double s2 = (((self->c3_4 * h2) + self->c3_2) * h2) + self->c3_0;
             const double row3 = s2 + (self->c3_1 * y_h2);
-            const double row4 = self->c4_0 + (self->c4_1 * y_h2);
+            const double row4 = (self->c4_1 * y_h2) + self->c4_0;
             const double inv_h3 = v2 * v3;
             const double v4 = inv_h3 * inv_h3;
             gains->gain[0] = self->c1 * v4 * v4;

@@ -134,8 +134,8 @@ typedef struct ptc_algebraic4 {
     double c3_2; /* coefficient of h2^1 in the gain of x3 */
     double c3_4; /* coefficient of h2^2 in the gain of x3 */
     double c3_1; /* coefficient of y_h2*h2^0 in the gain of x3 */
-    double c4_0; /* coefficient of h2^0 in the gain of x4 */
-    double c4_1; /* coefficient of y_h2*h2^0 in the gain of x4 */
+    double c4_0; /* coefficient of y_h2^0 in the gain of x4 */
+    double c4_1; /* coefficient of y_h2^1 in the gain of x4 */
     double u_max; /* bound of |u| */
 } ptc_algebraic4;
 

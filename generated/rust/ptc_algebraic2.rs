@@ -174,8 +174,10 @@ pub struct PtcAlgebraic2 {
     tau: f64,
     /// coefficient of x1.
     c1: f64,
-    /// coefficient of h2^0 in the gain of x2.
+    /// coefficient of y_h2^0 in the gain of x2.
     c2_0: f64,
+    /// coefficient of y_h2^1 in the gain of x2.
+    c2_1: f64,
     /// start time.
     t0: f64,
     /// t0 + tau, rounded.
@@ -188,8 +190,6 @@ pub struct PtcAlgebraic2 {
     hold_from: f64,
     /// 1/tau.
     inv_tau: f64,
-    /// coefficient of y_h2*h2^0 in the gain of x2.
-    c2_1: f64,
     /// bound of |u|.
     u_max: f64,
 }
@@ -246,9 +246,9 @@ impl PtcAlgebraic2 {
         let K2 = k2 / a;
         let c1 = (-K1) / (tau * tau);
         let c2_0 = (-K2) / tau;
+        let c2_1 = 3.0 / tau;
         let hold_from = -eps;
         let inv_tau = 1.0 / tau;
-        let c2_1 = 3.0 / tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
@@ -259,9 +259,9 @@ impl PtcAlgebraic2 {
             && (1e-200 <= size_c2_0)
             && c1.is_finite()
             && c2_0.is_finite()
+            && c2_1.is_finite()
             && hold_from.is_finite()
-            && inv_tau.is_finite()
-            && c2_1.is_finite())
+            && inv_tau.is_finite())
         {
             return Err(Error::Param);
         }
@@ -269,10 +269,10 @@ impl PtcAlgebraic2 {
             tau,
             c1,
             c2_0,
+            c2_1,
             eps,
             hold_from,
             inv_tau,
-            c2_1,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -324,7 +324,7 @@ impl PtcAlgebraic2 {
         let v3 = math::sqrt(v2);
         let h = h2 * v3;
         let y_h2 = (v1 + 1.0) * h;
-        let row2 = self.c2_0 + (self.c2_1 * y_h2);
+        let row2 = (self.c2_1 * y_h2) + self.c2_0;
         let inv_h3 = v2 * v3;
         let v = ((self.c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
@@ -367,7 +367,7 @@ impl PtcAlgebraic2 {
         let v3 = math::sqrt(v2);
         let h = h2 * v3;
         let y_h2 = (v1 + 1.0) * h;
-        let row2 = self.c2_0 + (self.c2_1 * y_h2);
+        let row2 = (self.c2_1 * y_h2) + self.c2_0;
         let inv_h3 = v2 * v3;
         let status = if late < self.hold_from {
             Status::Ok

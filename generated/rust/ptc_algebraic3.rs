@@ -202,9 +202,9 @@ pub struct PtcAlgebraic3 {
     inv_tau: f64,
     /// coefficient of y_h2*h2^0 in the gain of x2.
     c2_1: f64,
-    /// coefficient of h2^0 in the gain of x3.
+    /// coefficient of y_h2^0 in the gain of x3.
     c3_0: f64,
-    /// coefficient of y_h2*h2^0 in the gain of x3.
+    /// coefficient of y_h2^1 in the gain of x3.
     c3_1: f64,
     /// bound of |u|.
     u_max: f64,
@@ -369,7 +369,7 @@ impl PtcAlgebraic3 {
         let y_h2 = (v1 + 1.0) * h;
         let s1 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0;
         let row2 = s1 + (self.c2_1 * y_h2);
-        let row3 = self.c3_0 + (self.c3_1 * y_h2);
+        let row3 = (self.c3_1 * y_h2) + self.c3_0;
         let inv_h3 = v2 * v3;
         let s2 = ((self.c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
         let v = (s2 + (row3 * x[2])) * inv_h3;
@@ -415,7 +415,7 @@ impl PtcAlgebraic3 {
         let y_h2 = (v1 + 1.0) * h;
         let s1 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0;
         let row2 = s1 + (self.c2_1 * y_h2);
-        let row3 = self.c3_0 + (self.c3_1 * y_h2);
+        let row3 = (self.c3_1 * y_h2) + self.c3_0;
         let inv_h3 = v2 * v3;
         let status = if late < self.hold_from {
             Status::Ok

@@ -221,9 +221,9 @@ pub struct PtcAlgebraic4 {
     c3_4: f64,
     /// coefficient of y_h2*h2^0 in the gain of x3.
     c3_1: f64,
-    /// coefficient of h2^0 in the gain of x4.
+    /// coefficient of y_h2^0 in the gain of x4.
     c4_0: f64,
-    /// coefficient of y_h2*h2^0 in the gain of x4.
+    /// coefficient of y_h2^1 in the gain of x4.
     c4_1: f64,
     /// bound of |u|.
     u_max: f64,
@@ -427,7 +427,7 @@ impl PtcAlgebraic4 {
         let row2 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0 + s1;
         let s2 = (((self.c3_4 * h2) + self.c3_2) * h2) + self.c3_0;
         let row3 = s2 + (self.c3_1 * y_h2);
-        let row4 = self.c4_0 + (self.c4_1 * y_h2);
+        let row4 = (self.c4_1 * y_h2) + self.c4_0;
         let inv_h3 = v2 * v3;
         let s3 = ((self.c1 * x[0] * inv_h3) + (row2 * x[1])) * inv_h3;
         let v = (((s3 + (row3 * x[2])) * inv_h3) + (row4 * x[3])) * inv_h3;
@@ -480,7 +480,7 @@ impl PtcAlgebraic4 {
         let row2 = (((self.c2_4 * h2) + self.c2_2) * h2) + self.c2_0 + s1;
         let s2 = (((self.c3_4 * h2) + self.c3_2) * h2) + self.c3_0;
         let row3 = s2 + (self.c3_1 * y_h2);
-        let row4 = self.c4_0 + (self.c4_1 * y_h2);
+        let row4 = (self.c4_1 * y_h2) + self.c4_0;
         let inv_h3 = v2 * v3;
         let v4 = inv_h3 * inv_h3;
         let status = if late < self.hold_from {

@@ -11,7 +11,7 @@
 use crate::algebra::{Kind, Poly, Symbol, integer};
 use crate::expansion::{self, ClosedForms, Expanded};
 use crate::expression::{Expression, Node};
-use crate::mapping::{Atoms, Custom, Mapping, expand};
+use crate::mapping::{Atoms, Custom, Evaluation, Mapping, Reciprocal, expand};
 use crate::parameter::Fixed;
 use crate::request::{Feedback, Spec};
 
@@ -106,11 +106,12 @@ impl Law {
 }
 
 fn rows(n: usize, mapping: &Mapping, kappa_prime: &Poly, table: &[Vec<Poly>]) -> Vec<Poly> {
+    let evaluation = mapping.evaluation(n);
     let kappa_prime_n = kappa_prime.pow(exponent(n));
     (0..n)
         .map(|j| {
             // Where time decides the base it is factored out; else its power joins the coefficients.
-            let factored = match &mapping.evaluation(n).base {
+            let factored = match &evaluation.base {
                 Some((base, _)) => base.pow(exponent(n - j)),
                 None => Poly::one(),
             };
@@ -120,16 +121,20 @@ fn rows(n: usize, mapping: &Mapping, kappa_prime: &Poly, table: &[Vec<Poly>]) ->
                 let bell = bell[j].times(&mapping.rate.pow(exponent(n - i)));
                 row = row.plus(&gain.times(&kappa_prime_n).times(&bell));
             }
-            in_tick_quantities(&row.times(&factored).scaled(&integer(-1)), mapping, n)
+            in_tick_quantities(
+                &row.times(&factored).scaled(&integer(-1)),
+                &mapping.reciprocals,
+                evaluation,
+            )
         })
         .collect()
 }
 
 /// Writes negative powers of atoms in the quantities that are computed. A sum is expanded to a
 /// polynomial in one of them; a single term stays a power, which is cheaper.
-fn in_tick_quantities(row: &Poly, mapping: &Mapping, n: usize) -> Poly {
+fn in_tick_quantities(row: &Poly, reciprocals: &[Reciprocal], evaluation: &Evaluation) -> Poly {
     let mut result = row.clone();
-    for reciprocal in &mapping.reciprocals {
+    for reciprocal in reciprocals {
         // A row over a power of all atoms has none of them below.
         if result.terms().all(|(m, _)| m.exponent(reciprocal.atom) >= 0) {
             continue;
@@ -146,7 +151,7 @@ fn in_tick_quantities(row: &Poly, mapping: &Mapping, n: usize) -> Poly {
         }
         result = named;
     }
-    mapping.evaluation(n).evaluated.iter().fold(result, |row, atom| atom.apply(&row))
+    evaluation.evaluated.iter().fold(result, |row, atom| atom.apply(&row))
 }
 
 /// An exponent that the structure theorem shows to be non-negative.

@@ -4,8 +4,9 @@
 use super::Expression;
 use super::compact::{Product, added};
 use super::effort::bounded;
-use super::field::{Field, Kernel};
+use super::field::Field;
 use super::ratio::{Ratio, content};
+use super::solve::depends;
 use crate::algebra::{Monomial, Poly, Symbol, integer};
 
 /// An expression with what moves taken together.
@@ -45,15 +46,7 @@ pub(crate) fn quotient(over: &Expression, under: &Expression) -> Option<Grouped>
 
 impl Field {
     fn moves(&self, symbol: Symbol) -> bool {
-        let varies = |e: &Expression| e.any(&|part| part.variable().is_some());
-        let polynomial = |poly: &Poly| poly.symbols().into_iter().any(|s| self.moves(s));
-        let ratio = |r: &Ratio| polynomial(&r.num) || r.den.iter().any(|(f, _)| polynomial(f));
-        match self.kernel(symbol) {
-            Some(Kernel::Atom(atom)) => varies(atom),
-            Some(Kernel::Exp(unit)) => ratio(unit),
-            Some(Kernel::Root(base, index)) => ratio(base) || varies(index),
-            None => false,
-        }
+        depends(self, symbol, &Expression::varies)
     }
 
     fn grouped(&self, ratio: &Ratio) -> Option<Grouped> {

@@ -55,7 +55,7 @@ pub enum Variable {
     /// kappa'(Dt), the derivative of kappa: `kappa_rate`.
     KappaRate,
     /// r_k, derivative k of mu at the stretched time, from 1: `r_1` is 1/`kappa_rate`.
-    Rate(usize),
+    R(usize),
     /// Control u.
     Control,
     /// State `x_j` of the plant, from 1.

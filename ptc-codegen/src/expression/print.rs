@@ -16,7 +16,7 @@ impl fmt::Display for Variable {
             Self::Elapsed => f.write_str("dt"),
             Self::TimeToGo => f.write_str("T"),
             Self::KappaRate => f.write_str("kappa_rate"),
-            Self::Rate(k) => write!(f, "r_{k}"),
+            Self::R(k) => write!(f, "r_{k}"),
             Self::Control => f.write_str("u"),
             Self::State(j) => write!(f, "x{j}"),
             Self::Xi(j) => write!(f, "xi{j}"),

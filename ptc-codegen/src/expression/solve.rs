@@ -114,12 +114,17 @@ fn without_roots(field: &Field, ratio: &Ratio) -> Option<(BigRational, Ratio)> {
 
 /// Whether what a symbol stands for depends on a variable.
 pub(super) fn contains(field: &Field, symbol: Symbol, variable: Variable) -> bool {
-    let inner = |poly: &Poly| poly.symbols().into_iter().any(|s| contains(field, s, variable));
+    depends(field, symbol, &|e| e.contains(variable))
+}
+
+/// Whether it has an expression in it that does.
+pub(super) fn depends(field: &Field, symbol: Symbol, does: &dyn Fn(&Expression) -> bool) -> bool {
+    let inner = |poly: &Poly| poly.symbols().into_iter().any(|s| depends(field, s, does));
     let ratio = |r: &Ratio| inner(&r.num) || r.den.iter().any(|(factor, _)| inner(factor));
     match field.kernel(symbol) {
-        Some(Kernel::Atom(atom)) => atom.contains(variable),
+        Some(Kernel::Atom(atom)) => does(atom),
         Some(Kernel::Exp(unit)) => ratio(unit),
-        Some(Kernel::Root(base, index)) => ratio(base) || index.contains(variable),
+        Some(Kernel::Root(base, index)) => ratio(base) || does(index),
         None => false,
     }
 }

@@ -64,6 +64,14 @@ pub(crate) fn evaluate(expression: &Expression, at: f64) -> f64 {
     }
 }
 
+/// How far a form is from an expression at t, as a share of that or of 1/100; `None` where a small change of t
+/// changes it by more than the test of forms allows, as rounding does too.
+pub(crate) fn error(plain: &Expression, form: &Expression, t: f64) -> Option<f64> {
+    let (truth, near) = (evaluate(plain, t), evaluate(plain, t * (1.0 + 1e-12)));
+    let steady = truth.abs() < 1e9 && (near - truth).abs() <= 1e-9 * truth.abs();
+    steady.then(|| (evaluate(form, t) - truth).abs() / (1e-2 + truth.abs()))
+}
+
 /// A random expression in t, tau and a, from a linear congruential generator.
 pub(crate) fn random(seed: &mut u64, height: u32) -> Expression {
     let mut next = |below: i64| {

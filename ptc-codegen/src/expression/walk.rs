@@ -120,6 +120,11 @@ impl Expression {
         });
     }
 
+    /// Whether anything in it varies while the controller runs.
+    pub fn varies(&self) -> bool {
+        self.any(&|part| part.variable().is_some())
+    }
+
     /// Whether `variable` occurs in it.
     pub fn contains(&self, variable: Variable) -> bool {
         self.any(&|e| e.variable() == Some(variable))

@@ -4,8 +4,7 @@
 
 use super::builder::{Builder, PlantPoint};
 use super::closed_loop::states;
-use super::input_gain::over_input_gain;
-use super::plant::without_drift;
+use super::plant::control;
 use super::{series, state};
 use crate::expression::Variable;
 use crate::law::Law;
@@ -76,8 +75,7 @@ fn of_plant(b: &mut Builder<'_>, law: Value) -> Vec<Value> {
     let mut watched = states(b, &scaled, taylor.base_inverse);
     let free = series::wanted(b, &taylor, law, &|_, j| scaled[j - 1]);
     b.plant = Some(PlantPoint { states: watched.clone(), control: None });
-    let wanted = without_drift(b, free);
-    watched.push(over_input_gain(b, wanted));
+    watched.push(control(b, free));
     watched.push(b.time_of_plant());
     watched
 }

@@ -7,6 +7,8 @@
 //! mapping to its deadline: dt/dsigma = T and dt_kappa/dsigma = T kappa'.
 
 use super::builder::{Builder, PlantPoint};
+use super::input_gain::over_input_gain;
+use super::plant::without_drift;
 use super::{series, state};
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
@@ -70,8 +72,8 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
         let x = b.coordinate(j);
         (1..j).fold(x, |x, _| b.mul(x, taylor.r1))
     });
-    let less = super::plant::without_drift(&mut b, free);
-    let wanted = super::input_gain::over_input_gain(&mut b, less);
+    let less = without_drift(&mut b, free);
+    let wanted = over_input_gain(&mut b, less);
     let (below, control) = clipped(&mut b, wanted);
     b.plant = Some(PlantPoint { states, control: Some(control) });
     // What is left of f where its known part is cancelled, so that nothing is subtracted from itself.

@@ -1,8 +1,7 @@
 //! The inputs of a plant with several of them, from what is wanted of each output.
 
 use super::builder::Builder;
-use super::input_gain::over_input_gain;
-use super::plant::without_drift;
+use super::plant::control;
 use super::{rows, state};
 use crate::expression::Expression;
 use crate::law::Law;
@@ -36,9 +35,8 @@ pub(super) fn controls<'a>(
             Some(rows) => rows.step(b, None),
             None => state::step(b),
         };
-        let u = without_drift(b, u);
-        // That of a plant is in its decoupling.
-        let u = over_input_gain(b, u);
+        // The gain of a plant is in its decoupling.
+        let u = control(b, u);
         wanted.push(b.name(
             u,
             "wanted",

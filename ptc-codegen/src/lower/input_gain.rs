@@ -22,7 +22,7 @@ pub(super) fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     }
     match gain.node() {
         // A factor in place of a second division; what depends on parameters alone is formed in `init`.
-        Node::Div(numerator, denominator) if varies(denominator) => {
+        Node::Div(numerator, denominator) if denominator.varies() => {
             let denominator = b.scalar(denominator);
             let product = b.mul(u, denominator);
             if let Some(number) = numerator.number() {
@@ -39,11 +39,6 @@ pub(super) fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     }
 }
 
-/// Whether an expression changes while the controller runs.
-fn varies(e: &Expression) -> bool {
-    e.any(&|part| part.variable().is_some())
-}
-
 /// The expression with the numbers that parameters keep: t0 is armed anew, whatever it is fixed at.
 pub(super) fn settled(spec: &Spec, expression: &Expression) -> Expression {
     expression.known(&|parameter| match parameter {
@@ -54,7 +49,7 @@ pub(super) fn settled(spec: &Spec, expression: &Expression) -> Expression {
 
 /// g, where it is a number other than 0.
 pub(super) fn input_gain_number(spec: &Spec, gain: &Expression) -> Option<BigRational> {
-    let form = (!varies(gain)).then(|| bounded(|| normal(&settled(spec, gain))))?;
+    let form = (!gain.varies()).then(|| bounded(|| normal(&settled(spec, gain))))?;
     form.number().filter(|number| !number.is_zero()).cloned()
 }
 

@@ -131,9 +131,7 @@ fn wanted(b: &mut Builder<'_>, law: Value) -> Value {
 
 fn less_drift(b: &mut Builder<'_>, value: Value, meaning: &str) -> Value {
     let own = b.form.as_ref().map_or(&b.spec.drift, |form| &form.drift);
-    let Some(drift) = own.clone().filter(|drift| *drift != Expression::integer(0)) else {
-        return value;
-    };
+    let Some(drift) = own.clone() else { return value };
     let drift = b.scalar(&drift);
     let drift = b.name(drift, "drift", meaning);
     b.sub(value, drift)

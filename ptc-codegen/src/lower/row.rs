@@ -7,8 +7,8 @@ use super::coefficient::{self, ScaledGain};
 use crate::algebra::{Kind, Poly, Symbol, integer};
 use crate::program::Value;
 
-/// Row j, from 0: a polynomial in at most one tick quantity, by Horner's rule, or in h^2 and once y h^2;
-/// `None` for 0.
+/// Row j, from 0: a polynomial in at most one tick quantity, by Horner's rule, or in two, the second of which
+/// stands once in a term at most; `None` for 0.
 pub(super) fn lower_row(
     b: &mut Builder<'_>,
     j: usize,
@@ -21,32 +21,27 @@ pub(super) fn lower_row(
     }
     let tick: Vec<_> =
         row.symbols().into_iter().filter(|s| !coefficient::is_known_at_init(*s)).collect();
-    let alone = Symbol::plain(Kind::AngleOverSquare);
     let row = match tick.as_slice() {
         [] => {
             let (name, meaning) = (format!("c{}", j + 1), format!("coefficient of x{}", j + 1));
             return coefficient::lower(b, &row, scaled, &name, &meaning);
         }
-        [symbol] if *symbol != alone => in_one(b, j, &row, scaled, *symbol),
-        _ => {
-            let symbol = Symbol::plain(Kind::CosineSquare);
-            let mut part = |parity: i32| {
-                let part = row.collect(alone).remove(&parity)?;
-                let written = |k| match parity {
-                    0 => format!("{}^{k}", symbol.text()),
-                    _ => format!("{}*{}^{k}", alone.text(), symbol.text()),
-                };
-                let named = |k| (2 * k + parity, written(k));
-                let coefficients = coefficients(b, j, &part, scaled, symbol, &named);
-                let variable = b.quantity(symbol);
+        [symbol] => in_one(b, j, &row, scaled, *symbol),
+        [symbol, once, ..] => {
+            let mut part = |power: i32| {
+                let part = row.collect(*once).remove(&power)?;
+                let before = if power == 0 { String::new() } else { once.text() + "*" };
+                let named = |k| (2 * k + power, format!("{before}{}^{k}", symbol.text()));
+                let coefficients = coefficients(b, j, &part, scaled, *symbol, &named);
+                let variable = b.quantity(*symbol);
                 horner(b, &coefficients, variable)
             };
-            let (even, odd) = (part(0), part(1));
-            let odd = odd.map(|odd| {
-                let variable = b.quantity(alone);
-                b.mul(odd, variable)
+            let (without, with) = (part(0), part(1));
+            let with = with.map(|with| {
+                let once = b.quantity(*once);
+                b.mul(with, once)
             });
-            b.sum(even, odd)
+            b.sum(without, with)
         }
     }?;
     let meaning = format!("gain of x{} without its power of the base", j + 1);

@@ -136,7 +136,7 @@ impl Builder<'_> {
             Variable::Elapsed => self.since_start(),
             Variable::TimeToGo => self.time_to_go(),
             Variable::KappaRate => self.taylor().base_inverse,
-            Variable::Rate(k) => self.rate(k),
+            Variable::R(k) => self.r(k),
             Variable::SinceStart => self.stretched(),
             Variable::StretchedTime => {
                 let start = self.push(Op::Input(Input::StartTime));

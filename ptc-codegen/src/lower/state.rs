@@ -71,19 +71,19 @@ impl Builder<'_> {
     }
 
     /// r_k = mu^(k) at the stretched time.
-    pub(super) fn rate(&mut self, k: usize) -> Value {
+    pub(super) fn r(&mut self, k: usize) -> Value {
         let taylor = self.taylor();
         let value = match k {
             1 => taylor.r1,
             _ => {
                 let factorial = factorials(k)[k].clone().into();
-                let mut rate = self.times(&taylor.tail[k - 2], &Coefficient::Exact(factorial));
+                let mut value = self.times(&taylor.tail[k - 2], &Coefficient::Exact(factorial));
                 if let Some(unit) = taylor.unit {
                     let unit = self.power(unit, u32::try_from(k - 1).unwrap_or(u32::MAX));
-                    rate = self.times(&rate, &Coefficient::Value(unit));
+                    value = self.times(&value, &Coefficient::Value(unit));
                 }
-                let rate = self.times(&rate, &Coefficient::Value(taylor.r1));
-                self.coefficient(&rate)
+                let value = self.times(&value, &Coefficient::Value(taylor.r1));
+                self.coefficient(&value)
             }
         };
         self.name(value, &format!("r_{k}"), &format!("derivative {k} of mu"))

@@ -69,7 +69,7 @@ impl Arithmetic {
             Variable::Elapsed => Term::given(elapsed.clone()),
             Variable::TimeToGo => Term::given(to_go.clone()),
             Variable::KappaRate => Term::given(point.slope.clone()),
-            Variable::Rate(k) => Term::given(point.rates[k - 1].clone()),
+            Variable::R(k) => Term::given(point.r[k - 1].clone()),
             // No expression of a controller knows its own result.
             Variable::Control => Term::given(double(f64::NAN, bits)),
             Variable::State(j) => Term::given(states(call.x, j)),

@@ -46,7 +46,7 @@ pub(super) struct Point {
     /// kappa' = 1/r_1.
     pub(super) slope: BigFloat,
     /// r_1, ..., r_n.
-    pub(super) rates: Vec<BigFloat>,
+    pub(super) r: Vec<BigFloat>,
     /// `bell[i][j]` = B_{i,j}(r_1, r_2, ...), 0 <= j <= i <= n.
     pub(super) bell: Vec<Vec<BigFloat>>,
 }
@@ -116,7 +116,7 @@ impl Arithmetic {
             r.push(self.mul(&factorial, coefficient));
         }
         let slope = self.div(&self.integer(1), &r[0]);
-        Some(Point { stretched, slope, bell: self.bell(&r), rates: r })
+        Some(Point { stretched, slope, bell: self.bell(&r), r })
     }
 
     /// The Taylor series of a mapping around `at`, up to the power n.

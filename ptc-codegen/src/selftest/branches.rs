@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::maker::Maker;
 use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable, Wanted};
 use crate::code::Solve;
-use crate::parameter::{Parameter, Precision};
+use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::program::{Op, Value};
 use crate::reference::Status;
@@ -48,37 +48,10 @@ impl Maker<'_> {
         {
             add("isnan(margin)".to_owned(), "u was not beyond the range");
         }
-        let calls = || sessions.iter().flat_map(|session| &session.calls);
-        let bounded = self.is_bounded();
-        for k in 0..self.decoupled() {
-            let finite = |call: &Call, j: usize| call.inputs[j].status != Status::Range;
-            let first = |call: &Call| (0..k).all(|j| finite(call, j)) && !finite(call, k);
-            let beside = |call: &Call| call.status == Status::Range && finite(call, k);
-            if !calls().any(first) || !calls().any(beside) {
-                let what =
-                    "it was never the first u that is no number, or never finite beside one,";
-                add(format!("(isfinite(control{}) != 0)", k + 1), what);
-            }
-            let only = |call: &Call| first_saturated(&call.inputs) == Some(k);
-            let none = |call: &Call| first_saturated(&call.inputs).is_none_or(|first| first > k);
-            if bounded && (!calls().any(only) || !calls().any(none)) {
-                let what = "it was never the first u beyond its bound, or always behind one,";
-                add(format!("(axes[{k}] == PTC_SATURATED)"), what);
-            }
+        for (condition, what) in self.never_of_inputs(sessions) {
+            add(condition, what);
         }
         let needed = program.needed(&program.controls());
-        let equations = needed.iter().find_map(|value| match &program.get(*value).op {
-            Op::Elimination { right, .. } => Some(right.len()),
-            _ => None,
-        });
-        let is_singular = |session: &Session| {
-            let mut failing = session.calls.iter().filter(|call| call.status == Status::Range);
-            failing.any(|call| self.trial(session, call.t, &call.x).singular)
-        };
-        if let Some(m) = equations.filter(|_| !sessions.iter().any(is_singular)) {
-            let suffix = if self.spec().precision == Precision::F32 { "f" } else { "" };
-            add(format!("(a[({m}U * k) + k] > 0.0{suffix})"), "the matrix was not singular");
-        }
         let divides = |value: &&Value| matches!(program.get(**value).op, Op::Quotient(..));
         let divisions: Vec<_> = match self.spec().joins_axes() {
             true => needed.iter().filter(divides).copied().collect(),
@@ -126,7 +99,37 @@ impl Maker<'_> {
                         add(format!("{name} > 0.0"), "g was not 0");
                     }
                 }
+                Op::Elimination { right, .. } if missing("singular") => {
+                    let condition = format!("a[({}U * k) + k] > 0.0", right.len());
+                    add(condition, "the matrix was not singular");
+                }
                 _ => {}
+            }
+        }
+        never
+    }
+
+    /// Of inputs that follow from all outputs: the tests of each u that no call makes true, or false.
+    fn never_of_inputs(&self, sessions: &[Session]) -> Vec<(String, &'static str)> {
+        let calls = || sessions.iter().flat_map(|session| &session.calls);
+        let mut never = Vec::new();
+        for k in 0..self.decoupled() {
+            let finite = |call: &Call, j: usize| call.inputs[j].status != Status::Range;
+            let first = |call: &Call| (0..k).all(|j| finite(call, j)) && !finite(call, k);
+            let beside = |call: &Call| call.status == Status::Range && finite(call, k);
+            if !calls().any(first) || !calls().any(beside) {
+                never.push((
+                    format!("(isfinite(control{}) != 0)", k + 1),
+                    "it was never the first u that is no number, or never finite beside one,",
+                ));
+            }
+            let only = |call: &Call| first_saturated(&call.inputs) == Some(k);
+            let none = |call: &Call| first_saturated(&call.inputs).is_none_or(|first| first > k);
+            if self.is_bounded() && (!calls().any(only) || !calls().any(none)) {
+                never.push((
+                    format!("(axes[{k}] == PTC_SATURATED)"),
+                    "it was never the first u beyond its bound, or always behind one,",
+                ));
             }
         }
         never
@@ -139,7 +142,7 @@ impl Maker<'_> {
         let all = self.chosen.at_run_time();
         let mut found = Vec::new();
         let iterated = self.spec().is_iterated();
-        let (mut saturated, mut singular) = (BTreeSet::new(), false);
+        let mut saturated = BTreeSet::new();
         for round in self.trials.rounds(if iterated { ITERATED } else { CANDIDATES }) {
             let eps = draw.of(&[1e-3, 0.05, 0.3]);
             let mut session = self.session(eps);
@@ -184,13 +187,11 @@ impl Maker<'_> {
                     && seen.step == Status::Saturated
                     && !saturated.contains(&first)
             });
-            let is_new =
-                is_first || (seen.singular && !singular) || !seen.decisions.is_subset(&self.taken);
+            let is_new = is_first || !seen.decisions.is_subset(&self.taken);
             if !is_new || !self.is_taken(&session) {
                 continue;
             }
             saturated.extend(first);
-            singular |= seen.singular;
             let nan = seen.each.iter().any(|(_, u)| u.is_nan());
             let zero_gain = nan && seen.step == Status::Range;
             if zero_gain {

@@ -9,7 +9,7 @@ use crate::program::digits::Condition;
 use crate::program::interpret::{Decision, Interpreter};
 use crate::program::machine::Machine;
 use crate::program::number::round;
-use crate::program::{Input, Program, Value};
+use crate::program::{Input, Op, Program, Value};
 use crate::reference::Status;
 use crate::request::{Guard, Spec};
 
@@ -37,8 +37,6 @@ pub(super) struct Seen {
     /// Status of `axis`, where there is one.
     pub(super) axis: Option<Status>,
     pub(super) decisions: BTreeSet<Decision>,
-    /// Whether the matrix of several inputs has the determinant 0.
-    pub(super) singular: bool,
 }
 
 impl Trial<'_> {
@@ -141,7 +139,13 @@ impl Trial<'_> {
             let mut own = Interpreter::on(program, self.machine.clone(), &input);
             status(own.value(axis), u_max)
         });
-        let singular = program.determinant.is_some_and(|value| step.value(value) == 0.0);
-        Seen { step: told, each, axis, decisions: step.decisions().clone(), singular }
+        let mut decisions = step.decisions().clone();
+        if let Some(value) = program.determinant
+            && let Op::Element(elimination, _) = program.get(value).op
+            && step.value(value) == 0.0
+        {
+            decisions.insert((elimination, "singular"));
+        }
+        Seen { step: told, each, axis, decisions }
     }
 }

@@ -125,7 +125,7 @@ pub(crate) fn variable(variable: Variable) -> Math {
         Variable::Elapsed => row([name("\u{394}"), name("t")]),
         Variable::TimeToGo => name("T"),
         Variable::KappaRate => row([named("kappa"), operator("\u{2032}")]),
-        Variable::Rate(k) => sub(name("r"), number(k)),
+        Variable::R(k) => sub(name("r"), number(k)),
         Variable::Control => name("u"),
         Variable::State(j) => sub(name("x"), number(j)),
         Variable::Xi(j) => sub(named("xi"), number(j)),

@@ -1,7 +1,7 @@
 //! Grouped forms: that they are the same function, what is affine, and where a quotient is kept.
 
 use super::*;
-use crate::expression::testing::{evaluate, mu, random};
+use crate::expression::testing::{error, mu, random};
 
 fn written(text: &str) -> (String, bool) {
     let form = grouped(&mu(text)).expect(text);
@@ -34,14 +34,8 @@ fn a_grouped_form_is_the_same_function() {
         let of_over = grouped(&over).map(|form| (&over, form));
         for (plain, form) in of_over.into_iter().chain(of_quotient) {
             for t in [0.37, 1.9] {
-                let truth = evaluate(plain, t);
-                let near = evaluate(plain, t * (1.0 + 1e-12));
-                if !(truth.abs() < 1e9 && (near - truth).abs() <= 1e-9 * truth.abs()) {
-                    continue;
-                }
-                let got = evaluate(&form.form, t);
-                let error = (got - truth).abs() / (1e-2 + truth.abs());
-                assert!(error < 1e-6, "{plain} at {t}: {truth}, {got} by {}", form.form);
+                let Some(error) = error(plain, &form.form, t) else { continue };
+                assert!(error < 1e-6, "{plain} at {t}: {error} by {}", form.form);
                 compared += 1;
             }
         }

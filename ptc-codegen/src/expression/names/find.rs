@@ -29,7 +29,7 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
     let mut elsewhere = Vec::new();
     for info in &NAMES {
         let (index, exact) = match info.sense {
-            Sense::Indexed(_) | Sense::Gain | Sense::Rate => match info.index(name) {
+            Sense::Indexed(_) | Sense::Gain | Sense::R => match info.index(name) {
                 Some(found) => found,
                 None => continue,
             },
@@ -40,7 +40,7 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
         match info.sense {
             Sense::Gain if subject == Law || !exact || !exists => return Found::Free,
             // Several outputs have no order in common.
-            Sense::Rate if subject != Law || !exact || n == 0 => return Found::Free,
+            Sense::R if subject != Law || !exact || n == 0 => return Found::Free,
             // Several chains have no order in common.
             Sense::Indexed(_) if n == 0 && matches!(subject, Subject::Objective | Law) => {
                 let message = format!("`{shown}` does not exist where there are several outputs");
@@ -52,9 +52,9 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
                 };
                 return Found::wrong(message, help.to_owned());
             }
-            Sense::Indexed(_) | Sense::Rate if !exists => {
+            Sense::Indexed(_) | Sense::R if !exists => {
                 let message = format!("`{shown}` does not exist for order n = {n}");
-                let of_state = index == 0 && !matches!(info.sense, Sense::Rate);
+                let of_state = index == 0 && !matches!(info.sense, Sense::R);
                 let at_start = if of_state { "; the state at t0 is x1_0..xn_0" } else { "" };
                 return Found::wrong(message, format!("the indices are 1..={n}{at_start}"));
             }

@@ -87,7 +87,7 @@ enum Sense {
     /// A gain k_i: no expression uses it, and in pi0, which takes the place of gains, the name is free.
     Gain,
     /// r_k of the mapping, in pi0; elsewhere, and in other spellings, the name is free.
-    Rate,
+    R,
     Pi,
 }
 
@@ -152,7 +152,7 @@ static NAMES: [NameInfo; 19] = [
     info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Reference, Drift, PlantGain, PlantRate, Objective, Bound]),
     info("T", "time-to-go, t0 + tau - t, in `pi0` held at eps", "time-to-go", Sense::Variable(Variable::TimeToGo), &[Family, Law, Objective, Bound]),
     info("kappa_rate", "derivative of kappa, kappa'(dt), with `T` held at eps", "derivative of kappa", Sense::Variable(Variable::KappaRate), &[Law]),
-    info("r_1", "derivatives of mu at the stretched time, with `T` held at eps; r_1 is 1/kappa_rate", "derivatives of mu", Sense::Rate, &[Law]),
+    info("r_1", "derivatives of mu at the stretched time, with `T` held at eps; r_1 is 1/kappa_rate", "derivatives of mu", Sense::R, &[Law]),
     info("tau", "settling time", "", Sense::Parameter(Parameter::Tau), EVERYWHERE),
     info("t0", "start time", "", Sense::Parameter(Parameter::StartTime), OUTSIDE_MAPPING),
     info("eps", "time-to-go at which the gains are held", "", Sense::Parameter(Parameter::Eps), OUTSIDE_MAPPING),
@@ -182,7 +182,7 @@ impl NameInfo {
     }
 
     fn is_indexed(&self) -> bool {
-        matches!(self.sense, Sense::Indexed(_) | Sense::Gain | Sense::Rate)
+        matches!(self.sense, Sense::Indexed(_) | Sense::Gain | Sense::R)
     }
 
     /// The name as a reader finds it: `x1..xn`.
@@ -229,7 +229,7 @@ impl Sense {
         match self {
             Self::Variable(variable) => variable.into(),
             Self::Indexed(variable) => variable(index).into(),
-            Self::Rate => Variable::Rate(index).into(),
+            Self::R => Variable::R(index).into(),
             Self::Parameter(parameter) => parameter.into(),
             Self::Pi | Self::Gain => Expression::pi(),
         }

@@ -118,13 +118,13 @@ impl<'a> Reader<'a> {
     }
 
     /// Refuses r_k of the mapping in pi0 beside a parameter of that name.
-    pub(super) fn fits_rates(&mut self, spec: &Spec) {
+    pub(super) fn fits_r(&mut self, spec: &Spec) {
         let is_parameter = |name: &String| {
             let named = |e: &Expression| e.parameter().is_some_and(|p| p.spelling() == *name);
             spec.expressions().any(|e| e.any(&named))
         };
         let both = |e: &Expression| match e.variable() {
-            Some(Variable::Rate(k)) => Some(format!("r_{k}")).filter(is_parameter),
+            Some(Variable::R(k)) => Some(format!("r_{k}")).filter(is_parameter),
             _ => None,
         };
         let Some(name) = spec.laws().find_map(|law| law.first(&mut |e| both(e))) else { return };

@@ -15,7 +15,7 @@ type Read = (TimeMapping, Vec<(Parameter, Fixed)>);
 
 /// Whether abs, sign, min or max is taken of something that time changes.
 fn has_kink(expression: &Expression) -> bool {
-    let of_time = |e: &Expression| e.any(&|e| e.variable().is_some());
+    let of_time = Expression::varies;
     expression.any(&|e| e.is_kink() && of_time(e))
 }
 

@@ -238,7 +238,7 @@ impl<'a> Reader<'a> {
         self.fits_coupled(&spec, samples);
         self.fits_reference(&spec, samples);
         self.fits_units(&spec);
-        self.fits_rates(&spec);
+        self.fits_r(&spec);
         // A law of the user's program knows all of them.
         if let (Feedback::Extern, Some(chains)) = (&spec.feedback, spec.chains()) {
             spec.coupled = Some(Box::new(chains));

@@ -56,6 +56,7 @@ fn a_start_that_is_armed_anew_is_that_of_f_and_g() {
     for row in rows {
         let (t0, x1, x2, to_go) = (row[0], 0.5, -0.25, 0.5);
         let wanted = (-20.0 * x1 / (to_go * to_go) - 8.0 * x2 / to_go - t0 * x1 - x2) / (2.0 + t0);
+        // Some ten roundings of terms that do not cancel.
         assert!((row[1] - wanted).abs() < 1e-13 * wanted.abs(), "{row:?}, not {wanted}");
     }
 }

@@ -112,7 +112,7 @@ impl Reader<'_> {
     /// What of a model is not linear, with a slope that shows it.
     fn curved(&self, model: &Model) -> Option<String> {
         let values = self.fixed_names();
-        let moves = |e: &Expression| e.any(&|part| part.variable().is_some());
+        let moves = Expression::varies;
         let of_states = (1..=model.states.len()).map(Variable::State);
         let variables: Vec<_> = of_states.chain([Variable::Control]).collect();
         let rates = model.states.iter().map(|state| format!("{state}'")).zip(&model.dynamics);
