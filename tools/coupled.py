@@ -1,6 +1,6 @@
 """u of plants with several inputs by the definition, in 50 digits: the data of ptc-codegen's tests.
 
-    python3 tools/coupled.py > ptc-codegen/tests/library/models/coupled.txt
+    python3 tools/coupled.py > ptc-codegen/tests/lab/models/coupled.txt
 
 A line is the name of a plant, t, its state and u. The law is Theorem 1 with BB_n as it is defined, and the
 inputs solve linear equations by elimination. Needs mpmath.

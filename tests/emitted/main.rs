@@ -1,7 +1,8 @@
 //! What is emitted, compiled and run, against references, itself in other languages, and the interpreter; and the
-//! readers under any text.
+//! readers under any text. `cargo assure emitted` runs it.
 
 mod atoms;
+mod axes;
 mod behaviour;
 mod bisection;
 #[path = "../support/command.rs"]
@@ -9,6 +10,8 @@ mod command;
 mod design_properties;
 mod example4;
 mod expressions;
+mod format;
+mod goldens;
 mod identities;
 mod injection;
 mod languages;

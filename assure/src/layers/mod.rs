@@ -28,6 +28,7 @@ mod samples;
 mod seeded;
 mod selftest;
 mod st;
+mod suites;
 mod supply;
 mod verdicts;
 
@@ -62,4 +63,7 @@ pub const LAYERS: &[Layer] = &[
     book::LAYER,
     explorer::LAYER,
     verdicts::LAYER,
+    suites::EMITTED,
+    suites::LOOPS,
+    suites::SESSIONS,
 ];

@@ -2,7 +2,6 @@
 #![cfg(feature = "cli")]
 
 mod bounds;
-mod check;
 mod cost;
 mod design_file;
 mod emit;

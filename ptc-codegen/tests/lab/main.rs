@@ -1,14 +1,24 @@
-//! What runs closed loops, behind the feature `lab`: simulations, campaigns, proofs, the search for a design.
+//! Closed loops: emitted controllers of every kind of plant against exact solutions, and what runs loops behind the
+//! feature `lab`: simulations, campaigns, proofs, the search for a design. `cargo assure loops` runs it, optimised.
 #![cfg(feature = "lab")]
 
+mod check;
 mod design;
+mod digits;
+mod expanded;
 mod loop_of_linear;
 mod loop_of_model;
 mod loop_of_plant;
+mod models;
+mod references;
 mod report;
 mod reproductions;
 #[cfg(unix)]
 mod sampled;
+mod samples;
+mod samples_linear;
+#[cfg(unix)]
+mod samples_observer;
 mod several_inputs;
 mod simulate;
 mod simulate_command;

@@ -3,9 +3,8 @@
 
 mod designs;
 mod native;
-#[path = "../support/mod.rs"]
-mod support;
 
+use crate::support;
 use designs::{coupled, specs};
 use native::{in_c, in_rust};
 use ptc_codegen::check::examine::examine;

@@ -1,0 +1,52 @@
+//! The tests that `cargo test` leaves out, as they take minutes: of emitted code, of closed loops, and of the
+//! sessions in the documents.
+
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::context::{Context, workspace};
+use crate::harness::command::succeed;
+use crate::layer::{Finding, Layer};
+use crate::tool::{GCC, GXX, PYTHON};
+
+pub(super) const EMITTED: Layer = Layer {
+    name: "emitted",
+    claim: "Emitted C and Rust give u of the reference vectors, agree with C++, Python and the interpreter \
+            bit for bit, and give each status where it is due; the goldens run and are formatted.",
+    tools: &[GCC, GXX, PYTHON],
+    // With the generator that `cargo test` has built, which checks itself between its passes.
+    run: |context| suite(context, &["--workspace", "--test", "emitted"]),
+};
+
+pub(super) const LOOPS: Layer = Layer {
+    name: "loops",
+    claim: "Closed loops of emitted controllers, of simulations, campaigns, proofs and chosen designs are those \
+            of exact solutions, for every kind of plant.",
+    tools: &[GCC],
+    run: |context| suite(context, &[&OPTIMISED[..], &["--test", "lab"]].concat()),
+};
+
+pub(super) const SESSIONS: Layer = Layer {
+    name: "sessions",
+    claim: "Every command in README.md and docs prints what stands beside it, and their programs in C run.",
+    tools: &[GCC],
+    run: |context| suite(context, &[&OPTIMISED[..], &["--test", "readme"]].concat()),
+};
+
+const OPTIMISED: [&str; 5] = ["--release", "--package", "ptc-codegen", "--features", "lab"];
+
+fn suite(context: &Context, target: &[&str]) -> Result<Finding> {
+    let mut cargo = Command::new("cargo");
+    cargo.arg("test").args(target).current_dir(workspace());
+    let output = succeed(cargo.env("CARGO_TARGET_DIR", context.target()))?;
+    let printed = String::from_utf8_lossy(&output.stdout);
+    let passed = printed.lines().filter_map(|line| line.strip_prefix("test result: ok. "));
+    let counts = passed.filter_map(|line| line.split(' ').next()?.parse::<usize>().ok());
+    let count: usize = counts.sum();
+    let mut finding = Finding { summary: format!("{count} tests"), ..Finding::default() };
+    if count == 0 {
+        finding.failures.push(format!("no test ran:\n{printed}"));
+    }
+    Ok(finding)
+}
