@@ -41,8 +41,8 @@ pub struct Excess {
     pub time_to_go: (f64, f64),
     /// The other inputs at which it may, with their names.
     pub inputs: Vec<(String, Interval)>,
-    /// Where the decoupling matrix was not shown to be regular; empty if that is not why.
-    pub singular: Vec<(String, Interval)>,
+    /// Inputs at which the decoupling matrix was not shown to be regular, if that is why.
+    pub singular: Option<Vec<(String, Interval)>>,
     /// A time-to-go at which the interpreter overflows at one end of each input.
     pub refuted_at: Option<f64>,
 }
@@ -106,10 +106,10 @@ pub fn scan(
             what: describe(program, found.value),
             time_to_go: found.time_to_go,
             inputs: named_inputs(program, input),
-            singular: match program.get(found.value).op {
-                Op::Element(..) => named(&singular),
-                _ => Vec::new(),
-            },
+            singular: singular
+                .as_ref()
+                .filter(|_| is_solution(program, found.value))
+                .map(|cell| named(cell)),
             refuted_at: [found.time_to_go.0, eps].into_iter().find_map(overflow),
         }
     };
@@ -127,7 +127,7 @@ fn settle_divisors(
     program: &Program,
     input: &dyn Fn(Input) -> Interval,
     early: &mut Bounds<'_>,
-) -> cells::Cell {
+) -> Option<cells::Cell> {
     let (mut done, mut work) = (Vec::new(), CELLS.size());
     for (value, domain) in cells::critical(program) {
         if done.contains(&value) || !cells::is_bounded(program, &[value]) {
@@ -141,7 +141,7 @@ fn settle_divisors(
             early.set(value, bound);
         }
     }
-    let mut singular = cells::Cell::new();
+    let mut singular = None;
     for (index, definition) in program.values.iter().enumerate() {
         let Op::Elimination { matrix, .. } = &definition.op else { continue };
         if !cells::is_bounded(program, matrix) {
@@ -149,10 +149,16 @@ fn settle_divisors(
         }
         match cells::regular(program, input, matrix, &mut work) {
             Ok(bounds) => early.set_regular(Value(index), bounds),
-            Err(cell) => singular = cell,
+            Err(cell) => singular = Some(cell),
         }
     }
     singular
+}
+
+/// Whether a value is solved for by an elimination.
+fn is_solution(program: &Program, value: Value) -> bool {
+    let Op::Element(array, _) = program.get(value).op else { return false };
+    matches!(program.get(array).op, Op::Elimination { .. })
 }
 
 /// The distance from 1 to the next number of `precision`.

@@ -81,9 +81,10 @@ impl From<&Envelope> for Outcome {
         };
         let mut details: Vec<_> = sentences.collect();
         let (_, first) = found[0];
-        if !first.singular.is_empty() {
-            let place = all_given(&first.singular);
-            details.push(format!("the decoupling matrix is not shown to be regular for {place}"));
+        if let Some(inputs) = &first.singular {
+            let place = if inputs.is_empty() { "" } else { " for " };
+            let place = format!("{place}{}", all_given(inputs));
+            details.push(format!("the decoupling matrix is not shown to be regular{place}"));
         }
         details.push(format!("with {}", all_given(&first.inputs)));
         let refuted = first.refuted_at.is_some();
