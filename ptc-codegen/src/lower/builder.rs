@@ -26,8 +26,9 @@ pub(super) struct Builder<'a> {
     pub(super) values: BTreeMap<Symbol, Expression>,
     /// The squares of those that are evaluated by even and odd parts.
     pub(super) squares: BTreeMap<Symbol, Value>,
-    /// The Taylor series of mu and the states xi, at the current time and at the start.
-    pub(super) taylors: [Option<Taylor>; 2],
+    /// The Taylor series of mu at the current time and at the start, each up to an order.
+    pub(super) taylors: BTreeMap<(usize, bool), Taylor>,
+    /// The states xi, at the current time and at the start.
     pub(super) states: [Vec<Value>; 2],
     /// Elapsed time held with the time-to-go, and tau.
     pub(super) elapsed: Option<(Value, Value)>,
@@ -42,6 +43,8 @@ pub(super) struct Builder<'a> {
     pub(super) axis: Option<usize>,
     /// How many outputs the plant has.
     pub(super) outputs: usize,
+    /// The output of the highest order, where there are several.
+    pub(super) highest: Option<&'a Spec>,
 }
 
 /// Where the plant is.
@@ -87,7 +90,7 @@ impl<'a> Builder<'a> {
             values: BTreeMap::new(),
             squares: BTreeMap::new(),
             known: HashMap::new(),
-            taylors: [None, None],
+            taylors: BTreeMap::new(),
             states: [Vec::new(), Vec::new()],
             elapsed: None,
             at_start: false,
@@ -96,6 +99,7 @@ impl<'a> Builder<'a> {
             form: None,
             axis: None,
             outputs: spec.decoupled().map_or(1, |coupled| coupled.outputs.len()),
+            highest: None,
         }
     }
 
@@ -110,10 +114,6 @@ impl<'a> Builder<'a> {
 
     /// From here on values are those of one axis, from 1, by its own spec.
     pub(super) fn of_axis(&mut self, spec: &'a Spec, index: usize) {
-        if self.spec.n != spec.n {
-            // As many derivatives of mu as the order of this axis takes.
-            self.taylors = [None, None];
-        }
         (self.spec, self.axis) = (spec, Some(index));
     }
 

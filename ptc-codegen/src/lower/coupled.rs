@@ -17,6 +17,7 @@ pub(super) fn controls<'a>(
     designs: &'a [Spec],
 ) -> (Value, Vec<Value>, Option<Value>) {
     let spec = b.spec;
+    b.highest = designs.iter().max_by_key(|own| own.n);
     if spec.laws().next().is_some() || spec.feedback == Feedback::Extern {
         // A law knows the chains of all outputs.
         let mut all = Vec::new();

@@ -52,7 +52,8 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
             _ => of_kappa(b, &Kappa::of(*family)),
         },
         TimeMapping::Custom(custom) => match (&custom.form, b.expanded) {
-            (form, Some(Expanded::Custom(r))) => of_closed_forms(b, form, r),
+            // They are of one order; an output of a higher one takes the series.
+            (form, Some(Expanded::Custom(r))) if r.len() >= spec.n => of_closed_forms(b, form, r),
             (Form::Complement(form), _) => of_complement(b, form),
             (Form::Kappa(kappa), _) => of_kappa(b, kappa),
         },

@@ -55,14 +55,24 @@ pub(super) fn stretched_state(b: &mut Builder<'_>, tail: &str) -> Vec<Value> {
 }
 
 impl Builder<'_> {
-    /// The Taylor series of mu at the current time, or at the start; once each.
+    /// The Taylor series of mu at the current time, or at the start, up to the order; once each.
     pub(super) fn taylor(&mut self) -> Taylor {
-        let index = usize::from(self.is_at_start());
-        if self.taylors[index].is_none() {
-            let taylor = mapping::taylor(self);
-            self.taylors[index] = Some(taylor);
+        let key = (self.spec.n, self.is_at_start());
+        if let Some(known) = self.taylors.get(&key) {
+            return known.clone();
         }
-        self.taylors[index].clone().unwrap_or_else(|| mapping::taylor(self))
+        let taylor = mapping::taylor(self);
+        self.taylors.insert(key, taylor.clone());
+        taylor
+    }
+
+    /// The same up to an order of at least `k`, of which there is an output.
+    fn taylor_to(&mut self, k: usize) -> Taylor {
+        let own = self.spec;
+        self.spec = self.highest.filter(|_| k > own.n).unwrap_or(own);
+        let taylor = self.taylor();
+        self.spec = own;
+        taylor
     }
 
     /// Stretched time since the start.
@@ -72,7 +82,7 @@ impl Builder<'_> {
 
     /// r_k = mu^(k) at the stretched time.
     pub(super) fn r(&mut self, k: usize) -> Value {
-        let taylor = self.taylor();
+        let taylor = self.taylor_to(k);
         let value = match k {
             1 => taylor.r1,
             _ => {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::interval::{Interval, apply, outward};
+use super::regular::Regular;
 use crate::expression::Function;
 use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
 
@@ -13,6 +14,8 @@ pub(crate) struct Bounds<'a> {
     input: &'a dyn Fn(Input) -> Interval,
     known: Vec<Option<Interval>>,
     arrays: BTreeMap<Value, Vec<Interval>>,
+    /// Bounds of the matrices of eliminations that were found otherwise.
+    regular: BTreeMap<Value, Regular>,
     /// What stands for a stretch of time-to-go: `late`, and the time past the deadline in it.
     held: Vec<Value>,
 }
@@ -25,8 +28,7 @@ impl<'a> Bounds<'a> {
         if let Op::Min(a, b) = program.get(late).op {
             held.extend([a, b].into_iter().filter(|v| program.get(*v).stage == Stage::Tick));
         }
-        let known = vec![None; program.values.len()];
-        let mut bounds = Self { program, input, known, arrays: BTreeMap::new(), held };
+        let mut bounds = Self::open(program, input, held);
         for (index, definition) in program.values.iter().enumerate() {
             if definition.stage < Stage::Tick {
                 bounds.settle(Value(index));
@@ -35,24 +37,32 @@ impl<'a> Bounds<'a> {
         bounds
     }
 
-    /// The bound of one value for all times.
-    pub(super) fn of(
-        program: &Program,
-        input: &dyn Fn(Input) -> Interval,
-        value: Value,
-    ) -> Interval {
-        let known = vec![None; program.values.len()];
-        let mut bounds =
-            Bounds { program, input, known, arrays: BTreeMap::new(), held: Vec::new() };
-        for needed in program.needed(&[value]) {
+    fn open(program: &'a Program, input: &'a dyn Fn(Input) -> Interval, held: Vec<Value>) -> Self {
+        let (known, arrays) = (vec![None; program.values.len()], BTreeMap::new());
+        Self { program, input, known, arrays, regular: BTreeMap::new(), held }
+    }
+
+    /// The bounds of some values, and of what they need, for all times.
+    pub(super) fn only(
+        program: &'a Program,
+        input: &'a dyn Fn(Input) -> Interval,
+        values: &[Value],
+    ) -> Self {
+        let mut bounds = Self::open(program, input, Vec::new());
+        for needed in program.needed(values) {
             bounds.settle(needed);
         }
-        bounds.get(value)
+        bounds
     }
 
     /// Takes a bound that was found otherwise; it holds for every time.
     pub(super) fn set(&mut self, value: Value, bound: Interval) {
         self.known[value.0] = Some(bound);
+    }
+
+    /// Takes the bounds of the matrix of an elimination, which hold for every time.
+    pub(super) fn set_regular(&mut self, elimination: Value, bounds: Regular) {
+        self.regular.insert(elimination, bounds);
     }
 
     /// The bounds for time-to-go from `low` to `high`. Time itself is not needed: `late` is set, as
@@ -88,6 +98,11 @@ impl<'a> Bounds<'a> {
     /// The bound of a value that has been computed.
     pub(crate) fn get(&self, value: Value) -> Interval {
         self.known[value.0].unwrap_or(Interval::ANY)
+    }
+
+    /// The bounds of several.
+    pub(super) fn all(&self, values: &[Value]) -> Vec<Interval> {
+        values.iter().map(|value| self.get(*value)).collect()
     }
 
     /// Computes what `roots` need and returns the first value that may leave the range.
@@ -137,9 +152,8 @@ impl<'a> Bounds<'a> {
         if let Op::Rows { tail, weights, fused } = op {
             self.arrays.insert(value, self.rows(tail, weights, *fused));
         }
-        // Which pivots are taken, and whether one may be 0, is not followed.
-        if let Op::Elimination { right, .. } = op {
-            self.arrays.insert(value, vec![Interval::ANY; right.len() + 1]);
+        if let Op::Elimination { matrix, right } = op {
+            self.arrays.insert(value, self.solution(value, matrix, right));
         }
         self.known[value.0] = Some(self.compute(op));
     }
@@ -151,17 +165,22 @@ impl<'a> Bounds<'a> {
             // The array as a whole; an excess within reaches one of its elements.
             Op::Rows { .. } | Op::Elimination { .. } => Interval::point(0.0),
             Op::Element(array, index) => self.arrays[array][*index],
-            op => {
-                let operands: Vec<_> = op.operands().iter().map(|v| self.get(*v)).collect();
-                apply(op, &operands, self.program.precision)
-            }
+            op => apply(op, &self.all(&op.operands()), self.program.precision),
         }
+    }
+
+    /// Of matrices that may be singular, anything.
+    fn solution(&self, elimination: Value, matrix: &[Value], right: &[Value]) -> Vec<Interval> {
+        let [matrix, right] = [matrix, right].map(|values| self.all(values));
+        let known = self.regular.get(&elimination).copied();
+        let known = known.or_else(|| Regular::of(&matrix, self.program.precision).ok());
+        let solution = known.and_then(|known| known.solution(&right));
+        solution.unwrap_or_else(|| vec![Interval::ANY; right.len() + 1])
     }
 
     /// The loops of an array, operation by operation.
     fn rows(&self, tail: &[Value], weights: &[Value], fused: bool) -> Vec<Interval> {
-        let [tail, weights] =
-            [tail, weights].map(|values| values.iter().map(|v| self.get(*v)).collect::<Vec<_>>());
+        let [tail, weights] = [tail, weights].map(|values| self.all(values));
         let on = |op: &Op, of: &[Interval]| apply(op, of, self.program.precision);
         rows::by_operations(&tail, &weights, fused, on)
     }

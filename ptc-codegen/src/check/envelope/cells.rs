@@ -2,15 +2,22 @@
 //!
 //! The divisor 2 + 3 cos(q) sin(q) is far from 0 at every q, while its interval over a whole turn holds 0.
 //! A cell in which the domain of an operation may be left is halved in the input in which it is widest;
-//! where no such cell remains, the hull of the bounds is one of the value.
+//! where no such cell remains, the hull of the bounds is one of the value. So is one in which a matrix may be singular.
 
 use super::bounds::Bounds;
 use super::interval::Interval;
+use super::regular::Regular;
 use crate::expression::Function;
 use crate::program::{Input, Op, Program, Value};
 
 /// What an operation needs of one operand.
 type Domain = fn(Interval) -> bool;
+
+/// How many times wider than another a cell may be, each in parts of the whole.
+const FLATTEST: f64 = 256.0;
+
+/// Inputs with their intervals.
+pub(super) type Cell = Vec<(Input, Interval)>;
 
 /// The operands that decide whether operations have a value, with what is needed of them.
 pub(super) fn critical(program: &Program) -> Vec<(Value, Domain)> {
@@ -27,13 +34,13 @@ pub(super) fn critical(program: &Program) -> Vec<(Value, Domain)> {
     found
 }
 
-/// Whether a value is computed from inputs that have bounds, without a loop and without the time-to-go,
+/// Whether values are computed from inputs that have bounds, without a loop and without the time-to-go,
 /// which is bounded piece by piece.
-pub(super) fn is_bounded(program: &Program, value: Value) -> bool {
+pub(super) fn is_bounded(program: &Program, values: &[Value]) -> bool {
     let limits = &program.limits;
     let of_pieces =
         |v: Value| v == limits.late || limits.elapsed.is_some_and(|(elapsed, _)| v == elapsed);
-    program.needed(&[value]).into_iter().all(|value| match program.get(value).op {
+    program.needed(values).into_iter().all(|value| match program.get(value).op {
         _ if of_pieces(value) => false,
         Op::Input(
             Input::Parameter(_)
@@ -54,49 +61,114 @@ pub(super) fn refined(
     (value, domain): (Value, Domain),
     work: &mut usize,
 ) -> Option<Interval> {
-    let needed = program.needed(&[value]);
+    let mut hull = None::<Interval>;
+    let mut miss = |bounds: &Bounds<'_>| {
+        let bound = bounds.get(value);
+        if !domain(bound) {
+            return f64::INFINITY;
+        }
+        hull = Some(hull.map_or(bound, |hull| Interval {
+            low: hull.low.min(bound.low),
+            high: hull.high.max(bound.high),
+            special: false,
+        }));
+        0.0
+    };
+    cover(program, input, &[value], &mut miss, work).ok()?;
+    hull.filter(|hull| domain(*hull))
+}
+
+/// Bounds of all matrices with these entries; else a cell in which one may be singular.
+pub(super) fn regular(
+    program: &Program,
+    input: &dyn Fn(Input) -> Interval,
+    matrix: &[Value],
+    work: &mut usize,
+) -> Result<Regular, Cell> {
+    let mut all = None::<Regular>;
+    let mut miss = |bounds: &Bounds<'_>| match Regular::of(&bounds.all(matrix), program.precision) {
+        Ok(found) => {
+            all = Some(all.map_or(found, |all| all.with(found)));
+            0.0
+        }
+        Err(miss) => miss,
+    };
+    cover(program, input, matrix, &mut miss, work)?;
+    all.ok_or_else(Cell::new)
+}
+
+/// Cuts the inputs of values into cells until the bounds of each miss nothing; else a cell whose bounds do.
+fn cover(
+    program: &Program,
+    input: &dyn Fn(Input) -> Interval,
+    values: &[Value],
+    miss: &mut dyn FnMut(&Bounds<'_>) -> f64,
+    work: &mut usize,
+) -> Result<(), Cell> {
+    let needed = program.needed(values);
     let asked = |value: &Value| match program.get(*value).op {
         Op::Input(asked) => Some(asked),
         _ => None,
     };
     let inputs: Vec<Input> = needed.iter().filter_map(asked).collect();
     let whole: Vec<Interval> = inputs.iter().map(|asked| input(*asked)).collect();
-    let (mut left, mut hull) = (vec![whole.clone()], None::<Interval>);
-    while let Some(cell) = left.pop() {
-        *work = work.checked_sub(program.values.len())?;
+    let mut of = |cell: &[Interval]| {
         let of_cell = |asked: Input| {
             let own = inputs.iter().position(|input| *input == asked);
             own.map_or(Interval::ANY, |index| cell[index])
         };
-        let bound = Bounds::of(program, &of_cell, value);
-        if domain(bound) {
-            hull = Some(hull.map_or(bound, |hull| Interval {
-                low: hull.low.min(bound.low),
-                high: hull.high.max(bound.high),
-                special: false,
-            }));
-        } else {
-            left.extend(halves(&whole, &cell)?);
+        *work = work.checked_sub(needed.len() + values.len())?;
+        Some(miss(&Bounds::only(program, &of_cell, values)))
+    };
+    let mut left = vec![whole.clone()];
+    while let Some(cell) = left.pop() {
+        match of(&cell) {
+            Some(miss) if miss <= 0.0 => continue,
+            Some(_) => {}
+            None => return Err(inputs.into_iter().zip(cell).collect()),
+        }
+        match halves(&whole, &cell, &mut of) {
+            Some(halves) => left.extend(halves),
+            None => return Err(inputs.into_iter().zip(cell).collect()),
         }
     }
-    hull.filter(|hull| domain(*hull))
+    Ok(())
 }
 
-/// The halves of a cell, cut where it is widest in parts of the whole; none where that is a number.
-fn halves(whole: &[Interval], cell: &[Interval]) -> Option<[Vec<Interval>; 2]> {
+/// The halves of a cell, cut in the input at whose middle least is missed, of equals where it is widest in parts of
+/// the whole; none where that is a number.
+fn halves(
+    whole: &[Interval],
+    cell: &[Interval],
+    miss: &mut dyn FnMut(&[Interval]) -> Option<f64>,
+) -> Option<[Vec<Interval>; 2]> {
+    let width = |x: &Interval| x.high - x.low;
     let share = |index: usize| {
-        let width = |x: &Interval| x.high - x.low;
         if width(&whole[index]) > 0.0 { width(&cell[index]) / width(&whole[index]) } else { 0.0 }
     };
-    let widest = (0..cell.len()).max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
-    let (low, high) = (cell[widest].low, cell[widest].high);
-    let middle = f64::midpoint(low, high);
+    let middle = |index: usize| f64::midpoint(cell[index].low, cell[index].high);
+    let mut tried: Vec<_> = (0..cell.len()).filter(|index| width(&cell[*index]) > 0.0).collect();
+    tried.sort_by(|a, b| share(*b).total_cmp(&share(*a)));
+    // At a zero nothing helps but a small cell.
+    let widest = share(*tried.first()?);
+    tried.retain(|index| share(*index) * FLATTEST >= widest);
+    let mut least = (f64::INFINITY, *tried.first()?);
+    for index in tried {
+        let mut flat = cell.to_vec();
+        flat[index] = Interval::point(middle(index));
+        let missed = miss(&flat)?;
+        if missed < least.0 {
+            least = (missed, index);
+        }
+    }
+    let cut = least.1;
+    let (low, middle, high) = (cell[cut].low, middle(cut), cell[cut].high);
     if !middle.is_finite() || middle <= low || middle >= high {
         return None;
     }
     let with = |from: f64, to: f64| {
         let mut half = cell.to_vec();
-        half[widest] = Interval::new(from, to);
+        half[cut] = Interval::new(from, to);
         half
     };
     Some([with(low, middle), with(middle, high)])

@@ -10,6 +10,7 @@
 pub(crate) mod bounds;
 mod cells;
 mod interval;
+mod regular;
 mod report;
 
 pub use interval::Interval;
@@ -40,6 +41,8 @@ pub struct Excess {
     pub time_to_go: (f64, f64),
     /// The other inputs at which it may, with their names.
     pub inputs: Vec<(String, Interval)>,
+    /// Inputs at which the decoupling matrix was not shown to be regular, if that is why.
+    pub singular: Option<Vec<(String, Interval)>>,
     /// A time-to-go at which the interpreter overflows at one end of each input.
     pub refuted_at: Option<f64>,
 }
@@ -69,7 +72,7 @@ pub fn scan(
 ) -> Envelope {
     let pieces = pieces.max(1);
     let mut early = Bounds::new(program, input);
-    settle_divisors(program, input, &mut early);
+    let singular = settle_divisors(program, input, &mut early);
     // The program's own time-to-go has a rounding or two, but is never below eps.
     let slack = 2.0 * epsilon(program.precision);
     let (mut step, mut axis) = (None, None);
@@ -103,6 +106,10 @@ pub fn scan(
             what: describe(program, found.value),
             time_to_go: found.time_to_go,
             inputs: named_inputs(program, input),
+            singular: singular
+                .as_ref()
+                .filter(|_| is_solution(program, found.value))
+                .map(|cell| named(cell)),
             refuted_at: [found.time_to_go.0, eps].into_iter().find_map(overflow),
         }
     };
@@ -114,22 +121,44 @@ pub fn scan(
     }
 }
 
-/// Sets the bounds of what operations divide by, take roots or logarithms of, where one interval of each
-/// input leaves their domain and smaller cells do not.
-fn settle_divisors(program: &Program, input: &dyn Fn(Input) -> Interval, early: &mut Bounds<'_>) {
+/// Sets the bounds of what operations divide by, take roots or logarithms of, and of matrices, where one interval of
+/// each input leaves their domain and smaller cells do not. Gives a cell in which a matrix may be singular.
+fn settle_divisors(
+    program: &Program,
+    input: &dyn Fn(Input) -> Interval,
+    early: &mut Bounds<'_>,
+) -> Option<cells::Cell> {
     let (mut done, mut work) = (Vec::new(), CELLS.size());
     for (value, domain) in cells::critical(program) {
-        if done.contains(&value) || !cells::is_bounded(program, value) {
+        if done.contains(&value) || !cells::is_bounded(program, &[value]) {
             continue;
         }
         done.push(value);
-        if domain(Bounds::of(program, input, value)) {
+        if domain(Bounds::only(program, input, &[value]).get(value)) {
             continue;
         }
         if let Some(bound) = cells::refined(program, input, (value, domain), &mut work) {
             early.set(value, bound);
         }
     }
+    let mut singular = None;
+    for (index, definition) in program.values.iter().enumerate() {
+        let Op::Elimination { matrix, .. } = &definition.op else { continue };
+        if !cells::is_bounded(program, matrix) {
+            continue;
+        }
+        match cells::regular(program, input, matrix, &mut work) {
+            Ok(bounds) => early.set_regular(Value(index), bounds),
+            Err(cell) => singular = Some(cell),
+        }
+    }
+    singular
+}
+
+/// Whether a value is solved for by an elimination.
+fn is_solution(program: &Program, value: Value) -> bool {
+    let Op::Element(array, _) = program.get(value).op else { return false };
+    matches!(program.get(array).op, Op::Elimination { .. })
 }
 
 /// The distance from 1 to the next number of `precision`.
@@ -191,10 +220,14 @@ fn named_inputs(program: &Program, input: &dyn Fn(Input) -> Interval) -> Vec<(St
     let needed = program.needed(&program.controls()).into_iter();
     let given = needed.filter_map(|value| match program.get(value).op {
         Op::Input(Input::Time) => None,
-        Op::Input(asked) => Some((input_name(asked), input(asked))),
+        Op::Input(asked) => Some((asked, input(asked))),
         _ => None,
     });
-    given.collect()
+    named(&given.collect::<Vec<_>>())
+}
+
+fn named(inputs: &[(Input, Interval)]) -> Vec<(String, Interval)> {
+    inputs.iter().map(|(asked, bound)| (input_name(*asked), *bound)).collect()
 }
 
 #[cfg(test)]

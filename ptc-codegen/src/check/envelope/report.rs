@@ -81,8 +81,12 @@ impl From<&Envelope> for Outcome {
         };
         let mut details: Vec<_> = sentences.collect();
         let (_, first) = found[0];
-        let inputs: Vec<_> = first.inputs.iter().map(|(name, bound)| given(name, bound)).collect();
-        details.push(format!("with {}", inputs.join(", ")));
+        if let Some(inputs) = &first.singular {
+            let place = if inputs.is_empty() { "" } else { " for " };
+            let place = format!("{place}{}", all_given(inputs));
+            details.push(format!("the decoupling matrix is not shown to be regular{place}"));
+        }
+        details.push(format!("with {}", all_given(&first.inputs)));
         let refuted = first.refuted_at.is_some();
         let wider = if envelope.precision == Precision::F32 { ", or f64" } else { "" };
         Self {
@@ -111,6 +115,11 @@ fn sentence(function: &str, excess: &Excess, type_name: &str) -> String {
 
 fn stretch((low, high): (f64, f64)) -> String {
     format!("[{}, {}] s", digits(low), digits(high))
+}
+
+fn all_given(inputs: &[(String, Interval)]) -> String {
+    let inputs: Vec<_> = inputs.iter().map(|(name, bound)| given(name, bound)).collect();
+    inputs.join(", ")
 }
 
 fn given(name: &str, bound: &Interval) -> String {

@@ -39,7 +39,7 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
         let exists = (1..=n).contains(&index);
         match info.sense {
             Sense::Gain if subject == Law || !exact || !exists => return Found::Free,
-            // Several outputs have no order in common.
+            // Of several outputs the reader of their laws knows the highest order.
             Sense::R if subject != Law || !exact || n == 0 => return Found::Free,
             // Several chains have no order in common.
             Sense::Indexed(_) if n == 0 && matches!(subject, Subject::Objective | Law) => {

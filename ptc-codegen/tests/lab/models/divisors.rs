@@ -1,6 +1,6 @@
 //! What `check` says of divisors of the law that may be 0 within the envelope.
 
-use super::checked;
+use super::{checked, folder_with, run_in};
 
 /// A chain of order 2 with the gain `g`, for |x1| up to `x1`.
 fn chain(g: &str, x1: &str) -> String {
@@ -64,4 +64,58 @@ fn models_and_decoupling_matrices_are_refuted_at_states_by_their_names() {
     assert!(summary.contains("determinant of the decoupling matrix"), "{summary}");
     assert!(summary.contains("a = ") && summary.contains("b = "), "{summary}");
     assert_eq!(checked("envelope", "coupled_narrow", &two("0.49")).0, "sound");
+}
+
+/// Six outputs, each of which all inputs move: a matrix whose determinant is a number times the factor `f`.
+fn six(f: &str, precision: &str) -> String {
+    let names = ["p", "q", "r", "s", "v", "w"];
+    let gain = |i: usize, j: usize| match (i, j) {
+        _ if i == j => "3".to_owned(),
+        _ if i + j == 5 => "-1".to_owned(),
+        _ => "0.5".to_owned(),
+    };
+    // The last row is that of the sum of the others, and the factor.
+    let rate = |i: usize| -> String {
+        let entry = |j: usize| match i {
+            5 => {
+                let sum: Vec<_> = (0..5).map(|i| gain(i, j)).collect();
+                sum.join(" + ") + &if j == 5 { format!(" + {f}") } else { String::new() }
+            }
+            _ => gain(i, j),
+        };
+        let terms: Vec<_> = (0..6).map(|j| format!("({})*u{}", entry(j), j + 1)).collect();
+        format!("{} = \"{}\"", names[i], terms.join(" + "))
+    };
+    let rates: Vec<_> = (0..6).map(rate).collect();
+    format!(
+        "mu = \"exp(a=1)\"\npoles = [-3]\nprecision = \"{precision}\"\n[params]\ntau = 1\neps = 0.01\nt0 = 0\n\
+         [model]\nstates = {names:?}\ninputs = [\"u1\", \"u2\", \"u3\", \"u4\", \"u5\", \"u6\"]\n\
+         outputs = {names:?}\ndynamics = {{ {} }}\n[envelope]\nx_max = [2, 2, 2, 2, 2, 2]\n",
+        rates.join(", ")
+    )
+}
+
+#[test]
+fn matrices_that_are_eliminated_are_regular_just_off_a_zero() {
+    for (f, precision, verdict, told) in [
+        ("(2.000001 - q)*(2.5 + sin(s))", "f64", "sound", "every value stays"),
+        ("(1.999999 - q)*(2.5 + sin(s))", "f64", "refuted", "is 0 "),
+        ("(0.001 + (1 - sin(q)))", "f64", "sound", "every value stays"),
+        ("(0.01 + q^2)", "f64", "sound", "every value stays"),
+        ("(0.1 + (1 - sin(q)))", "f32", "sound", "every value stays"),
+        // Roundings alone may make it singular.
+        ("(2.0000001 - q)", "f32", "undecided", "inputs"),
+        // By no double.
+        ("(q - 0.1)^2", "f64", "undecided", "inputs"),
+    ] {
+        let found = checked("envelope", "six", &six(f, precision));
+        assert_eq!(found.0, verdict, "{f}: {}", found.1);
+        assert!(found.1.contains(told), "{f}: {}", found.1);
+    }
+    let folder = folder_with("six_undecided", "d.toml", six("(q - 0.1)^2", "f64"));
+    let (_, stdout, stderr) = run_in(&folder, &["check", "d.toml"]);
+    assert!(
+        stdout.contains("the decoupling matrix is not shown to be regular for x2 in [0.1"),
+        "{stdout} {stderr}"
+    );
 }

@@ -68,13 +68,15 @@ fn checks_say_what_they_know() {
     assert_ne!(verdict, "sound");
 }
 
-/// By hand: kappa = -ln T and kappa' = 1/T at tau = 1, so that the chain of p has the coordinates p and T v in
-/// stretched time, and kappa'^2 b^T x = v/T; h' = b - h.
-#[test]
-fn u_is_that_of_the_formula() {
-    let text = with(
-        "[\"-6*xi1_1 - 5*xi2_1 + sin(xi1_2)*T + p*v\", \"-3*xi1_2 + kappa_rate*xi2_1*x2_1 - t_kappa*dt\"]",
-    );
+/// What laws know by hand: t, the time-to-go and kappa + t0.
+type ByHand<'a> = &'a dyn Fn(f64, f64, f64) -> [f64; 2];
+
+/// The state of the pair: p, v, h.
+const AT: [f64; 3] = [0.5, -0.75, 0.3];
+
+/// Compares a and b of laws by hand: kappa = -ln T and kappa' = 1/T at tau = 1, so that the chain of p has the
+/// coordinates p and T v in stretched time, and kappa'^2 b^T x = v/T; h' = b - h.
+fn is_pair(test: &str, laws: &str, pi0: ByHand<'_>) {
     let main = "static const pair_params params = { .t0 = 0.25 };\n\
         int main(void)\n{\n    pair control;\n    double u[2];\n    ptc_status axes[2];\n\
         \x20   const double x[3] = { 0.5, -0.75, 0.3 };\n\
@@ -82,18 +84,16 @@ fn u_is_that_of_the_formula() {
         \x20   for (double t = 0.25; t < 1.5; t += 0.1875) {\n\
         \x20       if (pair_step(&control, t, x, u, axes) < 0) { return 2; }\n\
         \x20       printf(\"%.17g %.17g %.17g\\n\", t, u[0], u[1]);\n    }\n    return 0;\n}\n";
-    let rows = in_c::run("laws_formula", &spec(&text), main);
+    let rows = in_c::run(test, &spec(&with(laws)), main);
     assert_eq!(rows.len(), 7);
-    let (p, v, h) = (0.5_f64, -0.75_f64, 0.3_f64);
+    let [_, v, h] = AT;
     for row in rows {
         let t = row[0];
         // Held at eps = 0.01.
         let to_go = (1.25 - t).max(0.01);
-        let pi0 = -6.0 * p - 5.0 * to_go * v + h.sin() * to_go + p * v;
-        let a = (pi0 / to_go + v) / to_go;
-        let kappa = 0.25 - to_go.ln();
-        let b = (-3.0 * h + v * v - kappa * (t - 0.25)) / to_go + h;
-        for (found, wanted) in [(row[1], a), (row[2], b)] {
+        let pi0 = pi0(t, to_go, 0.25 - to_go.ln());
+        let wanted = [(pi0[0] / to_go + v) / to_go, pi0[1] / to_go + h];
+        for (found, wanted) in row[1..].iter().zip(wanted) {
             // Some ten roundings of terms that are no larger than 40 times u.
             assert!(
                 (found - wanted).abs() <= 1e-13 * (1.0 + wanted.abs()),
@@ -101,6 +101,35 @@ fn u_is_that_of_the_formula() {
             );
         }
     }
+}
+
+#[test]
+fn u_is_that_of_the_formula() {
+    let laws = "[\"-6*xi1_1 - 5*xi2_1 + sin(xi1_2)*T + p*v\", \"-3*xi1_2 + kappa_rate*xi2_1*x2_1 - t_kappa*dt\"]";
+    let [p, v, h] = AT;
+    is_pair("laws_formula", laws, &|t, to_go, kappa| {
+        let first = -6.0 * p - 5.0 * to_go * v + h.sin() * to_go + p * v;
+        [first, -3.0 * h + v * v - kappa * (t - 0.25)]
+    });
+}
+
+/// r_k = -(-1)^k T, up to the higher order of the two in either law.
+#[test]
+fn laws_of_several_outputs_know_the_derivatives_of_the_mapping() {
+    let laws = "[\"-6*xi1_1 - 5*xi2_1*r_1/T + h*r_1\", \"-3*xi1_2 + r_2*v + kappa_rate*r_1*p\"]";
+    let [p, v, h] = AT;
+    is_pair("laws_several_rates", laws, &|_, to_go, _| {
+        [-6.0 * p - 5.0 * to_go * v + h * to_go, -3.0 * h - to_go * v + p]
+    });
+    let own = spec(&with(laws));
+    assert_eq!(crate::command::spec_of(&own.command()).expect("a legal command"), own);
+    // A state of that name comes first.
+    let state = with("[\"-6*xi1_1 - 5*xi2_1 + r_1*v\", \"-3*xi1_2\"]")
+        .replace("\"h\"", "\"r_1\"")
+        .replace("h = \"b - h\"", "r_1 = \"b - r_1\"");
+    let plain = with("[\"-6*xi1_1 - 5*xi2_1 + h*v\", \"-3*xi1_2\"]");
+    let laws = |text: &str| spec(text).laws().cloned().collect::<Vec<_>>();
+    assert_eq!(laws(&state), laws(&plain));
 }
 
 /// A pendulum with one input, whose law knows its states by their names.
@@ -202,12 +231,20 @@ fn the_derivatives_of_every_mapping_are_those_of_the_definition() {
         "tau*tanh(sinh(t))",
         "tau*(1 - 1/(1 + t + t^2))",
     ] {
-        let text = format!(
-            "name = \"all\"\nn = 4\nmu = \"{mu}\"\npi0 = \"-r_1*xi1 - xi2*r_2^2 - r_3*xi3 + sin(r_4)*xi4 - r_1/(1 + r_2^2)\"\n\
-             [params]\ntau = 2\neps = 1e-3\n"
-        );
-        let name = format!("laws_rates_of_{}", mu.split('(').next().unwrap_or_default());
-        assert_eq!(in_c::selftest(&name.replace('*', "_"), &spec(&text)), 0.0, "{mu}");
+        let chain =
+            "n = 4\npi0 = \"-r_1*xi1 - xi2*r_2^2 - r_3*xi3 + sin(r_4)*xi4 - r_1/(1 + r_2^2)\"\n";
+        // Orders 1 and 3: the law of the first output knows all derivatives of the second.
+        let pair = "pi0 = [\"-r_1*xi1_1 - r_3*r_2*xi2_2\", \"-r_3*xi1_2 - xi2_2/(1 + r_2^2) - r_1*xi3_2\"]\n";
+        let plant = "[model]\nstates = [\"h\", \"p\", \"v\", \"w\"]\ninputs = [\"a\", \"b\"]\noutputs = [\"h\", \"p\"]\n\
+                     dynamics = { h = \"a - h\", p = \"v\", v = \"w\", w = \"b + h*v\" }\n";
+        for (kind, law, plant) in [("chain", chain, ""), ("pair", pair, plant)] {
+            let text = format!(
+                "name = \"all\"\n{law}mu = \"{mu}\"\n[params]\ntau = 2\neps = 1e-3\n{plant}"
+            );
+            let family = mu.split('(').next().unwrap_or_default().replace('*', "_");
+            let name = format!("laws_rates_of_{kind}_{family}");
+            assert_eq!(in_c::selftest(&name, &spec(&text)), 0.0, "{kind} {mu}");
+        }
     }
 }
 
@@ -250,6 +287,11 @@ fn mistakes_are_shown_at_their_lines() {
         ),
         ("[\"-x1_0\", \"-xi1_2\"]", "`x1_0` does not exist where", "states at t0 are not known"),
         ("[\"-u\", \"-xi1_2\"]", "`u` is not known where pi0", "parameter"),
+        (
+            "[\"-r_3*xi1_1\", \"-xi1_2\"]",
+            "`r_3` does not exist for outputs of order 2, 1",
+            "the indices are 1..=2",
+        ),
         ("[\"-xi1_1 + b\", \"-xi1_2\"]", "`b` is an input of the plant", "needs another name"),
         ("[\"-xi1_1\", \"-xi1_2/0\"]", "division by zero", "divisor"),
         ("[\"extern\", \"-xi1_2\"]", "extern", "parameter"),
@@ -260,6 +302,12 @@ fn mistakes_are_shown_at_their_lines() {
         let shown = stderr.contains(message) && stderr.contains(help);
         assert!(shown && stderr.contains("design.toml:3:"), "{laws}: {stderr}");
     }
+    // A parameter of the plant and a derivative in one law.
+    let both = with("[\"-r_1*xi1_1\", \"-xi1_2\"]").replace("\"b - h\"", "\"b - r_1*h\"");
+    let folder = folder_with("laws_conflict", "design.toml", both);
+    let (status, _, stderr) = run_in(&folder, &["check", "design.toml"]);
+    assert_ne!(status, Some(0));
+    assert!(stderr.contains("`r_1` is a derivative of mu in pi0, and a parameter"), "{stderr}");
     // What it is of cannot be read: one mistake, not two.
     let lost = PLANT.replace(", h = \"b - h\"", "");
     let folder = folder_with("laws_lost", "design.toml", lost);

@@ -35,7 +35,7 @@ impl Reader<'_> {
         }
         let names = coupled.names_of_law();
         let laws: Vec<_> =
-            given.iter().map(|item| self.law_of(item, known, (&names, &coupled.inputs))).collect();
+            given.iter().map(|item| self.law_of(item, known, (&names, coupled))).collect();
         let Some(laws) = laws.into_iter().collect::<Option<Vec<_>>>() else { return law };
         let mut next = 1;
         let of_output = |(law, order): (&Expression, usize)| {
@@ -79,14 +79,18 @@ impl Reader<'_> {
         &mut self,
         node: &Node,
         known: &[Parameter],
-        (names, inputs): (&[(Name, Expression)], &[Name]),
+        (names, coupled): (&[(Name, Expression)], &Coupled),
     ) -> Option<Expression> {
         // While it is read each name is a state of its own.
-        let own: Vec<_> =
-            (1..).zip(names).map(|(j, (name, _))| (*name, Variable::State(j))).collect();
+        let parts = (1..).zip(names).map(|(j, (name, _))| (*name, Variable::State(j)));
+        // All outputs share the mapping.
+        let highest = coupled.orders().into_iter().max().unwrap_or(0);
+        let rates =
+            (1..=highest).filter_map(|k| Some((Name::new(&format!("r_{k}"))?, Variable::R(k))));
+        let own: Vec<_> = parts.chain(rates).collect();
         let scope = Scope { subject: Subject::Law, n: 0, known, own: &own };
         let law = resolve(node, scope, &mut self.found)?;
-        if !self.gives_inputs(node, &law, inputs) {
+        if !self.gives_inputs(node, &law, &coupled.inputs) {
             return None;
         }
         let part = |e: &Expression| match e.variable()? {
@@ -100,8 +104,22 @@ impl Reader<'_> {
             self.found.push("bad-expression", "pi0", Some(node.place), message, help);
             return None;
         }
+        if let Some(beyond) = law.parameters().into_iter().find(is_derivative) {
+            let orders = coupled.order_text();
+            let message = format!("`{}` does not exist for {orders}", beyond.spelling());
+            let help = format!("the indices are 1..={highest}");
+            self.found.push("bad-expression", "pi0", Some(node.place), message, help);
+            return None;
+        }
         Some(law.substitute(&part))
     }
+}
+
+/// Whether a parameter is called as a derivative of mu.
+fn is_derivative(parameter: &Parameter) -> bool {
+    let text = parameter.spelling();
+    let index = text.strip_prefix("r_").and_then(|index| index.parse::<usize>().ok());
+    index.is_some_and(|k| text == format!("r_{k}"))
 }
 
 /// Whether a parameter has a stem of the parts of a plant, and then numbers alone.
