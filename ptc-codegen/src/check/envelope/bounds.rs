@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::interval::{Interval, apply, outward};
+use super::computed::{Computed, apply, outward};
 use crate::expression::Function;
 use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
 
@@ -10,16 +10,16 @@ use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
 #[derive(Clone)]
 pub(crate) struct Bounds<'a> {
     program: &'a Program,
-    input: &'a dyn Fn(Input) -> Interval,
-    known: Vec<Option<Interval>>,
-    arrays: BTreeMap<Value, Vec<Interval>>,
+    input: &'a dyn Fn(Input) -> Computed,
+    known: Vec<Option<Computed>>,
+    arrays: BTreeMap<Value, Vec<Computed>>,
     /// What stands for a stretch of time-to-go: `late`, and the time past the deadline in it.
     held: Vec<Value>,
 }
 
 impl<'a> Bounds<'a> {
     /// The bounds of what is known before time is.
-    pub(crate) fn new(program: &'a Program, input: &'a dyn Fn(Input) -> Interval) -> Self {
+    pub(crate) fn new(program: &'a Program, input: &'a dyn Fn(Input) -> Computed) -> Self {
         let late = program.limits.late;
         let mut held = vec![late];
         if let Op::Min(a, b) = program.get(late).op {
@@ -38,9 +38,9 @@ impl<'a> Bounds<'a> {
     /// The bound of one value for all times.
     pub(super) fn of(
         program: &Program,
-        input: &dyn Fn(Input) -> Interval,
+        input: &dyn Fn(Input) -> Computed,
         value: Value,
-    ) -> Interval {
+    ) -> Computed {
         let known = vec![None; program.values.len()];
         let mut bounds =
             Bounds { program, input, known, arrays: BTreeMap::new(), held: Vec::new() };
@@ -51,7 +51,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// Takes a bound that was found otherwise; it holds for every time.
-    pub(super) fn set(&mut self, value: Value, bound: Interval) {
+    pub(super) fn set(&mut self, value: Value, bound: Computed) {
         self.known[value.0] = Some(bound);
     }
 
@@ -66,8 +66,9 @@ impl<'a> Bounds<'a> {
         if let Some((elapsed, tau)) = self.program.limits.elapsed {
             let tau = self.get(tau);
             // Time-to-go is known up to its own roundings, which near the deadline are those of tau.
-            let slack = 4.0 * super::epsilon(self.program.precision) * tau.high;
-            let (least, most) = ((tau.low - high - slack).max(0.0), tau.high - low + slack);
+            let slack = 4.0 * super::epsilon(self.program.precision) * tau.range.high();
+            let (least, most) =
+                ((tau.range.low() - high - slack).max(0.0), tau.range.high() - low + slack);
             bounds.known[elapsed.0] = Some(outward(least, most, self.program.precision));
         }
         bounds
@@ -86,8 +87,8 @@ impl<'a> Bounds<'a> {
     }
 
     /// The bound of a value that has been computed.
-    pub(crate) fn get(&self, value: Value) -> Interval {
-        self.known[value.0].unwrap_or(Interval::ANY)
+    pub(crate) fn get(&self, value: Value) -> Computed {
+        self.known[value.0].unwrap_or(Computed::ANY)
     }
 
     /// Computes what `roots` need and returns the first value that may leave the range.
@@ -139,17 +140,17 @@ impl<'a> Bounds<'a> {
         }
         // Which pivots are taken, and whether one may be 0, is not followed.
         if let Op::Elimination { right, .. } = op {
-            self.arrays.insert(value, vec![Interval::ANY; right.len() + 1]);
+            self.arrays.insert(value, vec![Computed::ANY; right.len() + 1]);
         }
         self.known[value.0] = Some(self.compute(op));
     }
 
-    fn compute(&self, op: &Op) -> Interval {
+    fn compute(&self, op: &Op) -> Computed {
         match op {
             Op::Input(input) => (self.input)(*input),
             Op::Root(root) => self.root(root),
             // The array as a whole; an excess within reaches one of its elements.
-            Op::Rows { .. } | Op::Elimination { .. } => Interval::point(0.0),
+            Op::Rows { .. } | Op::Elimination { .. } => Computed::point(0.0),
             Op::Element(array, index) => self.arrays[array][*index],
             op => {
                 let operands: Vec<_> = op.operands().iter().map(|v| self.get(*v)).collect();
@@ -159,28 +160,29 @@ impl<'a> Bounds<'a> {
     }
 
     /// The loops of an array, operation by operation.
-    fn rows(&self, tail: &[Value], weights: &[Value], fused: bool) -> Vec<Interval> {
+    fn rows(&self, tail: &[Value], weights: &[Value], fused: bool) -> Vec<Computed> {
         let [tail, weights] =
             [tail, weights].map(|values| values.iter().map(|v| self.get(*v)).collect::<Vec<_>>());
-        let on = |op: &Op, of: &[Interval]| apply(op, of, self.program.precision);
+        let on = |op: &Op, of: &[Computed]| apply(op, of, self.program.precision);
         rows::by_operations(&tail, &weights, fused, on)
     }
 
     /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not
     /// certain to have one sign, and to as far from there as the last step may be long. What the
     /// loop computes on the way does not count: where it is no number the iteration bisects.
-    fn root(&self, root: &Root) -> Interval {
+    fn root(&self, root: &Root) -> Computed {
         let [low, high, start, tolerance] =
             [root.low, root.high, root.start, root.tolerance].map(|value| self.get(value));
         if [low, high, start, tolerance].iter().any(|bound| bound.special) {
-            return Interval::ANY;
+            return Computed::ANY;
         }
-        let (least, most) = (low.low.min(start.low), high.high.max(start.high));
+        let (least, most) =
+            (low.range.least(&start.range).low(), high.range.most(&start.range).high());
         let body: Vec<_> = self.needed(&[root.residual]);
         let body: Vec<_> = body.into_iter().filter(|v| self.program.get(*v).looped).collect();
         let mut scratch = self.clone();
         let mut residual = |y: f64| {
-            scratch.known[root.unknown.0] = Some(Interval::point(y));
+            scratch.known[root.unknown.0] = Some(Computed::point(y));
             for value in body.iter().filter(|value| **value != root.unknown) {
                 scratch.settle(*value);
             }
@@ -189,14 +191,14 @@ impl<'a> Bounds<'a> {
         let size = &self.program.get(root.size).op;
         let of_residual = *size == Op::Call(Function::Abs, root.residual);
         // Where the last step begins, the residual may still have this size.
-        let last = if of_residual { tolerance.high } else { 0.0 };
-        let is_left = |found: Interval| !found.special && found.low > last;
-        let is_right = |found: Interval| !found.special && found.high < -last;
+        let last = if of_residual { tolerance.range.high() } else { 0.0 };
+        let is_left = |found: Computed| !found.special && found.range.low() > last;
+        let is_right = |found: Computed| !found.special && found.range.high() < -last;
         let far = beyond(least, most, &mut |y| is_right(residual(y)));
         let left = edge(least, far, &mut |y| is_left(residual(y)));
         let right = edge(far, left, &mut |y| is_right(residual(y)));
         // A step to the root from where the residual is as small is no longer than all that stretch.
-        let reach = if of_residual { right - left } else { tolerance.high };
+        let reach = if of_residual { right - left } else { tolerance.range.high() };
         outward((left - reach).max(least), (right + reach).min(most), self.program.precision)
     }
 }

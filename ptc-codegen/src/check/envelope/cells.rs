@@ -5,21 +5,23 @@
 //! where no such cell remains, the hull of the bounds is one of the value.
 
 use super::bounds::Bounds;
-use super::interval::Interval;
+use super::computed::Computed;
 use crate::expression::Function;
 use crate::program::{Input, Op, Program, Value};
 
 /// What an operation needs of one operand.
-type Domain = fn(Interval) -> bool;
+type Domain = fn(Computed) -> bool;
 
 /// The operands that decide whether operations have a value, with what is needed of them.
 pub(super) fn critical(program: &Program) -> Vec<(Value, Domain)> {
     let mut found: Vec<(Value, Domain)> = Vec::new();
     for definition in program.values.iter().filter(|definition| !definition.looped) {
         let (value, domain): (Value, Domain) = match definition.op {
-            Op::Div(_, b) | Op::Quotient(_, b) => (b, |x| !x.special && !x.holds_zero()),
-            Op::Pow(a, _) | Op::Call(Function::Ln, a) => (a, |x| !x.special && x.low > 0.0),
-            Op::Call(Function::Sqrt, a) => (a, |x| !x.special && x.low >= 0.0),
+            Op::Div(_, b) | Op::Quotient(_, b) => (b, |x| !x.special && !x.range.has_zero()),
+            Op::Pow(a, _) | Op::Call(Function::Ln, a) => {
+                (a, |x| !x.special && x.range.is_positive())
+            }
+            Op::Call(Function::Sqrt, a) => (a, |x| !x.special && x.range.is_not_negative()),
             _ => continue,
         };
         found.push((value, domain));
@@ -50,31 +52,27 @@ pub(super) fn is_bounded(program: &Program, value: Value) -> bool {
 /// A bound of `value` in the domain; none where the cells do not show one. `work` is what may be done.
 pub(super) fn refined(
     program: &Program,
-    input: &dyn Fn(Input) -> Interval,
+    input: &dyn Fn(Input) -> Computed,
     (value, domain): (Value, Domain),
     work: &mut usize,
-) -> Option<Interval> {
+) -> Option<Computed> {
     let needed = program.needed(&[value]);
     let asked = |value: &Value| match program.get(*value).op {
         Op::Input(asked) => Some(asked),
         _ => None,
     };
     let inputs: Vec<Input> = needed.iter().filter_map(asked).collect();
-    let whole: Vec<Interval> = inputs.iter().map(|asked| input(*asked)).collect();
-    let (mut left, mut hull) = (vec![whole.clone()], None::<Interval>);
+    let whole: Vec<Computed> = inputs.iter().map(|asked| input(*asked)).collect();
+    let (mut left, mut hull) = (vec![whole.clone()], None::<Computed>);
     while let Some(cell) = left.pop() {
         *work = work.checked_sub(program.values.len())?;
         let of_cell = |asked: Input| {
             let own = inputs.iter().position(|input| *input == asked);
-            own.map_or(Interval::ANY, |index| cell[index])
+            own.map_or(Computed::ANY, |index| cell[index])
         };
         let bound = Bounds::of(program, &of_cell, value);
         if domain(bound) {
-            hull = Some(hull.map_or(bound, |hull| Interval {
-                low: hull.low.min(bound.low),
-                high: hull.high.max(bound.high),
-                special: false,
-            }));
+            hull = Some(hull.map_or(bound, |hull| hull.range.hull(&bound.range).into()));
         } else {
             left.extend(halves(&whole, &cell)?);
         }
@@ -83,20 +81,20 @@ pub(super) fn refined(
 }
 
 /// The halves of a cell, cut where it is widest in parts of the whole; none where that is a number.
-fn halves(whole: &[Interval], cell: &[Interval]) -> Option<[Vec<Interval>; 2]> {
+fn halves(whole: &[Computed], cell: &[Computed]) -> Option<[Vec<Computed>; 2]> {
     let share = |index: usize| {
-        let width = |x: &Interval| x.high - x.low;
+        let width = |x: &Computed| x.range.high() - x.range.low();
         if width(&whole[index]) > 0.0 { width(&cell[index]) / width(&whole[index]) } else { 0.0 }
     };
     let widest = (0..cell.len()).max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
-    let (low, high) = (cell[widest].low, cell[widest].high);
+    let [low, high] = cell[widest].range.ends();
     let middle = f64::midpoint(low, high);
     if !middle.is_finite() || middle <= low || middle >= high {
         return None;
     }
     let with = |from: f64, to: f64| {
         let mut half = cell.to_vec();
-        half[widest] = Interval::new(from, to);
+        half[widest] = Computed::new(from, to);
         half
     };
     Some([with(low, middle), with(middle, high)])

@@ -1,7 +1,7 @@
 //! The report of an [`Envelope`].
 
 use super::super::{Outcome, Verdict};
-use super::{Envelope, Excess, Interval};
+use super::{Computed, Envelope, Excess};
 use crate::diagnostic::digits;
 use crate::parameter::Precision;
 use crate::program::{Input, Op, Program, Value, number};
@@ -113,9 +113,9 @@ fn stretch((low, high): (f64, f64)) -> String {
     format!("[{}, {}] s", digits(low), digits(high))
 }
 
-fn given(name: &str, bound: &Interval) -> String {
-    if bound.low.to_bits() == bound.high.to_bits() {
-        return format!("{name} = {}", digits(bound.low));
+fn given(name: &str, bound: &Computed) -> String {
+    if bound.range.low().to_bits() == bound.range.high().to_bits() {
+        return format!("{name} = {}", digits(bound.range.low()));
     }
-    format!("{name} in [{}, {}]", digits(bound.low), digits(bound.high))
+    format!("{name} in [{}, {}]", digits(bound.range.low()), digits(bound.range.high()))
 }
