@@ -6,8 +6,8 @@
 //! to be continuous: by the intermediate value theorem it is 0 there. At a pole or a jump that proof
 //! fails, and nothing is claimed.
 
-use super::enclosure::{Evaluator, Existence, Names};
-use super::interval::Interval;
+use super::enclosure::{Interval, Range};
+use super::evaluator::{Evaluator, Existence, Names};
 pub(crate) use super::points::Free;
 use super::points::{Point, distance, midpoint, points};
 use super::{Expression, Function, Node};
@@ -87,7 +87,7 @@ struct Search<'a> {
 impl Search<'_> {
     fn names(&self, from: &[f64], to: &[f64]) -> Names {
         let ends = from.iter().zip(to);
-        let range = ends.map(|(a, b)| Interval::of_doubles(a.min(*b), a.max(*b)));
+        let range = ends.map(|(a, b)| Interval::from(Range::new(a.min(*b), a.max(*b))));
         let free = self.free.iter().map(|(name, ..)| name.clone());
         let mut names = self.given.clone();
         free.zip(range).for_each(|(name, range)| _ = names.insert(name, range));

@@ -4,7 +4,7 @@
 //! from the expression as it was given: a normal form may exist where the expression does not, as
 //! that of sqrt(x)^2 does for x < 0. The reader asks the same list before it drops a part.
 
-use super::interval::Interval;
+use super::enclosure::Interval;
 use super::{Expression, Found, Function, Node};
 
 /// What a part of an expression has to be.
@@ -105,6 +105,7 @@ fn collect(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expression::enclosure::Range;
     use crate::expression::testing::mu;
 
     fn spelt(text: &str) -> Vec<String> {
@@ -145,8 +146,8 @@ mod tests {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                 assert!(!condition.holds(value), "{condition:?} {value}");
             }
-            assert!(condition.holds(0.5) && condition.is_certain(&Interval::of_doubles(0.5, 0.6)));
-            assert!(!condition.is_certain(&Interval::whole()));
+            assert!(condition.holds(0.5) && condition.is_certain(&Range::new(0.5, 0.6).into()));
+            assert!(!condition.is_certain(&Interval::WHOLE));
         }
         assert!(!Condition::NotZero.holds(0.0) && !Condition::Positive.holds(0.0));
         assert!(Condition::NotNegative.holds(0.0) && !Condition::WithinOne.holds(-1.0));

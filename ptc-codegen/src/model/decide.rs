@@ -2,8 +2,8 @@
 
 use super::Values;
 use crate::algebra::BigRational;
-use crate::expression::enclosure::{Evaluator, Existence, Names};
-use crate::expression::interval::Interval;
+use crate::expression::enclosure::Interval;
+use crate::expression::evaluator::{Evaluator, Existence, Names};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
 use crate::limits::SIZE;
@@ -59,7 +59,7 @@ fn has_pivots(mut a: Vec<Interval>, m: usize) -> bool {
         for i in k + 1..m {
             let factor = a[i * m + k].over(&a[k * m + k]);
             for j in k + 1..m {
-                a[i * m + j] = a[i * m + j].plus(&factor.times(&a[k * m + j]).neg());
+                a[i * m + j] = a[i * m + j].minus(&factor.times(&a[k * m + j]));
             }
         }
     }

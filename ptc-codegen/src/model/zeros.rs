@@ -9,7 +9,7 @@ use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::{is_bounded, is_hurwitz};
 use crate::algebra::{BigRational, integer};
 use crate::expression::effort::bounded;
-use crate::expression::enclosure::{Evaluator, Names};
+use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::existence::{Condition, needs};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};

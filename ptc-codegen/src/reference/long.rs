@@ -6,7 +6,7 @@ use num_traits::{Signed, ToPrimitive};
 use super::work::{Costs, Work};
 use crate::algebra::{BigInt, BigRational};
 use crate::expression::Function;
-use crate::expression::interval::leading;
+use crate::expression::enclosure::leading;
 
 /// How the library rounds: the error of one operation is below one unit of the last place either
 /// way, and two precisions that agree bound the sum.

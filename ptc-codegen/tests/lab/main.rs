@@ -3,6 +3,8 @@
 #![cfg(feature = "lab")]
 
 mod check;
+#[path = "../../../tests/support/command.rs"]
+mod command;
 mod design;
 mod digits;
 mod expanded;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::interval::{Interval, apply, outward};
+use super::computed::{Computed, apply, outward};
 use super::regular::Regular;
 use crate::expression::Function;
 use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
@@ -11,9 +11,9 @@ use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
 #[derive(Clone)]
 pub(crate) struct Bounds<'a> {
     program: &'a Program,
-    input: &'a dyn Fn(Input) -> Interval,
-    known: Vec<Option<Interval>>,
-    arrays: BTreeMap<Value, Vec<Interval>>,
+    input: &'a dyn Fn(Input) -> Computed,
+    known: Vec<Option<Computed>>,
+    arrays: BTreeMap<Value, Vec<Computed>>,
     /// Bounds of the matrices of eliminations that were found otherwise.
     regular: BTreeMap<Value, Regular>,
     /// What stands for a stretch of time-to-go: `late`, and the time past the deadline in it.
@@ -22,7 +22,7 @@ pub(crate) struct Bounds<'a> {
 
 impl<'a> Bounds<'a> {
     /// The bounds of what is known before time is.
-    pub(crate) fn new(program: &'a Program, input: &'a dyn Fn(Input) -> Interval) -> Self {
+    pub(crate) fn new(program: &'a Program, input: &'a dyn Fn(Input) -> Computed) -> Self {
         let late = program.limits.late;
         let mut held = vec![late];
         if let Op::Min(a, b) = program.get(late).op {
@@ -37,7 +37,7 @@ impl<'a> Bounds<'a> {
         bounds
     }
 
-    fn open(program: &'a Program, input: &'a dyn Fn(Input) -> Interval, held: Vec<Value>) -> Self {
+    fn open(program: &'a Program, input: &'a dyn Fn(Input) -> Computed, held: Vec<Value>) -> Self {
         let (known, arrays) = (vec![None; program.values.len()], BTreeMap::new());
         Self { program, input, known, arrays, regular: BTreeMap::new(), held }
     }
@@ -45,7 +45,7 @@ impl<'a> Bounds<'a> {
     /// The bounds of some values, and of what they need, for all times.
     pub(super) fn only(
         program: &'a Program,
-        input: &'a dyn Fn(Input) -> Interval,
+        input: &'a dyn Fn(Input) -> Computed,
         values: &[Value],
     ) -> Self {
         let mut bounds = Self::open(program, input, Vec::new());
@@ -56,7 +56,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// Takes a bound that was found otherwise; it holds for every time.
-    pub(super) fn set(&mut self, value: Value, bound: Interval) {
+    pub(super) fn set(&mut self, value: Value, bound: Computed) {
         self.known[value.0] = Some(bound);
     }
 
@@ -76,8 +76,9 @@ impl<'a> Bounds<'a> {
         if let Some((elapsed, tau)) = self.program.limits.elapsed {
             let tau = self.get(tau);
             // Time-to-go is known up to its own roundings, which near the deadline are those of tau.
-            let slack = 4.0 * super::epsilon(self.program.precision) * tau.high;
-            let (least, most) = ((tau.low - high - slack).max(0.0), tau.high - low + slack);
+            let slack = 4.0 * super::epsilon(self.program.precision) * tau.range.high();
+            let (least, most) =
+                ((tau.range.low() - high - slack).max(0.0), tau.range.high() - low + slack);
             bounds.known[elapsed.0] = Some(outward(least, most, self.program.precision));
         }
         bounds
@@ -96,12 +97,12 @@ impl<'a> Bounds<'a> {
     }
 
     /// The bound of a value that has been computed.
-    pub(crate) fn get(&self, value: Value) -> Interval {
-        self.known[value.0].unwrap_or(Interval::ANY)
+    pub(crate) fn get(&self, value: Value) -> Computed {
+        self.known[value.0].unwrap_or(Computed::ANY)
     }
 
     /// The bounds of several.
-    pub(super) fn all(&self, values: &[Value]) -> Vec<Interval> {
+    pub(super) fn all(&self, values: &[Value]) -> Vec<Computed> {
         values.iter().map(|value| self.get(*value)).collect()
     }
 
@@ -158,48 +159,49 @@ impl<'a> Bounds<'a> {
         self.known[value.0] = Some(self.compute(op));
     }
 
-    fn compute(&self, op: &Op) -> Interval {
+    fn compute(&self, op: &Op) -> Computed {
         match op {
             Op::Input(input) => (self.input)(*input),
             Op::Root(root) => self.root(root),
             // The array as a whole; an excess within reaches one of its elements.
-            Op::Rows { .. } | Op::Elimination { .. } => Interval::point(0.0),
+            Op::Rows { .. } | Op::Elimination { .. } => Computed::point(0.0),
             Op::Element(array, index) => self.arrays[array][*index],
             op => apply(op, &self.all(&op.operands()), self.program.precision),
         }
     }
 
     /// Of matrices that may be singular, anything.
-    fn solution(&self, elimination: Value, matrix: &[Value], right: &[Value]) -> Vec<Interval> {
+    fn solution(&self, elimination: Value, matrix: &[Value], right: &[Value]) -> Vec<Computed> {
         let [matrix, right] = [matrix, right].map(|values| self.all(values));
         let known = self.regular.get(&elimination).copied();
         let known = known.or_else(|| Regular::of(&matrix, self.program.precision).ok());
         let solution = known.and_then(|known| known.solution(&right));
-        solution.unwrap_or_else(|| vec![Interval::ANY; right.len() + 1])
+        solution.unwrap_or_else(|| vec![Computed::ANY; right.len() + 1])
     }
 
     /// The loops of an array, operation by operation.
-    fn rows(&self, tail: &[Value], weights: &[Value], fused: bool) -> Vec<Interval> {
+    fn rows(&self, tail: &[Value], weights: &[Value], fused: bool) -> Vec<Computed> {
         let [tail, weights] = [tail, weights].map(|values| self.all(values));
-        let on = |op: &Op, of: &[Interval]| apply(op, of, self.program.precision);
+        let on = |op: &Op, of: &[Computed]| apply(op, of, self.program.precision);
         rows::by_operations(&tail, &weights, fused, on)
     }
 
     /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not
     /// certain to have one sign, and to as far from there as the last step may be long. What the
     /// loop computes on the way does not count: where it is no number the iteration bisects.
-    fn root(&self, root: &Root) -> Interval {
+    fn root(&self, root: &Root) -> Computed {
         let [low, high, start, tolerance] =
             [root.low, root.high, root.start, root.tolerance].map(|value| self.get(value));
         if [low, high, start, tolerance].iter().any(|bound| bound.special) {
-            return Interval::ANY;
+            return Computed::ANY;
         }
-        let (least, most) = (low.low.min(start.low), high.high.max(start.high));
+        let (least, most) =
+            (low.range.least(&start.range).low(), high.range.most(&start.range).high());
         let body: Vec<_> = self.needed(&[root.residual]);
         let body: Vec<_> = body.into_iter().filter(|v| self.program.get(*v).looped).collect();
         let mut scratch = self.clone();
         let mut residual = |y: f64| {
-            scratch.known[root.unknown.0] = Some(Interval::point(y));
+            scratch.known[root.unknown.0] = Some(Computed::point(y));
             for value in body.iter().filter(|value| **value != root.unknown) {
                 scratch.settle(*value);
             }
@@ -208,14 +210,14 @@ impl<'a> Bounds<'a> {
         let size = &self.program.get(root.size).op;
         let of_residual = *size == Op::Call(Function::Abs, root.residual);
         // Where the last step begins, the residual may still have this size.
-        let last = if of_residual { tolerance.high } else { 0.0 };
-        let is_left = |found: Interval| !found.special && found.low > last;
-        let is_right = |found: Interval| !found.special && found.high < -last;
+        let last = if of_residual { tolerance.range.high() } else { 0.0 };
+        let is_left = |found: Computed| !found.special && found.range.low() > last;
+        let is_right = |found: Computed| !found.special && found.range.high() < -last;
         let far = beyond(least, most, &mut |y| is_right(residual(y)));
         let left = edge(least, far, &mut |y| is_left(residual(y)));
         let right = edge(far, left, &mut |y| is_right(residual(y)));
         // A step to the root from where the residual is as small is no longer than all that stretch.
-        let reach = if of_residual { right - left } else { tolerance.high };
+        let reach = if of_residual { right - left } else { tolerance.range.high() };
         outward((left - reach).max(least), (right + reach).min(most), self.program.precision)
     }
 }

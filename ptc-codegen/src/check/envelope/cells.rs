@@ -5,28 +5,30 @@
 //! where no such cell remains, the hull of the bounds is one of the value. So is one in which a matrix may be singular.
 
 use super::bounds::Bounds;
-use super::interval::Interval;
+use super::computed::Computed;
 use super::regular::Regular;
 use crate::expression::Function;
 use crate::program::{Input, Op, Program, Value};
 
 /// What an operation needs of one operand.
-type Domain = fn(Interval) -> bool;
+type Domain = fn(Computed) -> bool;
 
 /// How many times wider than another a cell may be, each in parts of the whole.
 const FLATTEST: f64 = 256.0;
 
 /// Inputs with their intervals.
-pub(super) type Cell = Vec<(Input, Interval)>;
+pub(super) type Cell = Vec<(Input, Computed)>;
 
 /// The operands that decide whether operations have a value, with what is needed of them.
 pub(super) fn critical(program: &Program) -> Vec<(Value, Domain)> {
     let mut found: Vec<(Value, Domain)> = Vec::new();
     for definition in program.values.iter().filter(|definition| !definition.looped) {
         let (value, domain): (Value, Domain) = match definition.op {
-            Op::Div(_, b) | Op::Quotient(_, b) => (b, |x| !x.special && !x.holds_zero()),
-            Op::Pow(a, _) | Op::Call(Function::Ln, a) => (a, |x| !x.special && x.low > 0.0),
-            Op::Call(Function::Sqrt, a) => (a, |x| !x.special && x.low >= 0.0),
+            Op::Div(_, b) | Op::Quotient(_, b) => (b, |x| !x.special && !x.range.has_zero()),
+            Op::Pow(a, _) | Op::Call(Function::Ln, a) => {
+                (a, |x| !x.special && x.range.is_positive())
+            }
+            Op::Call(Function::Sqrt, a) => (a, |x| !x.special && x.range.is_not_negative()),
             _ => continue,
         };
         found.push((value, domain));
@@ -57,21 +59,17 @@ pub(super) fn is_bounded(program: &Program, values: &[Value]) -> bool {
 /// A bound of `value` in the domain; none where the cells do not show one. `work` is what may be done.
 pub(super) fn refined(
     program: &Program,
-    input: &dyn Fn(Input) -> Interval,
+    input: &dyn Fn(Input) -> Computed,
     (value, domain): (Value, Domain),
     work: &mut usize,
-) -> Option<Interval> {
-    let mut hull = None::<Interval>;
+) -> Option<Computed> {
+    let mut hull = None::<Computed>;
     let mut miss = |bounds: &Bounds<'_>| {
         let bound = bounds.get(value);
         if !domain(bound) {
             return f64::INFINITY;
         }
-        hull = Some(hull.map_or(bound, |hull| Interval {
-            low: hull.low.min(bound.low),
-            high: hull.high.max(bound.high),
-            special: false,
-        }));
+        hull = Some(hull.map_or(bound, |hull| hull.range.hull(&bound.range).into()));
         0.0
     };
     cover(program, input, &[value], &mut miss, work).ok()?;
@@ -81,7 +79,7 @@ pub(super) fn refined(
 /// Bounds of all matrices with these entries; else a cell in which one may be singular.
 pub(super) fn regular(
     program: &Program,
-    input: &dyn Fn(Input) -> Interval,
+    input: &dyn Fn(Input) -> Computed,
     matrix: &[Value],
     work: &mut usize,
 ) -> Result<Regular, Cell> {
@@ -100,7 +98,7 @@ pub(super) fn regular(
 /// Cuts the inputs of values into cells until the bounds of each miss nothing; else a cell whose bounds do.
 fn cover(
     program: &Program,
-    input: &dyn Fn(Input) -> Interval,
+    input: &dyn Fn(Input) -> Computed,
     values: &[Value],
     miss: &mut dyn FnMut(&Bounds<'_>) -> f64,
     work: &mut usize,
@@ -111,11 +109,11 @@ fn cover(
         _ => None,
     };
     let inputs: Vec<Input> = needed.iter().filter_map(asked).collect();
-    let whole: Vec<Interval> = inputs.iter().map(|asked| input(*asked)).collect();
-    let mut of = |cell: &[Interval]| {
+    let whole: Vec<Computed> = inputs.iter().map(|asked| input(*asked)).collect();
+    let mut of = |cell: &[Computed]| {
         let of_cell = |asked: Input| {
             let own = inputs.iter().position(|input| *input == asked);
-            own.map_or(Interval::ANY, |index| cell[index])
+            own.map_or(Computed::ANY, |index| cell[index])
         };
         *work = work.checked_sub(needed.len() + values.len())?;
         Some(miss(&Bounds::only(program, &of_cell, values)))
@@ -138,15 +136,18 @@ fn cover(
 /// The halves of a cell, cut in the input at whose middle least is missed, of equals where it is widest in parts of
 /// the whole; none where that is a number.
 fn halves(
-    whole: &[Interval],
-    cell: &[Interval],
-    miss: &mut dyn FnMut(&[Interval]) -> Option<f64>,
-) -> Option<[Vec<Interval>; 2]> {
-    let width = |x: &Interval| x.high - x.low;
+    whole: &[Computed],
+    cell: &[Computed],
+    miss: &mut dyn FnMut(&[Computed]) -> Option<f64>,
+) -> Option<[Vec<Computed>; 2]> {
+    let width = |x: &Computed| x.range.high() - x.range.low();
     let share = |index: usize| {
         if width(&whole[index]) > 0.0 { width(&cell[index]) / width(&whole[index]) } else { 0.0 }
     };
-    let middle = |index: usize| f64::midpoint(cell[index].low, cell[index].high);
+    let middle = |index: usize| {
+        let [low, high] = cell[index].range.ends();
+        f64::midpoint(low, high)
+    };
     let mut tried: Vec<_> = (0..cell.len()).filter(|index| width(&cell[*index]) > 0.0).collect();
     tried.sort_by(|a, b| share(*b).total_cmp(&share(*a)));
     // At a zero nothing helps but a small cell.
@@ -155,20 +156,20 @@ fn halves(
     let mut least = (f64::INFINITY, *tried.first()?);
     for index in tried {
         let mut flat = cell.to_vec();
-        flat[index] = Interval::point(middle(index));
+        flat[index] = Computed::point(middle(index));
         let missed = miss(&flat)?;
         if missed < least.0 {
             least = (missed, index);
         }
     }
     let cut = least.1;
-    let (low, middle, high) = (cell[cut].low, middle(cut), cell[cut].high);
+    let ([low, high], middle) = (cell[cut].range.ends(), middle(cut));
     if !middle.is_finite() || middle <= low || middle >= high {
         return None;
     }
     let with = |from: f64, to: f64| {
         let mut half = cell.to_vec();
-        half[cut] = Interval::new(from, to);
+        half[cut] = Computed::new(from, to);
         half
     };
     Some([with(low, middle), with(middle, high)])

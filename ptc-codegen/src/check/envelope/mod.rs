@@ -9,14 +9,14 @@
 
 pub(crate) mod bounds;
 mod cells;
-mod interval;
+mod computed;
 mod regular;
 mod report;
 
-pub use interval::Interval;
+pub use computed::Computed;
 #[cfg(feature = "lab")]
-pub(crate) use interval::apply;
-pub(crate) use interval::outward;
+pub(crate) use computed::apply;
+pub(crate) use computed::outward;
 
 use bounds::Bounds;
 #[cfg(feature = "lab")]
@@ -40,9 +40,9 @@ pub struct Excess {
     /// The piece of time-to-go.
     pub time_to_go: (f64, f64),
     /// The other inputs at which it may, with their names.
-    pub inputs: Vec<(String, Interval)>,
+    pub inputs: Vec<(String, Computed)>,
     /// Inputs at which the decoupling matrix was not shown to be regular, if that is why.
-    pub singular: Option<Vec<(String, Interval)>>,
+    pub singular: Option<Vec<(String, Computed)>>,
     /// A time-to-go at which the interpreter overflows at one end of each input.
     pub refuted_at: Option<f64>,
 }
@@ -65,7 +65,7 @@ pub struct Envelope {
 /// what overflows and what does not in every family.
 pub fn scan(
     program: &Program,
-    input: &dyn Fn(Input) -> Interval,
+    input: &dyn Fn(Input) -> Computed,
     eps: f64,
     tau: f64,
     pieces: u32,
@@ -125,7 +125,7 @@ pub fn scan(
 /// each input leaves their domain and smaller cells do not. Gives a cell in which a matrix may be singular.
 fn settle_divisors(
     program: &Program,
-    input: &dyn Fn(Input) -> Interval,
+    input: &dyn Fn(Input) -> Computed,
     early: &mut Bounds<'_>,
 ) -> Option<cells::Cell> {
     let (mut done, mut work) = (Vec::new(), CELLS.size());
@@ -182,7 +182,7 @@ struct Found {
 /// parameters and, as it may divide by a state, in the middle.
 fn overflow(
     program: &Program,
-    input: &dyn Fn(Input) -> Interval,
+    input: &dyn Fn(Input) -> Computed,
     tau: f64,
     time_to_go: f64,
     root: Value,
@@ -190,7 +190,8 @@ fn overflow(
     let settle = |value| number::settle(value, program.precision);
     let corners = [(false, false), (true, false), (false, true)];
     corners.into_iter().find_map(|(upper, middle)| {
-        let end = |bound: Interval, upper| if upper { bound.high } else { bound.low };
+        let end =
+            |bound: Computed, upper| if upper { bound.range.high() } else { bound.range.low() };
         let early = |asked: Input| match asked {
             Input::Time => {
                 let start = end(input(Input::StartTime), upper);
@@ -202,7 +203,9 @@ fn overflow(
         let gains: Vec<_> = program.gains.iter().map(|gain| interpreter.value(*gain)).collect();
         let divisor = program.divisors.first().map(|value| interpreter.value(*value));
         let aligned = |asked: Input| match asked {
-            Input::State(_) if middle => settle(f64::midpoint(input(asked).low, input(asked).high)),
+            Input::State(_) if middle => {
+                settle(f64::midpoint(input(asked).range.low(), input(asked).range.high()))
+            }
             Input::State(j) => {
                 end(input(asked), gains.get(j - 1).map_or(upper, |gain| *gain >= 0.0))
             }
@@ -216,7 +219,7 @@ fn overflow(
 }
 
 /// Every input that u depends on but time, with its bounds.
-fn named_inputs(program: &Program, input: &dyn Fn(Input) -> Interval) -> Vec<(String, Interval)> {
+fn named_inputs(program: &Program, input: &dyn Fn(Input) -> Computed) -> Vec<(String, Computed)> {
     let needed = program.needed(&program.controls()).into_iter();
     let given = needed.filter_map(|value| match program.get(value).op {
         Op::Input(Input::Time) => None,
@@ -226,7 +229,7 @@ fn named_inputs(program: &Program, input: &dyn Fn(Input) -> Interval) -> Vec<(St
     named(&given.collect::<Vec<_>>())
 }
 
-fn named(inputs: &[(Input, Interval)]) -> Vec<(String, Interval)> {
+fn named(inputs: &[(Input, Computed)]) -> Vec<(String, Computed)> {
     inputs.iter().map(|(asked, bound)| (input_name(*asked), *bound)).collect()
 }
 
@@ -253,16 +256,16 @@ mod tests {
     }
 
     /// tau = 1, t0 = 0, a = 1, m = 1.5, rates 1 and 2, all gains 1 except those that are given.
-    fn inputs(eps: f64, state: f64, gain: Interval) -> impl Fn(Input) -> Interval {
+    fn inputs(eps: f64, state: f64, gain: Computed) -> impl Fn(Input) -> Computed {
         move |input| match input {
-            Input::Parameter(Parameter::Eps) => Interval::point(eps),
-            Input::Parameter(Parameter::M) => Interval::point(1.5),
-            Input::Parameter(Parameter::Start) => Interval::point(0.125),
-            Input::Parameter(Parameter::Rate(i)) => Interval::point(if i == 1 { 1.0 } else { 2.0 }),
+            Input::Parameter(Parameter::Eps) => Computed::point(eps),
+            Input::Parameter(Parameter::M) => Computed::point(1.5),
+            Input::Parameter(Parameter::Start) => Computed::point(0.125),
+            Input::Parameter(Parameter::Rate(i)) => Computed::point(if i == 1 { 1.0 } else { 2.0 }),
             Input::Parameter(Parameter::Gain(_)) => gain,
-            Input::Parameter(_) => Interval::point(1.0),
-            Input::StartTime => Interval::point(0.0),
-            Input::State(_) | Input::StateAtStart(_) => Interval::new(-state, state),
+            Input::Parameter(_) => Computed::point(1.0),
+            Input::StartTime => Computed::point(0.0),
+            Input::State(_) | Input::StateAtStart(_) => Computed::new(-state, state),
             Input::Time
             | Input::Reference(_)
             | Input::ReferenceOf(..)
@@ -291,7 +294,7 @@ mod tests {
         for family in FAMILIES {
             for precision in [Precision::F64, Precision::F32] {
                 let program = program(3, family, precision);
-                let input = inputs(f64::from(1e-2f32), 10.0, Interval::new(1.0, 20.0));
+                let input = inputs(f64::from(1e-2f32), 10.0, Computed::new(1.0, 20.0));
                 let found = scan(&program, &input, f64::from(1e-2f32), 1.0, 200);
                 let outcome = Outcome::from(&found);
                 assert_eq!(outcome.verdict, Verdict::Sound, "{family:?}: {outcome:?}");
@@ -305,7 +308,7 @@ mod tests {
         let eps = f64::from(1e-6f32);
         for family in FAMILIES {
             let program = program(4, family, Precision::F32);
-            let input = inputs(eps, 1e30, Interval::point(1.0));
+            let input = inputs(eps, 1e30, Computed::point(1.0));
             let found = scan(&program, &input, eps, 1.0, 200);
             let outcome = Outcome::from(&found);
             assert_eq!(outcome.verdict, Verdict::Refuted, "{family:?}: {outcome:?}");
@@ -317,7 +320,7 @@ mod tests {
     #[test]
     fn what_a_reader_is_told() {
         let program = program(1, Family::Exp, Precision::F32);
-        let input = inputs(f64::from(1e-3f32), 1e36, Interval::point(1.0));
+        let input = inputs(f64::from(1e-3f32), 1e36, Computed::point(1.0));
         let outcome = Outcome::from(&scan(&program, &input, f64::from(1e-3f32), 1.0, 30));
         assert_eq!(
             outcome.summary,
@@ -331,7 +334,7 @@ mod tests {
             outcome.details[1],
             "with a = 1, k[0] = 1, t0 = 0, tau = 1, eps = 0.001, x1 in [-1e36, 1e36]"
         );
-        let calm = inputs(f64::from(1e-3f32), 1.0, Interval::point(1.0));
+        let calm = inputs(f64::from(1e-3f32), 1.0, Computed::point(1.0));
         let outcome = Outcome::from(&scan(&program, &calm, f64::from(1e-3f32), 1.0, 30));
         assert_eq!(outcome.summary, "every value stays within f32 for T in [0.001, 1] s");
     }
@@ -353,12 +356,12 @@ mod tests {
                 let Some(root) = program.needed(&[program.step]).into_iter().find(of_root) else {
                     panic!("{text} is iterated")
                 };
-                let input = inputs(f64::from(1e-4f32), 10.0, Interval::new(1.0, 20.0));
+                let input = inputs(f64::from(1e-4f32), 10.0, Computed::new(1.0, 20.0));
                 let early = Bounds::new(&program, &input);
                 for t in [0.0f32, 0.01, 0.3, 0.9, 0.999] {
                     let at = |asked: Input| match asked {
                         Input::Time => f64::from(t),
-                        other => input(other).low,
+                        other => input(other).range.low(),
                     };
                     let number = Interpreter::new(&program, &at).value(root);
                     let time_to_go = 1.0 - f64::from(t);
@@ -366,7 +369,8 @@ mod tests {
                         let (low, high) = (time_to_go * (1.0 - slack), time_to_go * (1.0 + slack));
                         let mut bounds = early.at(low, high);
                         bounds.first_excess(&[root]);
-                        let Interval { low, high, special } = bounds.get(root);
+                        let Computed { range, special } = bounds.get(root);
+                        let (low, high) = (range.low(), range.high());
                         assert!(
                             low <= number && number <= high,
                             "{text} {t}: {number} {low} {high}"
@@ -393,7 +397,7 @@ mod tests {
             let precision = if single { Precision::F32 } else { Precision::F64 };
             let program = program(n, family, precision);
             let eps = f64::from(1e-4f32);
-            let input = inputs(eps, 10.0, Interval::new(1.0, 20.0));
+            let input = inputs(eps, 10.0, Computed::new(1.0, 20.0));
             let time_to_go = 1.0 - f64::from(t);
             let mut bounds = Bounds::new(&program, &input).at(0.99 * time_to_go, 1.01 * time_to_go);
             let handed: Vec<_> = program.handed_over().copied().collect();
@@ -403,7 +407,7 @@ mod tests {
                 Input::Time => f64::from(t),
                 Input::State(_) => f64::from(state),
                 Input::Parameter(Parameter::Gain(_)) => f64::from(gain),
-                other => input(other).low,
+                other => input(other).range.low(),
             };
             let mut interpreter = Interpreter::new(&program, &at);
             let outputs: Vec<_> = program.gains.iter().chain([&program.step]).copied().collect();
@@ -415,7 +419,7 @@ mod tests {
                 }
                 let (bound, number) = (bounds.get(value), interpreter.value(value));
                 prop_assert!(
-                    bound.low <= number && number <= bound.high,
+                    bound.range.low() <= number && number <= bound.range.high(),
                     "{:?}: {} = {number} outside {bound:?}", family, describe(&program, value)
                 );
             }

@@ -20,8 +20,9 @@
 //! That all these matrices are regular follows from |1 - R A'| w <= q w, row by row, for an approximate inverse R of the
 //! midpoint, weights 0 < w <= 1 and q < 1: then beta = max_k |R_k|/w_k/(1 - q).
 
+use super::computed::Computed;
 use super::epsilon;
-use super::interval::Interval;
+use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
 use crate::program::elimination::eliminate;
 
@@ -42,7 +43,7 @@ pub(super) struct Regular {
 
 impl Regular {
     /// The matrices with these entries, row by row; where one may be singular, q, which is not below 1.
-    pub(super) fn of(entries: &[Interval], precision: Precision) -> Result<Self, f64> {
+    pub(super) fn of(entries: &[Computed], precision: Precision) -> Result<Self, f64> {
         if entries.iter().any(|entry| entry.special) {
             return Err(f64::INFINITY);
         }
@@ -77,7 +78,7 @@ impl Regular {
     }
 
     /// Bounds of the solution, and of the determinant behind it; none where what is computed may overflow.
-    pub(super) fn solution(self, right: &[Interval]) -> Option<Vec<Interval>> {
+    pub(super) fn solution(self, right: &[Computed]) -> Option<Vec<Computed>> {
         let Self { m, precision, inverse, most } = self;
         if right.iter().any(|entry| entry.special) {
             return None;
@@ -94,19 +95,19 @@ impl Regular {
         if !(solution < range && sums < range && growth * most < range) {
             return None;
         }
-        let around = |size: f64| Interval::new(-size, size);
+        let around = |size: f64| Computed::new(-size, size);
         let mut all = vec![around(solution); m];
         // A pivot of round k is one of its entries.
         let pivots = (0..m).scan(most, |pivot, _| Some(std::mem::replace(pivot, 2.0 * *pivot)));
         let determinant = pivots.fold(MORE, |product, pivot| product * pivot) + absolute;
         let stays = determinant < range;
-        all.push(if stays { around(determinant) } else { Interval::ANY });
+        all.push(if stays { around(determinant) } else { Computed::ANY });
         Some(all)
     }
 }
 
-fn size(entry: Interval) -> f64 {
-    entry.low.abs().max(entry.high.abs())
+fn size(entry: Computed) -> f64 {
+    entry.range.size().high()
 }
 
 /// 2^m, more than entries grow.
@@ -133,8 +134,8 @@ fn greatest(precision: Precision) -> f64 {
 }
 
 /// An approximate inverse of the midpoint, row by row.
-fn inverse(entries: &[Interval], m: usize) -> Option<Vec<f64>> {
-    let middle: Vec<f64> = entries.iter().map(|x| f64::midpoint(x.low, x.high)).collect();
+fn inverse(entries: &[Computed], m: usize) -> Option<Vec<f64>> {
+    let middle: Vec<f64> = entries.iter().map(|x| x.range.middle()).collect();
     let mut inverse = vec![0.0; m * m];
     for j in 0..m {
         let unit: Vec<f64> = (0..m).map(|i| f64::from(u8::from(i == j))).collect();
@@ -145,20 +146,13 @@ fn inverse(entries: &[Interval], m: usize) -> Option<Vec<f64>> {
 }
 
 /// Bounds of row i of |1 - R A'| for every A' within `reach` of the entries; infinite where a product overflows.
-fn rest(row: &[f64], i: usize, entries: &[Interval], reach: f64) -> Vec<f64> {
-    let m = row.len();
+fn rest(row: &[f64], i: usize, entries: &[Computed], reach: f64) -> Vec<f64> {
+    let (m, around) = (row.len(), Range::from(reach).both_signs());
     let of_column = |j: usize| {
-        let one = f64::from(u8::from(i == j));
-        let (mut low, mut high) = (one, one);
-        for (k, near) in row.iter().enumerate() {
-            let entry = entries[k * m + j];
-            let ends = [(entry.low - reach).next_down(), (entry.high + reach).next_up()];
-            let [a, b] = ends.map(|end| near * end);
-            low = (low - a.max(b).next_up()).next_down();
-            high = (high - a.min(b).next_down()).next_up();
-        }
-        let size = low.abs().max(high.abs());
-        if low.is_nan() || high.is_nan() { f64::INFINITY } else { size }
+        let one = Range::from(f64::from(u8::from(i == j)));
+        let product =
+            |(k, near): (usize, &f64)| Range::from(*near) * (entries[k * m + j].range + around);
+        (one - row.iter().enumerate().map(product).sum()).size().high()
     };
     (0..m).map(of_column).collect()
 }

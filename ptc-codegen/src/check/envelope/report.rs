@@ -1,7 +1,7 @@
 //! The report of an [`Envelope`].
 
 use super::super::{Outcome, Verdict};
-use super::{Envelope, Excess, Interval};
+use super::{Computed, Envelope, Excess};
 use crate::diagnostic::digits;
 use crate::parameter::Precision;
 use crate::program::{Input, Op, Program, Value, number};
@@ -117,14 +117,15 @@ fn stretch((low, high): (f64, f64)) -> String {
     format!("[{}, {}] s", digits(low), digits(high))
 }
 
-fn all_given(inputs: &[(String, Interval)]) -> String {
+fn all_given(inputs: &[(String, Computed)]) -> String {
     let inputs: Vec<_> = inputs.iter().map(|(name, bound)| given(name, bound)).collect();
     inputs.join(", ")
 }
 
-fn given(name: &str, bound: &Interval) -> String {
-    if bound.low.to_bits() == bound.high.to_bits() {
-        return format!("{name} = {}", digits(bound.low));
+fn given(name: &str, bound: &Computed) -> String {
+    let [low, high] = bound.range.ends();
+    if low.to_bits() == high.to_bits() {
+        return format!("{name} = {}", digits(low));
     }
-    format!("{name} in [{}, {}]", digits(bound.low), digits(bound.high))
+    format!("{name} in [{}, {}]", digits(low), digits(high))
 }

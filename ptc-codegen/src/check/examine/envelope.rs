@@ -3,7 +3,7 @@
 use super::divisor;
 use super::known::is_known;
 use crate::check::Outcome;
-use crate::check::envelope::{Interval, outward, scan};
+use crate::check::envelope::{Computed, outward, scan};
 use crate::expansion::Expanded;
 use crate::law::Law;
 use crate::lower::lower;
@@ -48,12 +48,12 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
     };
     let parameter = |p: Parameter| match (spec.fixed.get(&p), spec.bounds.get(&p)) {
-        (Some(value), _) if p != Parameter::UMax => Interval::point(round(value)),
-        (_, Some((least, greatest))) => Interval::new(round(least), round(greatest)),
-        _ => Interval::point(0.0),
+        (Some(value), _) if p != Parameter::UMax => Computed::point(round(value)),
+        (_, Some((least, greatest))) => Computed::new(round(least), round(greatest)),
+        _ => Computed::point(0.0),
     };
     let around = |bounds: &[Fixed], j: usize| {
-        bounds.get(j - 1).map(|bound| Interval::new(-round(bound), round(bound)))
+        bounds.get(j - 1).map(|bound| Computed::new(-round(bound), round(bound)))
     };
     let promises = &spec.promises;
     let start_is_known =
@@ -62,22 +62,27 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         Input::Parameter(p) => parameter(p),
         Input::Time if start_is_known => {
             let (start, tau) = (parameter(Parameter::StartTime), parameter(Parameter::Tau));
-            outward(start.low, (start.high + tau.high).next_up(), spec.precision)
+            outward(
+                start.range.low(),
+                (start.range.high() + tau.range.high()).next_up(),
+                spec.precision,
+            )
         }
         Input::StartTime => parameter(Parameter::StartTime),
-        Input::State(j) => around(&promises.x_max, j).unwrap_or(Interval::ANY),
+        Input::State(j) => around(&promises.x_max, j).unwrap_or(Computed::ANY),
         Input::StateAtStart(j) => around(&promises.x0_max, j)
             .or_else(|| around(&promises.x_max, j))
-            .unwrap_or(Interval::ANY),
+            .unwrap_or(Computed::ANY),
         Input::Time
         | Input::Reference(_)
         | Input::ReferenceOf(..)
         | Input::Gain(_)
         | Input::Divisor
         | Input::Drift
-        | Input::Control => Interval::ANY,
+        | Input::Control => Computed::ANY,
     };
-    let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
+    let (eps, tau) =
+        (parameter(Parameter::Eps).range.low(), parameter(Parameter::Tau).range.high());
     let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     Outcome::from(&scan(&program, &input, eps, tau, pieces.ceil() as u32))

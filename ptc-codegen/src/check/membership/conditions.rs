@@ -4,7 +4,7 @@ use super::Verdict;
 use super::pieces::{Wanted, left_open};
 use super::problem::Problem;
 use super::smooth::needs;
-use crate::expression::enclosure::Existence;
+use crate::expression::evaluator::Existence;
 use crate::expression::leading::{Limit, limit, limit_at_zero};
 use crate::expression::normal::normal;
 use crate::expression::sign::Sign;

@@ -6,8 +6,8 @@ use super::Verdict;
 use super::pieces::Wanted;
 use super::problem::Problem;
 use crate::algebra::{BigRational, integer};
-use crate::expression::enclosure::Existence;
-use crate::expression::interval::Interval;
+use crate::expression::enclosure::Interval;
+use crate::expression::evaluator::Existence;
 use crate::expression::leading::{scale, scale_at_zero};
 use crate::expression::normal::normal;
 use crate::expression::sign::Sign;
@@ -123,7 +123,7 @@ impl Problem<'_> {
             let value = self.evaluator.value(&self.falling.clone(), &names)?.interval;
             if let Some((last, old)) = &before {
                 // In the order of time, what is left of mu falls and kappa grows.
-                let grown = value.plus(&old.neg());
+                let grown = value.minus(old);
                 let back = if self.is_mu { grown.is_positive() } else { grown.is_negative() };
                 if back {
                     let why = format!("{name} is less than at {}", self.at(last));

@@ -2,8 +2,8 @@
 
 use crate::algebra::{BigRational, integer};
 use crate::collect::map;
-use crate::expression::enclosure::{Evaluator, Existence};
-use crate::expression::interval::Interval;
+use crate::expression::enclosure::Interval;
+use crate::expression::evaluator::{Evaluator, Existence};
 use crate::expression::{Expression, Variable};
 
 /// Most pieces of one proof, and the how often one is halved. What is left

@@ -1,7 +1,7 @@
 use super::*;
 use crate::algebra::integer;
-use crate::expression::enclosure::{Evaluator, Names};
-use crate::expression::interval::Interval;
+use crate::expression::enclosure::Interval;
+use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::testing::{evaluate, kappa, mu, random};
 use crate::expression::{Subject, Variable};
 

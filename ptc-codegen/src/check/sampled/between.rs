@@ -5,8 +5,7 @@ use super::relative::upper;
 use super::trust::Trust;
 use super::worst::{Output, Sampled};
 use crate::algebra::BigRational;
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 use crate::linear;
 
 /// A plant between two samples, over x and an input of gain 1.

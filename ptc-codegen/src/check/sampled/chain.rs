@@ -6,8 +6,7 @@
 
 use super::rounded::{Rounded, unit_roundoff};
 use crate::algebra::BigRational;
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 use crate::linear::{Delay, Linear, ZeroOrderHold, zero_order_hold};
 use crate::parameter::Precision;
 

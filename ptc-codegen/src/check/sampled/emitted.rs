@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 use super::chain::{Chain, Near, Row, Step, Unit, centre};
 use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
 use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
 use crate::request::{After, Sampled, Spec};
 
@@ -190,8 +190,8 @@ impl<'a> Sample<'a> {
                 (Held::Known(a), Held::Known(b)) => {
                     let (a, b) = (a.emitted(), b.emitted());
                     match () {
-                        () if a.is_below(b) => Some(true),
-                        () if b.is_below(a) => Some(false),
+                        () if a.is_below(&b) => Some(true),
+                        () if b.is_below(&a) => Some(false),
                         // Both are the same number.
                         () => Some(matches!(test, Test::AtMost(..))),
                     }

@@ -1,7 +1,7 @@
 //! Input gains that the plant may have.
 
 use crate::algebra::BigRational;
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
 use crate::request::{PlantBounds, Spec};
 
 /// Input gains that a plant may have.

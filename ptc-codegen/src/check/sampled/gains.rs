@@ -1,9 +1,9 @@
 //! The gains with which the emitted program acts at each sample.
 
 use super::chain::Gains;
-use super::rounded::{Enclosure, Rounded, unit_roundoff};
+use super::rounded::{Rounded, StagedValues, unit_roundoff};
 use crate::expansion::Expanded;
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
 use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::Parameter;
@@ -27,13 +27,13 @@ pub(super) fn gains(
 struct Acting<'a> {
     spec: &'a Spec,
     program: &'a Program,
-    enclosure: Enclosure<'a>,
+    enclosure: StagedValues<'a>,
     start: Rounded,
 }
 
 impl<'a> Acting<'a> {
     fn new(spec: &'a Spec, program: &'a Program) -> Option<Self> {
-        let enclosure = Enclosure::new(program, &[program.step])?;
+        let enclosure = StagedValues::new(program, &[program.step])?;
         let start = parameter(spec, Parameter::StartTime).unwrap_or(Rounded::of(Range::from(0.0)));
         Some(Self { spec, program, enclosure, start })
     }

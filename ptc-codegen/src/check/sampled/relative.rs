@@ -10,8 +10,7 @@ use super::reach::Reach;
 use super::trust::Trust;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 use crate::linear::{self, Linear};
 
 /// Samples that are early or late, of a plant with an input of gain 1.

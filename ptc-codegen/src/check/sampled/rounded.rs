@@ -9,8 +9,7 @@ use astro_float_num::Consts;
 
 use crate::algebra::BigRational;
 use crate::expression::Function;
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 use crate::parameter::Precision;
 use crate::program::{Input, Op, Program, Stage, Value, number};
 
@@ -66,7 +65,7 @@ pub(super) fn unit_roundoff(precision: Precision) -> f64 {
 }
 
 /// Values of a program, computed stage by stage.
-pub(super) struct Enclosure<'a> {
+pub(super) struct StagedValues<'a> {
     program: &'a Program,
     unit: f64,
     /// By value; `None` if it is not computed, or no enclosure is known.
@@ -75,7 +74,7 @@ pub(super) struct Enclosure<'a> {
     cache: Consts,
 }
 
-impl<'a> Enclosure<'a> {
+impl<'a> StagedValues<'a> {
     /// For the values of `program` that `outputs` need; `None` if memory for constants is lacking.
     pub(super) fn new(program: &'a Program, outputs: &[Value]) -> Option<Self> {
         let mut due: [Vec<Value>; 5] = Default::default();
@@ -132,12 +131,11 @@ impl<'a> Enclosure<'a> {
             }
             Op::Max(a, b) => {
                 let (a, b) = (at(*a)?, at(*b)?);
-                Some(Rounded { exact: a.exact.most(b.exact), error: a.error.max(b.error) })
+                Some(Rounded { exact: a.exact.most(&b.exact), error: a.error.max(b.error) })
             }
             Op::Min(a, b) => {
                 let (a, b) = (at(*a)?, at(*b)?);
-                let exact = -((-a.exact).most(-b.exact));
-                Some(Rounded { exact, error: a.error.max(b.error) })
+                Some(Rounded { exact: a.exact.least(&b.exact), error: a.error.max(b.error) })
             }
             Op::Call(function, a) => {
                 let (function, a) = (*function, at(*a)?);
@@ -184,7 +182,7 @@ pub(super) fn sum(a: Rounded, b: Rounded, unit: f64) -> Rounded {
 fn is_exact(a: Rounded, b: Rounded) -> bool {
     let two = Range::from(2.0);
     let (a, b) = (a.emitted(), b.emitted());
-    let within = |a: Range, b: Range| a.is_below(two * b) && b.is_below(two * a);
+    let within = |a: Range, b: Range| a.is_below(&(two * b)) && b.is_below(&(two * a));
     within(a, b) || within(-a, -b)
 }
 

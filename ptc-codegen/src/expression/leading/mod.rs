@@ -16,7 +16,7 @@ pub(crate) use self::scale::Scale;
 
 use self::series::Series;
 use super::effort::{self, bounded};
-use super::enclosure::{Evaluator, Existence, Names};
+use super::evaluator::{Evaluator, Existence, Names};
 use super::normal::normal;
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Variable};

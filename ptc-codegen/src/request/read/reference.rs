@@ -3,9 +3,9 @@
 use super::Reader;
 use crate::algebra::integer;
 use crate::expression::effort::bounded;
-use crate::expression::enclosure::{Evaluator, Names};
+use crate::expression::enclosure::{Interval, Range};
+use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::existence::{Condition, needs};
-use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::parameter::{Fixed, Parameter};
@@ -180,7 +180,7 @@ fn names(spec: &Spec) -> Names {
     let exact = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
     let start = exact(Parameter::StartTime);
     let from =
-        |low: Option<_>| low.map_or_else(Interval::whole, |low| Interval::between(low, None));
+        |low: Option<_>| low.map_or_else(|| Interval::WHOLE, |low| Interval::between(low, None));
     let mut names = Names::from([
         (Variable::Time.into(), from(start)),
         (Variable::Elapsed.into(), from(Some(&integer(0)))),
@@ -191,8 +191,8 @@ fn names(spec: &Spec) -> Names {
         let range = match (exact(parameter), bounds, spec.ends(parameter)) {
             (Some(value), ..) => Interval::exact(value),
             (None, Some((least, most)), _) => Interval::between(least, Some(most)),
-            (None, None, Some((least, most))) => Interval::of_doubles(least, most),
-            (None, None, None) => Interval::whole(),
+            (None, None, Some((least, most))) => Interval::from(Range::new(least, most)),
+            (None, None, None) => Interval::WHOLE,
         };
         names.insert(parameter.into(), range);
     }

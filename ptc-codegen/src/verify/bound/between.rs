@@ -6,8 +6,7 @@ use super::forced::{ASKED, Block, LITTLE, Response, chosen, mapped};
 use super::impulse::LAST;
 use super::piece::{along, polynomial, sizes};
 use crate::algebra::BigRational;
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 
 /// What is left far back of second derivatives, which count by the square of the width of a cell, is at
 /// most this part of their sum.
@@ -43,7 +42,7 @@ impl Loop {
         let passed = (late - early).size();
         let weight = self.weight.clone()?;
         let [of_weight, ..] = weight.over(0.0, passed.high());
-        let lags = early.hull(late);
+        let lags = early.hull(&late);
         let phi = self.range_of_phi(lags)?;
         let ranges: Vec<_> = rows.iter().map(|row| dot(row, &phi) * of_weight).collect();
         let little =
@@ -66,7 +65,7 @@ impl Loop {
                 Some(taken) => {
                     let signed = (passed * range - taken.signed[r]).size();
                     let taken = Range::from(taken.signed[r].size().low());
-                    signed.most(most - taken) + moved * range.size()
+                    signed.most(&(most - taken)) + moved * range.size()
                 }
             };
             (square * (bent[r] + turn.size() * range.size()) + edge).both_signs()
@@ -118,7 +117,7 @@ impl Loop {
                 at(r + 2, j, 0) - Range::from(2.0) * one * at(r + 1, j, 1) - two * at(r, j, 1)
                     + one.square() * at(r, j, 2);
             let own = at(r, j, 0);
-            let power = inverse.power(i32::try_from(r + 2).unwrap_or(i32::MAX));
+            let power = inverse.whole_power(i32::try_from(r + 2).unwrap_or(i32::MAX));
             let slopes = Range::from(2.0) * one * first + two * own;
             [second, slopes, one.square() * own].map(|part| part * power)
         };
@@ -172,9 +171,9 @@ impl Loop {
                 let terms = along(&row, &impulse, 3);
                 let [value, slope, second, third] = [0, 1, 2, 3].map(|l: usize| terms[l].size());
                 let slope = slope * half;
-                let cube = half.power(2) * (Range::from(2.0) * second + half * third);
+                let cube = half.whole_power(2) * (Range::from(2.0) * second + half * third);
                 let more = Range::from(2.0) * sizes(&row, &left) + cube;
-                *sum = *sum + over[0] * half * (value + value.most(slope) + more);
+                *sum = *sum + over[0] * half * (value + value.most(&slope) + more);
             }
             piece += 1;
         }

@@ -12,8 +12,7 @@ use super::flow::{Flow, Rows, dot};
 use super::forced::Response;
 use super::weight::Weight;
 use crate::algebra::{BigRational, integer};
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 
 /// Derivatives of x_1 beyond that of g u: cells are as wide as a Taylor series of as many allows.
 pub(super) const BEYOND: usize = 6;
@@ -147,7 +146,7 @@ impl Loop {
         let here = self.clock.stretched(&middle)?;
         let during = first.hull(&last);
         let at_middle = self.flow.at(&here, &self.start)?;
-        let around = Range::from(&during.plus(&here.neg()));
+        let around = Range::from(&during.minus(&here));
         let of_cell = match self.flow.on(&at_middle, around) {
             Some(rows) => Some(rows),
             None => self.flow.during(&during, &self.start),
@@ -164,7 +163,7 @@ impl Loop {
         let over_cell = self.table(&wide, &during)?;
         let centre = self.flow.derivatives(&point, &at_point, at_middle);
         let rows = self.flow.derivatives(&wide, &over_cell, of_cell);
-        let moved = Range::from(&point.plus(&wide.neg()));
+        let moved = Range::from(&point.minus(&wide));
         let rows = by_series(&centre, rows, moved);
         let n = self.n;
         let half = half_of(share);
@@ -176,7 +175,7 @@ impl Loop {
                 for (i, about) in about.iter_mut().enumerate() {
                     let [last, first] =
                         ends.each_ref().map(|end| drift.of(end.signed[i], end.size[i]));
-                    *about = last.hull(first);
+                    *about = last.hull(&first);
                 }
                 Some(added)
             }
@@ -290,7 +289,7 @@ fn by_series(centre: &Rows, mut rows: Rows, moved: Range) -> Rows {
                 sum = row[c] + moved / Range::from(order) * sum;
                 order -= 1.0;
             }
-            rows[i][c] = rows[i][c].common(sum);
+            rows[i][c] = rows[i][c].common(&sum);
         }
     }
     rows

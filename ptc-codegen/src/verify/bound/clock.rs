@@ -1,7 +1,6 @@
 //! Stretched time over a cell of the time-to-go, and the derivatives of kappa there.
 
 use std::collections::BTreeMap;
-use std::ops::Add;
 
 use super::Campaign;
 use super::flow::Rows;
@@ -9,10 +8,9 @@ use super::root::root;
 use super::series::{Arithmetic, Series, power, product};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::expansion::bell::factorials;
-use crate::expression::enclosure::{Evaluator, Names};
-use crate::expression::interval::Interval;
+use crate::expression::enclosure::{Interval, Range};
+use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::normal::normal;
-use crate::expression::range::Range;
 use crate::expression::{Expression, Node, Variable};
 use crate::mapping::{Form, Kappa, TimeMapping};
 use crate::parameter::Parameter;
@@ -200,7 +198,7 @@ impl Clock {
         }
         terms.iter_mut().for_each(|term| *term = *term / first);
         terms[0] = one;
-        let leading = (first * scale).power(i32::try_from(n).ok()?);
+        let leading = (first * scale).whole_power(i32::try_from(n).ok()?);
         let exponent = Range::from(f64::from(u32::try_from(n).ok()?));
         Some((leading, power(&terms, exponent)))
     }
@@ -222,10 +220,7 @@ impl Clock {
             for (i, row) in table.iter_mut().enumerate().skip(j) {
                 row.push(power[i] * self.factorials[i] / self.factorials[j]);
             }
-            let term = |k: usize| {
-                let terms = (j..k).map(|i| power[i] * series[k - i]);
-                terms.reduce(Range::add).unwrap_or(Range::from(0.0))
-            };
+            let term = |k: usize| (j..k).map(|i| power[i] * series[k - i]).sum();
             power = (0..length).map(term).collect();
         }
         Some(table)

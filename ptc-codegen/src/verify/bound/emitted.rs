@@ -11,9 +11,9 @@ use super::rounding::error;
 use super::{Box, Campaign, Prover, halved, middle_of};
 use crate::algebra::{BigRational, integer};
 use crate::check::envelope::bounds::Bounds;
-use crate::check::envelope::{Interval, outward};
+use crate::check::envelope::{Computed, outward};
 use crate::diagnostic::digits;
-use crate::expression::interval::Interval as Exact;
+use crate::expression::enclosure::{Interval, Range};
 use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
@@ -147,9 +147,7 @@ fn size([low, high]: &[f64; 2]) -> f64 {
 
 /// Doubles that hold an interval; long fractions take long to compare.
 fn outwards([low, high]: &[BigRational; 2]) -> [f64; 2] {
-    let [low, _] = Exact::exact(low).about();
-    let [_, high] = Exact::exact(high).about();
-    [low.next_down().next_down(), high.next_up().next_up()]
+    Range::from(&Interval::between(low, Some(high))).ends()
 }
 
 /// The error of u over a cell, if it is bounded, or the first value that may leave the range.
@@ -165,17 +163,17 @@ fn over(
         outward(low, high, precision)
     };
     let of_tau = match tau[0] == tau[1] {
-        true => Interval::point(number::round(&tau[0], precision)),
+        true => Computed::point(number::round(&tau[0], precision)),
         false => within(&tau[0], &tau[1]),
     };
     let input = |input: Input| match input {
         Input::Parameter(Parameter::Tau) => of_tau,
         Input::State(j) => {
-            states.get(j - 1).map_or(Interval::ANY, |[low, high]| outward(*low, *high, precision))
+            states.get(j - 1).map_or(Computed::ANY, |[low, high]| outward(*low, *high, precision))
         }
         Input::Parameter(p) => fixed(spec, p),
         Input::StartTime => fixed(spec, Parameter::StartTime),
-        _ => Interval::ANY,
+        _ => Computed::ANY,
     };
     // Time-to-go has a rounding or two.
     let slack = integer(1) / integer(1 << 20);
@@ -183,11 +181,12 @@ fn over(
     let high = &share[1] * &tau[1] * (integer(1) + &slack);
     let stretch = within(&low, &high);
     let early = Bounds::new(program, &input);
-    let mut bounds = early.at(stretch.low, stretch.high);
+    let [low, high] = stretch.range.ends();
+    let mut bounds = early.at(low, high);
     if let Some(value) = bounds.first_excess(&[program.step]) {
         return Err(crate::check::envelope::describe(program, value));
     }
-    let found = error(program, &bounds, bounds.held(), stretch.high, program.step);
+    let found = error(program, &bounds, bounds.held(), high, program.step);
     let handed: Vec<_> = program.handed_over().copied().collect();
     let gains = bounds.first_excess(&handed);
     bounds.hand_over_gains();
@@ -198,7 +197,7 @@ fn over(
 }
 
 /// A parameter that is fixed; what is not, as eps may be, is not needed for u before the gains are held.
-fn fixed(spec: &Spec, parameter: Parameter) -> Interval {
+fn fixed(spec: &Spec, parameter: Parameter) -> Computed {
     let value = spec.fixed.get(&parameter).and_then(Fixed::number);
-    Interval::point(value.map_or(0.0, |value| number::round(value, spec.precision)))
+    Computed::point(value.map_or(0.0, |value| number::round(value, spec.precision)))
 }

@@ -1,16 +1,14 @@
 //! The infinite-time system xi' = A xi, enclosed at all of its times.
 
 use std::collections::BTreeMap;
-use std::ops::Add;
 use std::rc::Rc;
 
 use num_traits::{One, ToPrimitive};
 
-use super::ball::Ball;
 use super::impulse::{Impulse, Tail};
+use super::square::Square;
 use crate::algebra::{BigRational, integer};
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 
 /// Rows of a matrix.
 pub(super) type Rows = Vec<Vec<Range>>;
@@ -34,8 +32,8 @@ pub(super) struct Flow {
     pub(super) gains: Vec<Range>,
     pub(super) norm: Range,
     grid: u32,
-    doubled: Vec<Ball>,
-    nodes: BTreeMap<u64, Ball>,
+    doubled: Vec<Square>,
+    nodes: BTreeMap<u64, Square>,
     /// The same, in doubles.
     rounded: BTreeMap<u64, Rows>,
     largest: Option<Range>,
@@ -49,8 +47,7 @@ pub(super) fn dot<'a>(
     a: impl IntoIterator<Item = &'a Range>,
     b: impl IntoIterator<Item = &'a Range>,
 ) -> Range {
-    let terms = a.into_iter().zip(b).map(|(a, b)| *a * *b);
-    terms.reduce(Range::add).unwrap_or(Range::from(0.0))
+    a.into_iter().zip(b).map(|(a, b)| *a * *b).sum()
 }
 
 impl Flow {
@@ -62,7 +59,7 @@ impl Flow {
             let power = i32::try_from(n - j).unwrap_or(i32::MAX);
             &gains[j] / num_traits::Pow::pow(&rate, power)
         };
-        let a = Ball::of(n, |i, j| match () {
+        let a = Square::of(n, |i, j| match () {
             () if i + 1 == n => -scaled(j),
             () => integer(i64::from(j == i + 1)),
         });
@@ -81,7 +78,7 @@ impl Flow {
     }
 
     /// e^(A t) at t = 2^-grid k, k > 0.
-    pub(super) fn node(&mut self, k: u64) -> Ball {
+    pub(super) fn node(&mut self, k: u64) -> Square {
         if let Some(node) = self.nodes.get(&k) {
             return node.clone();
         }
@@ -110,7 +107,7 @@ impl Flow {
             if falls(norm) {
                 return Some(most * between);
             }
-            most = most.most(norm);
+            most = most.most(&norm);
         }
         let (within, mut after) = (most * between, Range::from(1.0));
         for k in 1..=COARSE {
@@ -118,7 +115,7 @@ impl Flow {
             if falls(norm) {
                 return Some(within * after);
             }
-            after = after.most(norm);
+            after = after.most(&norm);
         }
         None
     }
@@ -147,7 +144,7 @@ impl Flow {
             }
         };
         let here = Interval::scaled(&k.into(), -i32::try_from(self.grid).ok()?);
-        self.on(&node, Range::from(&t.plus(&here.neg())))
+        self.on(&node, Range::from(&t.minus(&here)))
     }
 
     /// The distance of two nodes.
@@ -171,7 +168,7 @@ impl Flow {
         }
         let inverse = Range::from(1.0) / Range::from(share);
         let row = |(i, row): (i32, &Vec<Range>)| {
-            let power = inverse.power(i);
+            let power = inverse.whole_power(i);
             let entry = |c: usize| dot(row, xi.iter().map(|xi| &xi[c])) * power;
             (0..xi[0].len()).map(entry).collect()
         };
@@ -209,7 +206,7 @@ impl Flow {
         }
         for column in 0..start[0].len() {
             let size = start.iter().map(|row| row[column].size());
-            let size = size.reduce(Range::most)?;
+            let size = size.reduce(|a, b| a.most(&b))?;
             let rest = (size * left).both_signs();
             sum.iter_mut().for_each(|row| row[column] = row[column] + rest);
         }
@@ -230,12 +227,12 @@ impl Flow {
             if to <= from {
                 continue;
             }
-            let here = self.at(&Interval::of_doubles(from, to), start)?;
+            let here = self.at(&Range::new(from, to).into(), start)?;
             rows = Some(match rows {
                 None => here,
                 Some(mut rows) => {
                     let pairs = rows.iter_mut().flatten().zip(here.iter().flatten());
-                    pairs.for_each(|(all, own)| *all = all.hull(*own));
+                    pairs.for_each(|(all, own)| *all = all.hull(own));
                     rows
                 }
             });
@@ -248,7 +245,7 @@ impl Flow {
     pub(super) fn ever(&self, start: &Rows) -> Option<Rows> {
         let largest = self.largest?;
         let bound = |column: usize| {
-            let size = start.iter().map(|row| row[column].size()).reduce(Range::most);
+            let size = start.iter().map(|row| row[column].size()).reduce(|a, b| a.most(&b));
             size.map(|size| (size * largest).both_signs())
         };
         let row = (0..start.first()?.len()).map(bound).collect::<Option<Vec<_>>>()?;

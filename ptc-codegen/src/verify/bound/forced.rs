@@ -15,8 +15,7 @@ use super::flow::{Rows, dot};
 use super::impulse::TERMS;
 use super::piece::{Piece, sizes};
 use super::weight::Leaf;
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 
 /// What is left far back is at most this part of the sum.
 pub(super) const LITTLE: f64 = 1.0 / 4096.0;
@@ -41,7 +40,7 @@ pub(super) struct Block {
 pub(super) fn mapped(table: &Rows, n: usize, share: &Interval) -> Rows {
     let inverse = Range::from(1.0) / Range::from(share);
     let full = |(r, row): (usize, &Vec<Range>)| {
-        let power = inverse.power(i32::try_from(r).unwrap_or(i32::MAX));
+        let power = inverse.whole_power(i32::try_from(r).unwrap_or(i32::MAX));
         let entry = |j: usize| row.get(j).map_or(Range::from(0.0), |entry| *entry * power);
         (0..=n).map(entry).collect()
     };
@@ -103,9 +102,9 @@ impl Loop {
             if early < late.low() {
                 let middle = t - Range::from(node);
                 let ends = [middle - late, middle - Range::from(early)];
-                own.holds(late.hull(Range::from(early))).then_some(())?;
+                own.holds(late.hull(&Range::from(early))).then_some(())?;
                 let impulse = self.flow.impulse_of(piece);
-                let away = ends[0].size().most(ends[1].size());
+                let away = ends[0].size().most(&ends[1].size());
                 let over = Piece {
                     impulse: &impulse,
                     length: (late - Range::from(early)).size(),
@@ -135,7 +134,7 @@ impl Loop {
                     let of_block = |Block { ends: [from, to], bounds }: &Block| {
                         sizes(row, bounds) * weight.sum(*from, *to)
                     };
-                    blocks.iter().map(of_block).fold(Range::from(0.0), |sum, block| sum + block)
+                    blocks.iter().map(of_block).sum()
                 };
                 let left: Vec<_> = rows.iter().map(left).collect();
                 let is_little = |(left, size): (&Range, &Range)| left.high() <= LITTLE * size.low();

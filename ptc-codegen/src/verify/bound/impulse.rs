@@ -9,7 +9,7 @@
 use std::rc::Rc;
 
 use super::flow::{Flow, Rows, dot};
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
 
 /// Nodes of the flow in a piece of lags for each order, and most of them. The poles have the sum k_n, and
 /// a mean of at most |A|/n: the higher the order, the slower is phi beside the flow.
@@ -82,7 +82,7 @@ impl Flow {
                 (0..n).map(|j| node.entry(j, n - 1)).collect()
             }
         };
-        let size = chain.iter().map(|entry| entry.size()).fold(Range::from(0.0), Range::most);
+        let size = chain.iter().map(|entry| entry.size()).fold(Range::from(0.0), |a, b| a.most(&b));
         for at in 0..=LAST {
             chain.push(-dot(&self.gains, &chain[at..at + n]));
         }
@@ -109,7 +109,7 @@ impl Flow {
         for k in 1..=LAST + 1 {
             beyond = beyond * reach / Range::from(f64::from(u32::try_from(k).unwrap_or(u32::MAX)));
         }
-        let power = away.power(i32::try_from(order).unwrap_or(i32::MAX));
+        let power = away.whole_power(i32::try_from(order).unwrap_or(i32::MAX));
         let count = impulse.terms.len();
         let one = |(j, terms): (usize, &Vec<Range>)| {
             let from = terms.iter().skip(order).rev();
@@ -154,7 +154,7 @@ impl Flow {
         };
         let greatest = |over: &[Vec<Range>]| -> Vec<Range> {
             let column =
-                |j: usize| over.iter().map(|row| row[j]).fold(Range::from(0.0), Range::most);
+                |j: usize| over.iter().map(|row| row[j]).fold(Range::from(0.0), |a, b| a.most(&b));
             (0..=n).map(column).collect()
         };
         let (mut period, mut best) = (8, None);
@@ -170,7 +170,7 @@ impl Flow {
                     let row: Vec<_> = (0..n).map(|i| node.entry(j, i).size()).collect();
                     dot(&row, of) / of[j]
                 };
-                (0..n).map(part).fold(Range::from(0.0), Range::most).high()
+                (0..n).map(part).fold(Range::from(0.0), |a, b| a.most(&b)).high()
             };
             // What the logarithm is rounded by is less than what is cut off, or the bound is not used.
             let octaves = (-falls(&most[..n]).max(falls(&most[1..])).log2() - 1e-9).floor();
@@ -186,7 +186,7 @@ impl Flow {
         let left = |over: &Rows| {
             let late = greatest(&over[over.len() - period..]);
             let parts = late.iter().zip(&most).map(|(late, most)| *late / *most);
-            parts.fold(Range::from(0.0), Range::most)
+            parts.fold(Range::from(0.0), |a, b| a.most(&b))
         };
         while over.len() < LONGEST && left(&over).high() > FADED {
             for _ in 0..period.min(LONGEST - over.len()) {
@@ -197,7 +197,7 @@ impl Flow {
         let mut after: Vec<Range> = most.iter().map(|most| *most * part).collect();
         let mut from = vec![after.clone()];
         for row in over.iter().rev() {
-            after = after.iter().zip(row).map(|(after, own)| after.most(*own)).collect();
+            after = after.iter().zip(row).map(|(after, own)| after.most(own)).collect();
             from.push(after.clone());
         }
         from.reverse();

@@ -7,12 +7,11 @@ use super::aim::Aim;
 use super::cell::{Cell, Loop, half_of};
 use super::flow::{Rows, dot};
 use super::form::{Form, Linear, Part};
-use super::norm::{is_contraction, norm_about, sum};
+use super::norm::{is_contraction, norm_about};
 use super::reason::{Why, below, squares, unknown};
 use crate::algebra::{BigRational, integer};
-use crate::expression::enclosure::{Evaluator, Names};
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
+use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
 use crate::verify::linear::Values;
@@ -67,14 +66,14 @@ impl Bounds {
             values.map(|(name, value)| ((*name).into(), Interval::exact(value))).collect();
         names.entry(Parameter::StartTime.into()).or_insert_with(|| Interval::integer(0));
         let ends = |(low, high): &(f64, f64)| [Range::from(*low), Range::from(*high)];
-        let start = campaign.x0.iter().map(ends).map(|[low, high]| low.hull(high));
+        let start = campaign.x0.iter().map(ends).map(|[low, high]| low.hull(&high));
         // What f adds stands in a column of its own.
         let start = start.chain([Range::from(1.0)]).collect();
         let mut corners = vec![Vec::new()];
         for mut ends in campaign.x0.iter().map(ends).map(Vec::from) {
             ends.dedup();
             if campaign.spec.n >= MANY {
-                ends = vec![ends[0].hull(ends[ends.len() - 1])];
+                ends = vec![ends[0].hull(&ends[ends.len() - 1])];
             }
             let with = |corner: &Vec<_>, end| [&corner[..], &[end]].concat();
             let all = corners.iter().flat_map(|corner| ends.iter().map(|end| with(corner, *end)));
@@ -157,7 +156,7 @@ impl Bounds {
         let here = point.tau[1];
         let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
         let middle = |i: usize| {
-            let scaled = |c: usize, entry: Range| entry * here.power(power(c) - power(i));
+            let scaled = |c: usize, entry: Range| entry * here.whole_power(power(c) - power(i));
             let entry = |c: usize| scaled(c, cell.middle[0][i][c]);
             let about = scaled(self.n, cell.about[i]);
             let row: Vec<_> = (0..self.n).map(entry).chain([about]).collect();
@@ -182,7 +181,7 @@ impl Bounds {
         let entry = |(i, c): (usize, usize), (first, second): (Range, Range)| {
             // What f adds stands at the end of the cell already.
             let zero = Range::from(0.0);
-            let of_f = |at: &[Vec<Range>; 2]| (at[end_of(first)][i], at[0][i].hull(at[1][i]));
+            let of_f = |at: &[Vec<Range>; 2]| (at[end_of(first)][i], at[0][i].hull(&at[1][i]));
             let (middle, slope, [over, slopes, bend]) = match &cell.added {
                 _ if c < self.n => {
                     let [middle, slope] = [0, 1].map(|k| cell.middle[k][i][c]);
@@ -196,11 +195,11 @@ impl Bounds {
             };
             let q = power(c) - power(i);
             let [one, two] = [f64::from(q), f64::from(q) * f64::from(q - 1)].map(Range::from);
-            let linear = (middle + first * slope) * here.power(q)
-                + second * one * middle * here.power(q - 1);
-            let rest = half * half * bend * scale.power(q)
-                + Range::from(2.0) * half * wide * slopes * one.size() * scale.power(q - 1)
-                + wide * wide * over * two.size() * scale.power(q - 2);
+            let linear = (middle + first * slope) * here.whole_power(q)
+                + second * one * middle * here.whole_power(q - 1);
+            let rest = half * half * bend * scale.whole_power(q)
+                + Range::from(2.0) * half * wide * slopes * one.size() * scale.whole_power(q - 1)
+                + wide * wide * over * two.size() * scale.whole_power(q - 2);
             let whole = linear + (Range::from(0.5) * rest).both_signs();
             if i == self.n { whole / self.gain } else { whole }
         };
@@ -220,7 +219,7 @@ impl Bounds {
     /// What row i of a point is over the box of initial states.
     fn of_row(&self, point: &Point, i: usize) -> Range {
         let values = point.corners.iter().map(|corner| self.along(&corner.rows[i]));
-        values.reduce(Range::hull).unwrap_or(Range::WHOLE)
+        values.reduce(|a, b| a.hull(&b)).unwrap_or(Range::WHOLE)
     }
 
     /// What a row is over the box of initial states.
@@ -230,9 +229,10 @@ impl Bounds {
 
     /// The greatest |x|^2 over the box.
     fn greatest(&self, rows: &[Vec<Range>]) -> Range {
-        let size = |corner: &Vec<Range>| sum(rows.iter().map(|row| dot(row, corner).square()));
+        let size =
+            |corner: &Vec<Range>| rows.iter().map(|row| dot(row, corner).square()).sum::<Range>();
         let sizes = self.corners.iter().map(size);
-        sizes.reduce(Range::most).unwrap_or(Range::WHOLE)
+        sizes.reduce(|a, b| a.most(&b)).unwrap_or(Range::WHOLE)
     }
 
     /// The values of an expression that certainly has one for all of a point's.
@@ -298,12 +298,12 @@ impl Bounds {
                 row.iter_mut().zip(own).for_each(|(sum, x)| *sum = *sum + *slope * *x);
             }
             if let Some(added) = added {
-                row[self.n] = row[self.n].common(added[*end]);
+                row[self.n] = row[self.n].common(&added[*end]);
             }
             Some(self.along(&row))
         };
         let values = point.corners.iter().map(of_corner).collect::<Option<Vec<_>>>()?;
-        Some(rest + values.into_iter().reduce(Range::hull)?)
+        Some(rest + values.into_iter().reduce(|a, b| a.hull(&b))?)
     }
 
     /// What f adds at both ends of a cell to a sum of several of x_1..x_n and u, taken as one: with
@@ -323,7 +323,7 @@ impl Bounds {
                 _ => continue,
             };
             let power = i32::try_from(self.n - r).ok()?;
-            let [whole, middle] = point.tau.map(|tau| slope * tau.power(power));
+            let [whole, middle] = point.tau.map(|tau| slope * tau.whole_power(power));
             factors[r] = [Range::from(middle.middle()), whole];
         }
         let zero = Range::from(0.0);
@@ -336,7 +336,7 @@ impl Bounds {
         let parts = factors
             .iter()
             .enumerate()
-            .map(|(r, [_, whole])| (*whole * each[0][r].hull(each[1][r])).size().high());
+            .map(|(r, [_, whole])| (*whole * each[0][r].hull(&each[1][r])).size().high());
         let parts: Vec<_> = parts.collect();
         let most = parts.iter().copied().fold(0.0, f64::max);
         (parts.iter().sum::<f64>() > (1.0 + FEW) * most).then_some(())?;
@@ -368,7 +368,7 @@ impl Bounds {
         if is_contraction(&of_box, bound.square()) {
             return Ok(());
         }
-        let least = sum(self.start[..self.n].iter().map(|x| x.square()));
+        let least: Range = self.start[..self.n].iter().map(|x| x.square()).sum();
         let driven = rows.iter().any(|row| row[self.n] != Range::from(0.0));
         match driven {
             _ if least.is_positive() => squares("|x|", self.greatest(rows), bound.square() * least),

@@ -7,7 +7,6 @@
 //! of them, which are halved until it is positive on each.
 
 mod aim;
-mod ball;
 mod between;
 mod cell;
 mod clock;
@@ -24,6 +23,7 @@ mod root;
 mod rounding;
 mod running;
 mod series;
+mod square;
 mod weight;
 
 use num_traits::ToPrimitive;
@@ -44,8 +44,7 @@ use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::diagnostic::digits;
 use crate::expression::Expression;
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 use crate::parameter::{Fixed, Parameter};
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.

@@ -1,13 +1,7 @@
 //! Norms of what maps initial states to states, by rows.
 
-use std::ops::Add;
-
 use super::flow::Rows;
-use crate::expression::range::Range;
-
-pub(super) fn sum(terms: impl Iterator<Item = Range>) -> Range {
-    terms.fold(Range::from(0.0), Range::add)
-}
+use crate::expression::enclosure::Range;
 
 /// The greatest |rows x|/|x|, about: what is said where it is too much.
 pub(super) fn norm_about(rows: &[Vec<Range>]) -> f64 {
@@ -36,9 +30,9 @@ pub(super) fn is_contraction(rows: &[Vec<Range>], bound: Range) -> bool {
         return false;
     }
     let entry = |a: usize, b: usize| {
-        let product = match a == b {
-            true => sum(rows.iter().map(|row| row[a].square())),
-            false => sum(rows.iter().map(|row| row[a] * row[b])),
+        let product: Range = match a == b {
+            true => rows.iter().map(|row| row[a].square()).sum(),
+            false => rows.iter().map(|row| row[a] * row[b]).sum(),
         };
         if a == b { bound - product } else { -product }
     };

@@ -2,7 +2,8 @@
 
 use super::flow::dot;
 use super::impulse::{Impulse, TERMS};
-use crate::expression::range::Range;
+use super::series::integer;
+use crate::expression::enclosure::Range;
 
 /// Parts of a piece in which a kernel has no sign.
 const PARTS: u32 = 8;
@@ -29,7 +30,7 @@ impl Piece<'_> {
         let mut moments = Vec::with_capacity(count);
         for l in 1..=count {
             (low, high) = (low * self.ends[0], high * self.ends[1]);
-            moments.push((high - low) / real(l));
+            moments.push((high - low) / integer(l));
         }
         (0..=TERMS).map(|l| dot(&self.weight, &moments[l..])).collect()
     }
@@ -48,7 +49,7 @@ impl Piece<'_> {
         let most = terms[0].size() + far;
         let rest = (self.rest * (most + left) + left * greatest) * self.length;
         let signed = dot(&terms, moments) + rest.both_signs();
-        if (far + left).is_below(terms[0].size()) {
+        if (far + left).is_below(&terms[0].size()) {
             return [signed, signed.size()];
         }
         [signed, self.in_parts(&terms, left)]
@@ -66,21 +67,21 @@ impl Piece<'_> {
                 k => low + f64::from(k) * width,
             });
             let y = Range::from(0.5 * ends[0] + 0.5 * ends[1]);
-            let within = Range::from(ends[0]).hull(Range::from(ends[1]));
+            let within = Range::new(ends[0], ends[1]);
             let half = (within - y).size();
             let (value, slope) = (polynomial(terms, y).size(), polynomial(&slopes, y).size());
             let rest = left + Range::from(0.5) * bent * half * half;
-            let area = half * (value + value.most(slope * half)) + Range::from(2.0) * half * rest;
+            let area =
+                half * (value + value.most(&(slope * half))) + Range::from(2.0) * half * rest;
             area * (polynomial(&self.weight, within).size() + self.rest)
         };
-        (0..PARTS).map(part).fold(Range::from(0.0), |sum, area| sum + area)
+        (0..PARTS).map(part).sum()
     }
 }
 
 /// sum_j |a_j| b_j.
 pub(super) fn sizes(row: &[Range], bounds: &[Range]) -> Range {
-    let terms = row.iter().zip(bounds).map(|(entry, bound)| entry.size() * *bound);
-    terms.fold(Range::from(0.0), |sum, term| sum + term)
+    row.iter().zip(bounds).map(|(entry, bound)| entry.size() * *bound).sum()
 }
 
 /// Taylor coefficients of the sums of a row over phi, up to an order.
@@ -95,13 +96,9 @@ pub(super) fn polynomial(terms: &[Range], y: Range) -> Range {
 
 /// Its derivative.
 fn derivative(terms: &[Range]) -> Vec<Range> {
-    terms.iter().enumerate().skip(1).map(|(l, term)| *term * real(l)).collect()
+    terms.iter().enumerate().skip(1).map(|(l, term)| *term * integer(l)).collect()
 }
 
 fn of_size(terms: &[Range]) -> Vec<Range> {
     terms.iter().map(|term| term.size()).collect()
-}
-
-fn real(value: usize) -> Range {
-    Range::from(f64::from(u32::try_from(value).unwrap_or(u32::MAX)))
 }

@@ -4,7 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::form::Part;
 use crate::algebra::BigRational;
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
 
 /// Why an objective is not seen to hold over a cell.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,11 +49,11 @@ pub(super) fn unknown(part: &Part) -> Why {
 
 pub(super) fn below(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
     let why = Why::Exceeded(what, value.high(), bound.low());
-    if value.is_below(bound) { Ok(()) } else { Err(why) }
+    if value.is_below(&bound) { Ok(()) } else { Err(why) }
 }
 
 /// The same of two squares.
 pub(super) fn squares(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
     let why = Why::Exceeded(what, value.high().sqrt(), bound.low().max(0.0).sqrt());
-    if value.is_below(bound) { Ok(()) } else { Err(why) }
+    if value.is_below(&bound) { Ok(()) } else { Err(why) }
 }

@@ -1,7 +1,7 @@
 //! The time at which what falls from tau to 0 has a value, for mappings that are given by mu.
 
 use crate::algebra::BigRational;
-use crate::expression::interval::Interval;
+use crate::expression::enclosure::Interval;
 
 /// A time on a known side of the root, and about how far the logarithm of the value is off there.
 #[derive(Clone, Copy)]
@@ -23,7 +23,7 @@ pub(super) fn root(
     // 1 certainly before the root, -1 certainly behind it, 0 where that is not known.
     let mut side = |at: f64| {
         let value = value(&number(at)?)?;
-        let excess = value.plus(&target.neg());
+        let excess = value.minus(target);
         let side = i8::from(excess.is_positive()) - i8::from(excess.is_negative());
         Some((side, End { at, off: value.about()[0].ln() - goal }))
     };

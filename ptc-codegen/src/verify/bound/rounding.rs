@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{Signed, ToPrimitive};
 
-use crate::check::envelope::Interval;
+use crate::check::envelope::Computed;
 use crate::check::envelope::bounds::Bounds;
 use crate::expression::Function;
 use crate::parameter::Precision;
@@ -31,23 +31,18 @@ const MORE: f64 = 1.0 + 1e-14;
 #[derive(Clone, Copy)]
 struct Rounded {
     /// What holds the computed value.
-    value: Interval,
+    value: Computed,
     error: f64,
 }
 
 impl Rounded {
     fn size(self) -> f64 {
-        self.value.low.abs().max(self.value.high.abs())
+        self.value.range.size().high()
     }
 
     /// The least |v*|, or less than 0.
     fn least(self) -> f64 {
-        let computed = if self.value.holds_zero() {
-            0.0
-        } else {
-            self.value.low.abs().min(self.value.high.abs())
-        };
-        computed - self.error * MORE
+        self.value.range.size().low() - self.error * MORE
     }
 
     /// The greatest |v*|.
@@ -88,7 +83,7 @@ pub(super) fn error(
             // is at most 2 u of it. Either way two roundings of about T are left.
             _ if held.contains(&value) => 3.0 * units.roundoff * to_go,
             // t - t0, or tau - eps in its place: one rounding.
-            _ if elapsed == Some(value) => 2.0 * units.roundoff * own.high,
+            _ if elapsed == Some(value) => 2.0 * units.roundoff * own.range.high(),
             Op::Rows { tail, weights, fused } => {
                 let all = |values: &[Value]| values.iter().map(of).collect::<Option<Vec<_>>>();
                 let precision = program.precision;
@@ -120,8 +115,8 @@ pub(super) fn error(
 
 impl Units {
     /// The error of an operation with a computed result from `own`.
-    fn of(self, op: &Op, operands: &[Rounded], own: Interval) -> f64 {
-        let size = own.low.abs().max(own.high.abs());
+    fn of(self, op: &Op, operands: &[Rounded], own: Computed) -> f64 {
+        let size = own.range.size().high();
         let rounding = self.roundoff * size + self.subnormal;
         let error = match (op, operands) {
             (Op::Neg(_), [a]) => a.error,
@@ -163,7 +158,7 @@ fn slope(function: Function, a: Rounded) -> f64 {
     if a.error == 0.0 {
         return 0.0;
     }
-    let (low, high) = (a.value.low - a.error * MORE, a.value.high + a.error * MORE);
+    let (low, high) = (a.value.range.low() - a.error * MORE, a.value.range.high() + a.error * MORE);
     let most = a.most();
     let slope = match function {
         Function::Abs | Function::Sin | Function::Cos | Function::Atan | Function::Tanh => 1.0,
@@ -229,8 +224,8 @@ mod tests {
                 for (t, sign) in [(0.0, 1.0), (0.3, -1.0), (0.7, 1.0), (0.96, -1.0)] {
                     let t = f64::from(t as f32);
                     let point = |asked: Input| match asked {
-                        Input::Time => Interval::ANY,
-                        asked => Interval::point(input(asked, t, sign)),
+                        Input::Time => Computed::ANY,
+                        asked => Computed::point(input(asked, t, sign)),
                     };
                     let early = Bounds::new(&single, &point);
                     let mut bounds = early.at((1.0 - t) * (1.0 - 1e-6), (1.0 - t) * (1.0 + 1e-6));

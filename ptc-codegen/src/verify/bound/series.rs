@@ -1,7 +1,7 @@
 //! Taylor series of an expression whose coefficients are enclosed, by Taylor arithmetic.
 
-use crate::expression::enclosure::{Evaluator, Names};
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
+use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::{Expression, Function, Node, Variable};
 
 /// scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that those of a
@@ -20,7 +20,7 @@ pub(super) struct Arithmetic<'a> {
     pub(super) evaluator: &'a mut Evaluator,
 }
 
-fn integer(value: usize) -> Range {
+pub(super) fn integer(value: usize) -> Range {
     Range::from(f64::from(u32::try_from(value).unwrap_or(u32::MAX)))
 }
 
@@ -32,7 +32,7 @@ fn convolution(
     weight: &dyn Fn(usize) -> Range,
 ) -> Range {
     let term = |j: usize| weight(j) * (a[j] * b[k - j]);
-    range.map(term).fold(Range::from(0.0), |sum, term| sum + term)
+    range.map(term).sum()
 }
 
 fn one(_: usize) -> Range {

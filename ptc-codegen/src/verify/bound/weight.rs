@@ -5,8 +5,7 @@
 
 use super::clock::Clock;
 use crate::algebra::{BigRational, integer};
-use crate::expression::interval::Interval;
-use crate::expression::range::Range;
+use crate::expression::enclosure::{Interval, Range};
 
 /// Leaves of a run.
 const MOST: usize = 4000;
@@ -80,7 +79,7 @@ impl Weight {
     pub(super) fn over(&self, from: f64, to: f64) -> [Range; 3] {
         let last = self.at(to);
         let met = self.leaves[..=last].iter().rev().take_while(|leaf| leaf.to >= from);
-        let met = met.map(|leaf| leaf.over).reduce(|a, b| [0, 1, 2].map(|k| a[k].hull(b[k])));
+        let met = met.map(|leaf| leaf.over).reduce(|a, b| [0, 1, 2].map(|k| a[k].hull(&b[k])));
         met.unwrap_or([Range::WHOLE; 3])
     }
 
@@ -92,7 +91,7 @@ impl Weight {
             let length = Range::from(to.min(leaf.to)) - Range::from(from.max(leaf.from));
             length.size() * leaf.over[0]
         };
-        met.fold(Range::from(0.0), |sum, leaf| sum + one(leaf))
+        met.map(one).sum()
     }
 }
 
@@ -123,12 +122,8 @@ impl Span {
                 let mut cut = |share: &BigRational| Some(clock.stretched(share)?.about()[0]);
                 (to, from) = (cut(low)?, if *high == integer(1) { 0.0 } else { cut(high)? });
                 during = first.hull(&last);
-                let begin = match *high == integer(1) {
-                    true => 0.0,
-                    false => first.about()[1].next_up().next_up(),
-                };
-                holds =
-                    Range::from(begin).hull(Range::from(last.about()[0].next_down().next_down()));
+                let begin = if *high == integer(1) { 0.0 } else { Range::from(&first).high() };
+                holds = Range::from(begin).hull(&Range::from(Range::from(&last).low()));
                 let at = (low + high) / integer(2);
                 middle = clock.stretched(&at)?;
                 around = Interval::exact(&at);
@@ -138,10 +133,10 @@ impl Span {
                 [from, to] = *ends;
                 let more = BEYOND * (to - from);
                 let ends = [(from - more).max(0.0), to + more];
-                during = Interval::of_doubles(ends[0], ends[1]);
-                holds = Range::from(ends[0]).hull(Range::from(ends[1]));
+                during = Range::new(ends[0], ends[1]).into();
+                holds = Range::new(ends[0], ends[1]);
                 let at = 0.5 * from + 0.5 * to;
-                middle = Interval::of_doubles(at, at);
+                middle = Range::from(at).into();
                 // T/tau is not looked at where mu is given.
                 (around, share) = (Interval::integer(1), Interval::integer(1));
             }
@@ -152,8 +147,8 @@ impl Span {
         let middle = Range::from(&middle);
         let far = (Range::from(holds.high()) - middle)
             .size()
-            .most((middle - Range::from(holds.low())).size());
-        let rest = over * terms[ORDER] * far.power(i32::try_from(ORDER).ok()?);
+            .most(&(middle - Range::from(holds.low())).size());
+        let rest = over * terms[ORDER] * far.whole_power(i32::try_from(ORDER).ok()?);
         let rest = rest.both_signs();
         let closely = over.is_positive()
             && over.high() <= STEEP * over.low()

@@ -32,22 +32,22 @@ fn what_is_regular_by_more_than_roundings_is_shown_to_be() {
             (1e-2, 1e-2, Precision::F64, false),
         ] {
             let entries: Vec<_> =
-                leaning(m, off).iter().map(|a| Interval::new(a - width, a + width)).collect();
+                leaning(m, off).iter().map(|a| Computed::new(a - width, a + width)).collect();
             let found = Regular::of(&entries, precision);
             assert_eq!(found.is_ok(), wanted, "{m} {off} {width}: {found:?}");
         }
     }
-    let holes = [Interval::point(1.0), Interval::ANY, Interval::point(0.0), Interval::point(1.0)];
+    let holes = [Computed::point(1.0), Computed::ANY, Computed::point(0.0), Computed::point(1.0)];
     assert!(Regular::of(&holes, Precision::F64).is_err());
 }
 
 #[test]
 fn what_overflows_has_no_bounds() {
-    let one = [1.0, 0.0, 0.0, 1.0].map(|a| Interval::point(1e-20 * a));
+    let one = [1.0, 0.0, 0.0, 1.0].map(|a| Computed::point(1e-20 * a));
     let found = Regular::of(&one, Precision::F32).expect("regular");
-    assert!(found.solution(&[Interval::point(1e15); 2]).is_some());
-    assert_eq!(found.solution(&[Interval::point(1e20); 2]), None);
-    assert_eq!(found.solution(&[Interval::point(0.0), Interval::ANY]), None);
+    assert!(found.solution(&[Computed::point(1e15); 2]).is_some());
+    assert_eq!(found.solution(&[Computed::point(1e20); 2]), None);
+    assert_eq!(found.solution(&[Computed::point(0.0), Computed::ANY]), None);
 }
 
 proptest! {
@@ -73,16 +73,16 @@ proptest! {
         let (width, scale) = (10f64.powf(-width), 10f64.powf(scale));
         let to = |a: f64| settle(scale * a, precision);
         let entries: Vec<_> =
-            matrix.iter().map(|a| Interval::new(to(a - width), to(a + width))).collect();
+            matrix.iter().map(|a| Computed::new(to(a - width), to(a + width))).collect();
         let sides: Vec<_> =
-            right[..m].iter().map(|b| Interval::new(settle(b - 0.1, precision), settle(b + 0.1, precision))).collect();
+            right[..m].iter().map(|b| Computed::new(settle(b - 0.1, precision), settle(b + 0.1, precision))).collect();
         if let Ok(found) = Regular::of(&entries, precision) {
-            let within = |(x, share): (&Interval, &f64)| settle(x.low + share * (x.high - x.low), precision);
+            let within = |(x, share): (&Computed, &f64)| settle(x.range.low() + share * (x.range.high() - x.range.low()), precision);
             let a: Vec<_> = entries.iter().zip(&places).map(within).collect();
             let b: Vec<_> = sides.iter().zip(&places).map(within).collect();
             let bounds = found.solution(&sides).expect("no overflow");
             for (value, bound) in eliminate(&a, &b, precision).iter().zip(&bounds) {
-                prop_assert!(bound.low <= *value && *value <= bound.high, "{value} outside {bound:?}");
+                prop_assert!(bound.range.low() <= *value && *value <= bound.range.high(), "{value} outside {bound:?}");
             }
         }
     }

@@ -1,13 +1,13 @@
 //! Values of a program over a cell of states.
 
-use super::super::rounded::{Enclosure, Rounded, unit_roundoff};
-use crate::expression::range::Range;
+use super::super::rounded::{Rounded, StagedValues, unit_roundoff};
+use crate::expression::enclosure::Range;
 use crate::program::{Input, Program, Stage, Value};
 use crate::request::Spec;
 
 /// Values of a program, as the states and the control go over cells.
 pub(super) struct OnCells<'a> {
-    enclosure: Enclosure<'a>,
+    enclosure: StagedValues<'a>,
     values: Vec<Value>,
     /// How far each state may be from the cell.
     errors: &'a [f64],
@@ -23,7 +23,7 @@ impl<'a> OnCells<'a> {
         values: &[Value],
         errors: &'a [f64],
     ) -> Result<Self, String> {
-        let enclosure = Enclosure::new(program, values);
+        let enclosure = StagedValues::new(program, values);
         let mut enclosure = enclosure.ok_or("memory for constants is lacking")?;
         let early = |input: Input| match input {
             Input::Parameter(asked) => {
@@ -91,5 +91,5 @@ pub(super) fn divided(range: Range, parts: usize) -> Vec<Range> {
         i if i == parts => range.high(),
         i => range.low() + width * (i as f64 / parts as f64),
     };
-    (0..parts).map(|i| Range::from(at(i)).hull(Range::from(at(i + 1)))).collect()
+    (0..parts).map(|i| Range::from(at(i)).hull(&Range::from(at(i + 1)))).collect()
 }

@@ -1,7 +1,7 @@
 //! Whether states whose chain is within bounds stay within the envelope.
 
 use super::cell::{OnCells, divided};
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
 use crate::lower::plant;
 use crate::model::Model;
 use crate::program::passes;

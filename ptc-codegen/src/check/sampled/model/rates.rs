@@ -2,7 +2,7 @@
 
 use super::super::rounded::Rounded;
 use super::cell::{OnCells, cells, size};
-use crate::expression::range::Range;
+use crate::expression::enclosure::Range;
 use crate::expression::{Expression, Variable};
 use crate::lower::{at_sample, plant};
 use crate::model::Model;
@@ -109,7 +109,7 @@ impl<'a> Rates<'a> {
             let hull = left
                 .iter()
                 .cloned()
-                .reduce(|a, b| a.into_iter().zip(b).map(|(a, b)| a.hull(b)).collect());
+                .reduce(|a, b| a.into_iter().zip(b).map(|(a, b)| a.hull(&b)).collect());
             around = hull.ok_or("no state within x_max has a chain within its bounds")?;
         }
         Ok(left)

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use astro_float_num::Consts;
 
-use super::interval::Interval;
+use super::enclosure::Interval;
 use super::{Expression, Found, Function, Node};
 use crate::limits::ENCLOSURE;
 
@@ -109,7 +109,7 @@ impl Evaluator {
             Node::Parameter(_) | Node::Variable(_) => names.get(e)?.clone(),
             Node::Neg(a) => self.enclose(a, names)?.neg(),
             Node::Add(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?),
-            Node::Sub(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?.neg()),
+            Node::Sub(a, b) => self.enclose(a, names)?.minus(&self.enclose(b, names)?),
             Node::Mul(a, b) => self.enclose(a, names)?.times(&self.enclose(b, names)?),
             Node::Div(a, b) => {
                 let under = self.enclose(b, names)?;
@@ -151,7 +151,7 @@ impl Evaluator {
             () => Existence::Certain,
         });
         if !base.is_not_negative() {
-            return Some(Interval::whole());
+            return Some(Interval::WHOLE);
         }
         Some(base.power(&exponent, self.cache.as_mut()?))
     }
@@ -180,7 +180,7 @@ impl Evaluator {
                 (inside(partly, negative, inner.has_zero()), there)
             }
             Function::Atanh => {
-                let (over, under) = (one.plus(inner), one.plus(&inner.neg()));
+                let (over, under) = (one.plus(inner), one.minus(inner));
                 let partly = !over.is_not_negative() || !under.is_not_negative();
                 let outside = over.is_negative() || under.is_negative();
                 (inside(partly, outside, over.has_zero() || under.has_zero()), inner.clone())

@@ -2,8 +2,15 @@
 
 use astro_float_num::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode};
 
-use super::{BITS, DOWN, Interval, LONG, UP, below, is_tiny, small, two_to};
+use super::long::{LONG, small, two_to};
+use super::{End, Interval};
 use crate::expression::Function;
+
+/// Whether x is so small that sin x, atan x and e^x - 1 are x to within the margin of
+/// [`Interval::around`]; the library would take time with the size of its exponent.
+fn is_tiny(x: &BigFloat) -> bool {
+    x.exponent().is_some_and(|e| e < -70)
+}
 
 impl Interval {
     /// A function that grows, from its values at the ends.
@@ -13,7 +20,7 @@ impl Interval {
 
     /// The part of it from `low` to `high`; `None` if it is empty.
     fn within(&self, low: &BigFloat, high: &BigFloat) -> Option<Self> {
-        if below(&self.high, low) || below(high, &self.low) {
+        if self.high < *low || *high < self.low {
             return None;
         }
         Some(Self { low: self.low.max(low), high: self.high.min(high) })
@@ -21,18 +28,18 @@ impl Interval {
 
     fn exp(&self, cache: &mut Consts) -> Self {
         self.growing(&mut |x| match () {
-            () if below(x, &small(-2500)) => Self::new(small(0), two_to(-3500)),
-            () if below(&small(2500), x) => Self::new(two_to(3500), INF_POS),
+            () if *x < small(-2500) => Self::new(small(0), two_to(-3500)),
+            () if *x > small(2500) => Self::new(two_to(3500), INF_POS),
             () if is_tiny(x) => Self::around(small(1)),
             () => Self::around(x.exp(LONG, RoundingMode::None, cache)),
         })
     }
 
     fn ln(&self, cache: &mut Consts) -> Self {
-        let Some(there) = self.within(&small(0), &INF_POS) else { return Self::whole() };
+        let Some(there) = self.within(&small(0), &INF_POS) else { return Self::WHOLE };
         there.growing(&mut |x| match () {
-            () if x.is_zero() => Self::new(INF_NEG, INF_NEG),
-            () if x.is_inf() => Self::new(INF_POS, INF_POS),
+            () if x.is_zero() => Self::from(INF_NEG),
+            () if x.is_inf() => Self::from(INF_POS),
             () => Self::around(x.ln(LONG, RoundingMode::None, cache)),
         })
     }
@@ -51,33 +58,27 @@ impl Interval {
         let turns = self.over(&Self::pi(cache));
         let (first, last) = (turns.low.floor(), turns.high.floor());
         let mut value = self.growing(&mut |x| {
-            let value = if is_tiny(x) {
-                Self::around(small(1))
-            } else {
-                Self::around(x.cos(LONG, RoundingMode::None, cache))
-            };
-            let room = Self::new(two_to(-60).neg(), two_to(-60));
-            value.plus(&room)
+            let at = if is_tiny(x) { small(1) } else { x.cos(LONG, RoundingMode::None, cache) };
+            Self::around(at).plus(&Self::from(two_to(-60)).both_signs())
         });
-        let between = last.sub(&first, BITS, UP);
-        if below(&small(1), &between) {
+        let between = last.sum(&-&first, RoundingMode::Up);
+        if between > small(1) {
             return all;
         }
         if !between.is_zero() {
             // One multiple of pi lies inside: the extreme is 1 if it is an even one.
-            let half = last.div(&small(2), BITS, DOWN);
-            let even = half.floor().cmp(&half) == Some(0);
-            value = value.hull(&Self::integer(if even { 1 } else { -1 }));
+            let half = last.product(&two_to(-1), RoundingMode::Down);
+            value = value.hull(&Self::integer(if half.floor() == half { 1 } else { -1 }));
         }
         value.within(&small(-1), &small(1)).unwrap_or(all)
     }
 
     fn sin(&self, cache: &mut Consts) -> Self {
         let quarter = Self::pi(cache).over(&Self::integer(2));
-        let shifted = self.plus(&quarter.neg()).cos(cache);
+        let shifted = self.minus(&quarter).cos(cache);
         // Near 0 the shift loses digits that |sin x| <= |x| keeps.
         let bound = self.size().high;
-        if !below(&bound, &small(1)) {
+        if bound >= small(1) {
             return shifted;
         }
         self.growing(&mut |x| match () {
@@ -99,9 +100,9 @@ impl Interval {
                 Self::new(small(low), small(high))
             }
             Function::Sqrt => {
-                let Some(there) = self.within(&small(0), &INF_POS) else { return Self::whole() };
+                let Some(there) = self.within(&small(0), &INF_POS) else { return Self::WHOLE };
                 there.growing(&mut |x| match () {
-                    () if x.is_zero() || x.is_inf() => Self { low: x.clone(), high: x.clone() },
+                    () if x.is_zero() || x.is_inf() => Self::from(x.clone()),
                     () => Self::around(x.sqrt(LONG, RoundingMode::None)),
                 })
             }
@@ -119,32 +120,26 @@ impl Interval {
                 () if is_tiny(x) => Self::around(x.clone()),
                 () => Self::around(x.atan(LONG, RoundingMode::None, cache)),
             }),
-            Function::Sinh => {
-                let grown = |x: Self, cache: &mut Consts| {
-                    let e = x.exp(cache);
-                    e.plus(&e.reciprocal().neg()).over(&Self::integer(2))
-                };
-                self.growing(&mut |x| grown(Self { low: x.clone(), high: x.clone() }, cache))
-            }
-            Function::Cosh => {
-                let size = self.size();
-                size.growing(&mut |x| {
-                    let e = Self { low: x.clone(), high: x.clone() }.exp(cache);
-                    e.plus(&e.reciprocal()).over(&Self::integer(2)).most(&one)
-                })
-            }
+            Function::Sinh => self.growing(&mut |x| {
+                let e = Self::from(x.clone()).exp(cache);
+                e.minus(&e.reciprocal()).over(&Self::integer(2))
+            }),
+            Function::Cosh => self.size().growing(&mut |x| {
+                let e = Self::from(x.clone()).exp(cache);
+                e.plus(&e.reciprocal()).over(&Self::integer(2)).most(&one)
+            }),
             Function::Tanh => {
                 // 1 - 2/(1 + e^(2 x)) grows with x, and so its ends are those of e^(2 x).
                 let e = self.times(&Self::integer(2)).exp(cache);
-                one.plus(&Self::integer(2).over(&one.plus(&e)).neg())
+                one.minus(&Self::integer(2).over(&one.plus(&e)))
             }
             Function::Atanh => {
-                let Some(x) = self.within(&small(-1), &small(1)) else { return Self::whole() };
+                let Some(x) = self.within(&small(-1), &small(1)) else { return Self::WHOLE };
                 x.growing(&mut |x| {
-                    let x = Self { low: x.clone(), high: x.clone() };
-                    let (over, under) = (one.plus(&x), one.plus(&x.neg()));
+                    let x = Self::from(x.clone());
+                    let (over, under) = (one.plus(&x), one.minus(&x));
                     let (over, under) = (over.ln(cache), under.ln(cache));
-                    over.plus(&under.neg()).over(&Self::integer(2))
+                    over.minus(&under).over(&Self::integer(2))
                 })
             }
         }

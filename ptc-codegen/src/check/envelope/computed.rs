@@ -1,40 +1,39 @@
 //! Intervals that hold what a program computes, not what exact arithmetic would.
 
 use crate::expression::Function;
+use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
 use crate::program::{self, Op, number};
 
-/// Numbers between two bounds, and possibly infinities and NaN besides.
+/// Numbers within a range, and possibly infinities and NaN besides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interval {
-    /// Lower bound.
-    pub low: f64,
-    /// Upper bound.
-    pub high: f64,
+pub struct Computed {
+    pub(crate) range: Range,
     /// Whether the value may not be finite.
-    pub special: bool,
+    pub(crate) special: bool,
 }
 
 /// A number just below pi/2, up to which a tangent grows.
 const QUARTER: f64 = 1.57;
 
-impl Interval {
+impl From<Range> for Computed {
+    fn from(range: Range) -> Self {
+        Self { range, special: !range.is_bounded() }
+    }
+}
+
+impl Computed {
     /// Anything at all.
-    pub const ANY: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, special: true };
+    pub(crate) const ANY: Self = Self { range: Range::WHOLE, special: true };
 
-    /// The finite numbers from `low` to `high`.
-    pub fn new(low: f64, high: f64) -> Self {
-        Self { low, high, special: !(low.is_finite() && high.is_finite()) }
+    /// The numbers from `low` to `high`.
+    pub(crate) fn new(low: f64, high: f64) -> Self {
+        Self::from(Range::new(low, high))
     }
 
-    /// One finite number.
-    pub fn point(value: f64) -> Self {
+    /// One number.
+    pub(crate) fn point(value: f64) -> Self {
         Self::new(value, value)
-    }
-
-    /// Whether 0 lies in it.
-    pub fn holds_zero(self) -> bool {
-        self.low <= 0.0 && 0.0 <= self.high
     }
 }
 
@@ -45,26 +44,28 @@ impl Interval {
 /// turn at 0, and sines and cosines: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
 /// the program rounds bound what it computes, with nothing to add. The functions of a library are
 /// taken to be exact to two units in the last place.
-pub(crate) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Interval {
+pub(crate) fn apply(op: &Op, operands: &[Computed], precision: Precision) -> Computed {
     if matches!(op, Op::Input(_) | Op::Unknown | Op::Root(_) | Op::Law(_)) {
-        return Interval::ANY;
+        return Computed::ANY;
     }
     let mut operands = operands.to_vec();
     let mut special = operands.iter().any(|operand| operand.special);
     match (op, operands.as_mut_slice()) {
-        (Op::Div(..) | Op::Quotient(..), [_, divisor]) if divisor.holds_zero() => {
-            return Interval::ANY;
+        (Op::Div(..) | Op::Quotient(..), [_, divisor]) if divisor.range.has_zero() => {
+            return Computed::ANY;
         }
-        (Op::Call(Function::Ln, _) | Op::Pow(..), [a, ..]) if a.low <= 0.0 => return Interval::ANY,
-        (Op::Call(Function::Atanh, _), [a]) if a.low <= -1.0 || a.high >= 1.0 => {
-            return Interval::ANY;
+        (Op::Call(Function::Ln, _) | Op::Pow(..), [a, ..]) if !a.range.is_positive() => {
+            return Computed::ANY;
         }
-        (Op::Call(Function::Tan, _), [a]) if a.low <= -QUARTER || a.high >= QUARTER => {
-            return Interval::ANY;
+        (Op::Call(Function::Atanh, _), [a]) if !a.range.is_inside(&Range::new(-1.0, 1.0)) => {
+            return Computed::ANY;
         }
-        (Op::Call(Function::Sqrt, _), [a]) if a.high < 0.0 => return Interval::ANY,
-        (Op::Call(Function::Sqrt, _), [a]) if a.low < 0.0 => {
-            a.low = 0.0;
+        (Op::Call(Function::Tan, _), [a]) if !a.range.is_inside(&Range::new(-QUARTER, QUARTER)) => {
+            return Computed::ANY;
+        }
+        (Op::Call(Function::Sqrt, _), [a]) if a.range.is_negative() => return Computed::ANY,
+        (Op::Call(Function::Sqrt, _), [a]) if !a.range.is_not_negative() => {
+            a.range = a.range.most(&Range::from(0.0));
             special = true;
         }
         _ => {}
@@ -76,7 +77,7 @@ pub(crate) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Int
                 low = low.min(value);
                 high = high.max(value);
             }
-            _ => return Interval::ANY,
+            _ => return Computed::ANY,
         }
     }
     let exact = matches!(op, Op::Call(Function::Abs | Function::Sign | Function::Sqrt, _));
@@ -92,47 +93,40 @@ pub(crate) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Int
         low = if has_least { -1.0 } else { low.max(-1.0) };
         high = if has_most { 1.0 } else { high.min(1.0) };
     }
-    Interval { low, high, special: special || !low.is_finite() || !high.is_finite() }
+    let computed = Computed::new(low, high);
+    Computed { special: special || computed.special, ..computed }
 }
 
 /// Whether a sine or a cosine may have its least, and its greatest value within an interval.
-fn turns(function: Function, a: Interval) -> [bool; 2] {
+fn turns(function: Function, a: Computed) -> [bool; 2] {
     use std::f64::consts::{FRAC_PI_2, TAU};
     // Beyond it a turn in doubles has no digits left.
     const FAR: f64 = 1e6;
     let most = if function == Function::Sin { FRAC_PI_2 } else { 0.0 };
     [most - 0.5 * TAU, most].map(|turn| {
         // Far more than doubles of this size round.
-        let [first, last] = [(a.low - turn) / TAU - 1e-9, (a.high - turn) / TAU + 1e-9];
-        a.low < -FAR || a.high > FAR || first.ceil() <= last
+        let [first, last] = a.range.ends().map(|end| (end - turn) / TAU);
+        a.range.ends().iter().any(|end| end.abs() > FAR) || (first - 1e-9).ceil() <= last + 1e-9
     })
 }
 
 /// The points at which the extremes of `op` lie.
-fn corners(op: &Op, operands: &[Interval]) -> Vec<Vec<f64>> {
-    let turn = |a: &Interval| (a.low < 0.0 && 0.0 < a.high).then_some(0.0);
+fn corners(op: &Op, operands: &[Computed]) -> Vec<Vec<f64>> {
+    // The ends, and 0 between them.
+    let turns = |a: &Computed| a.range.ends().into_iter().chain(a.range.has_zero().then_some(0.0));
+    let ends = |a: &Computed| a.range.ends().into_iter();
     match (op, operands) {
         (Op::Call(Function::Abs | Function::Cosh, _) | Op::Power(..), [a]) => {
-            [a.low, a.high].into_iter().chain(turn(a)).map(|x| vec![x]).collect()
+            turns(a).map(|x| vec![x]).collect()
         }
-        (Op::Mul(a, b), [x, _]) if a == b => {
-            [x.low, x.high].into_iter().chain(turn(x)).map(|x| vec![x, x]).collect()
-        }
+        (Op::Mul(a, b), [x, _]) if a == b => turns(x).map(|x| vec![x, x]).collect(),
         (Op::Fused(a, b, _), [x, _, c]) if a == b => {
-            let squared = [x.low, x.high].into_iter().chain(turn(x));
-            squared.flat_map(|x| [vec![x, x, c.low], vec![x, x, c.high]]).collect()
+            turns(x).flat_map(|x| ends(c).map(move |c| vec![x, x, c])).collect()
         }
-        (Op::Fused(..), [a, b, c]) => {
-            let of = |a: f64, b: f64| [vec![a, b, c.low], vec![a, b, c.high]];
-            let pairs = |a: f64| [of(a, b.low), of(a, b.high)];
-            [pairs(a.low), pairs(a.high)].into_iter().flatten().flatten().collect()
-        }
-        (_, [a, b]) => {
-            let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
-            ends.map(|(a, b)| vec![a, b]).to_vec()
-        }
-        (_, [a]) => vec![vec![a.low], vec![a.high]],
-        _ => vec![Vec::new()],
+        (_, operands) => operands.iter().fold(vec![Vec::new()], |corners, operand| {
+            let with = |corner: &Vec<f64>, end| [&corner[..], &[end]].concat();
+            corners.iter().flat_map(|corner| ends(operand).map(|end| with(corner, end))).collect()
+        }),
     }
 }
 
@@ -146,12 +140,12 @@ fn down(value: f64, precision: Precision) -> f64 {
 }
 
 /// The numbers of `precision` nearest to `low` and `high` that hold both between them.
-pub(crate) fn outward(low: f64, high: f64, precision: Precision) -> Interval {
+pub(crate) fn outward(low: f64, high: f64, precision: Precision) -> Computed {
     let below = |value: f64| {
         let rounded = number::settle(value, precision);
         if rounded <= value { rounded } else { down(rounded, precision) }
     };
-    Interval::new(below(low), -below(-high))
+    Computed::new(below(low), -below(-high))
 }
 
 #[cfg(test)]
@@ -168,25 +162,25 @@ mod tests {
     const B: Value = Value(1);
     const C: Value = Value(2);
 
-    fn on(op: &Op, operands: &[(f64, f64)]) -> Interval {
-        let operands: Vec<_> = operands.iter().map(|(a, b)| Interval::new(*a, *b)).collect();
+    fn on(op: &Op, operands: &[(f64, f64)]) -> Computed {
+        let operands: Vec<_> = operands.iter().map(|(a, b)| Computed::new(*a, *b)).collect();
         apply(op, &operands, Precision::F64)
     }
 
     #[test]
     fn corners_and_turns() {
-        assert_eq!(on(&Op::Sub(A, B), &[(1.0, 2.0), (5.0, 7.0)]), Interval::new(-6.0, -3.0));
-        assert_eq!(on(&Op::Mul(A, B), &[(-1.0, 2.0), (-3.0, 5.0)]), Interval::new(-6.0, 10.0));
-        assert_eq!(on(&Op::Mul(A, A), &[(-1.0, 2.0), (-1.0, 2.0)]), Interval::new(0.0, 4.0));
+        assert_eq!(on(&Op::Sub(A, B), &[(1.0, 2.0), (5.0, 7.0)]), Computed::new(-6.0, -3.0));
+        assert_eq!(on(&Op::Mul(A, B), &[(-1.0, 2.0), (-3.0, 5.0)]), Computed::new(-6.0, 10.0));
+        assert_eq!(on(&Op::Mul(A, A), &[(-1.0, 2.0), (-1.0, 2.0)]), Computed::new(0.0, 4.0));
         let fused = [(-1.0, 2.0), (-3.0, 5.0), (-1.0, 0.5)];
-        assert_eq!(on(&Op::Fused(A, B, C), &fused), Interval::new(-7.0, 10.5));
+        assert_eq!(on(&Op::Fused(A, B, C), &fused), Computed::new(-7.0, 10.5));
         let square = [(-1.0, 2.0), (-1.0, 2.0), (-1.0, 0.5)];
-        assert_eq!(on(&Op::Fused(A, A, C), &square), Interval::new(-1.0, 4.5));
-        assert_eq!(on(&Op::Power(A, 2), &[(-3.0, 2.0)]), Interval::new(0.0, 9.0));
-        assert_eq!(on(&Op::Power(A, 3), &[(-3.0, 2.0)]), Interval::new(-27.0, 8.0));
-        assert_eq!(on(&Op::Call(Function::Abs, A), &[(-3.0, 2.0)]), Interval::new(0.0, 3.0));
-        assert_eq!(on(&Op::Min(A, B), &[(-3.0, 2.0), (0.0, 1.0)]), Interval::new(-3.0, 1.0));
-        assert_eq!(on(&Op::Number(integer(3)), &[]), Interval::point(3.0));
+        assert_eq!(on(&Op::Fused(A, A, C), &square), Computed::new(-1.0, 4.5));
+        assert_eq!(on(&Op::Power(A, 2), &[(-3.0, 2.0)]), Computed::new(0.0, 9.0));
+        assert_eq!(on(&Op::Power(A, 3), &[(-3.0, 2.0)]), Computed::new(-27.0, 8.0));
+        assert_eq!(on(&Op::Call(Function::Abs, A), &[(-3.0, 2.0)]), Computed::new(0.0, 3.0));
+        assert_eq!(on(&Op::Min(A, B), &[(-3.0, 2.0), (0.0, 1.0)]), Computed::new(-3.0, 1.0));
+        assert_eq!(on(&Op::Number(integer(3)), &[]), Computed::point(3.0));
     }
 
     #[test]
@@ -196,7 +190,7 @@ mod tests {
                 let at = |low: f64, high: f64| {
                     let by = std::f64::consts::TAU * turn + shift;
                     let found = on(&Op::Call(function, A), &[(low + by, high + by)]);
-                    [found.low, found.high]
+                    found.range.ends()
                 };
                 let close = |found: [f64; 2], least: f64, most: f64| {
                     let within = found[0] <= least + 1e-12 && most - 1e-12 <= found[1];
@@ -214,31 +208,32 @@ mod tests {
                 close(at(FRAC_PI_2, FRAC_PI_2), 1.0, 1.0);
             }
             let far = on(&Op::Call(function, A), &[(1e17, 1e17)]);
-            assert_eq!(far, Interval::new(-1.0, 1.0));
+            assert_eq!(far, Computed::new(-1.0, 1.0));
         }
     }
 
     #[test]
     fn outside_the_domain() {
-        assert_eq!(on(&Op::Div(A, B), &[(1.0, 2.0), (-1.0, 1.0)]), Interval::ANY);
-        assert_eq!(on(&Op::Call(Function::Ln, A), &[(0.0, 2.0)]), Interval::ANY);
+        assert_eq!(on(&Op::Div(A, B), &[(1.0, 2.0), (-1.0, 1.0)]), Computed::ANY);
+        assert_eq!(on(&Op::Call(Function::Ln, A), &[(0.0, 2.0)]), Computed::ANY);
         let root = on(&Op::Call(Function::Sqrt, A), &[(-1.0, 4.0)]);
-        assert_eq!(root, Interval { low: 0.0, high: 2.0, special: true });
+        assert_eq!(root, Computed { special: true, ..Computed::new(0.0, 2.0) });
         assert!(on(&Op::Call(Function::Exp, A), &[(0.0, 800.0)]).special);
-        let infinite = Interval::new(0.0, f64::INFINITY);
+        let infinite = Computed::new(0.0, f64::INFINITY);
         assert!(apply(&Op::Call(Function::Sin, A), &[infinite], Precision::F64).special);
-        let huge = Interval::new(0.0, 1e30);
+        let huge = Computed::new(0.0, 1e30);
         assert!(apply(&Op::Power(A, 2), &[huge], Precision::F32).special);
         assert!(!apply(&Op::Power(A, 2), &[huge], Precision::F64).special);
-        let never = Interval { special: true, ..huge };
+        let never = Computed { special: true, ..huge };
         assert!(apply(&Op::Neg(A), &[never], Precision::F64).special, "once lost, always lost");
     }
 
     #[test]
     fn ends_are_rounded_outward() {
         let tenth = outward(0.1, 0.1, Precision::F32);
-        assert!(tenth.low < 0.1 && 0.1 < tenth.high && tenth.high - tenth.low < 1e-8);
-        assert_eq!(outward(0.1, 0.1, Precision::F64), Interval::point(0.1));
+        let [low, high] = tenth.range.ends();
+        assert!(low < 0.1 && 0.1 < high && high - low < 1e-8);
+        assert_eq!(outward(0.1, 0.1, Precision::F64), Computed::point(0.1));
     }
 
     proptest! {
@@ -259,16 +254,16 @@ mod tests {
                     let draw = |(low, width, share): (f64, f64, f64)| {
                         let settle = |x| number::settle(x, precision);
                         let (low, high) = (settle(low), settle(low + width));
-                        (Interval::new(low, high), settle(low + share * (high - low)))
+                        (Computed::new(low, high), settle(low + share * (high - low)))
                     };
                     let own = op.operands().into_iter().map(|v| draw([a, b, c][v.0]));
                     let drawn: Vec<_> = own.collect();
                     let (boxes, points): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
                     let bound = apply(op, &boxes, precision);
                     let value = program::apply(op, &points, precision).expect("numbers");
+                    let [low, high] = bound.range.ends();
                     prop_assert!(
-                        (bound.low <= value && value <= bound.high)
-                            || (bound.special && !value.is_finite()),
+                        (low <= value && value <= high) || (bound.special && !value.is_finite()),
                         "{op:?} {boxes:?} {points:?}: {value} outside {bound:?}"
                     );
                 }
