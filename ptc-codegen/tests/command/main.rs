@@ -1,15 +1,12 @@
 //! The command as a user meets it: what it reads, prints, writes and refuses. Without the feature `lab`.
 #![cfg(feature = "cli")]
 
-mod bounds;
 mod cost;
 mod design_file;
 mod emit;
 mod environment;
 #[cfg(all(unix, feature = "lab"))]
 mod files;
-#[cfg(unix)]
-mod fmu;
 mod line;
 mod manual;
 #[cfg(unix)]

@@ -1,13 +1,17 @@
 //! Closed loops: emitted controllers of every kind of plant against exact solutions, and what runs loops behind the
-//! feature `lab`: simulations, campaigns, proofs, the search for a design. `cargo assure loops` runs it, optimised.
+//! feature `lab`: simulations, campaigns, proofs, the search for a design; FMUs, and the time that large designs take.
+//! `cargo assure loops` runs it, optimised.
 #![cfg(feature = "lab")]
 
+mod bounds;
 mod check;
 #[path = "../../../tests/support/command.rs"]
 mod command;
 mod design;
 mod digits;
 mod expanded;
+#[cfg(unix)]
+mod fmu;
 mod loop_of_linear;
 mod loop_of_model;
 mod loop_of_plant;
