@@ -11,14 +11,12 @@ use std::sync::LazyLock;
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
 use ptc_codegen::request::{Feedback, Spec};
-use support::goldens::{controllers, of_axes};
+use support::goldens::{FEW, controllers, of_axes};
 use support::{folder, run, rustc, write};
 
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
 
-/// The languages whose files are kept: those of every controller in C and Rust, and in the others
-/// those of an explicit family, an iterated one, one in single precision, one that latches its state,
-/// and one that calls functions of the user's.
+/// The languages whose files are kept: those of every controller in C and Rust, in the others those of a few.
 const LANGUAGES: [Language; 7] = [
     Language::C,
     Language::Rust,
@@ -28,8 +26,6 @@ const LANGUAGES: [Language; 7] = [
     Language::StructuredText,
     Language::PlcOpen,
 ];
-const FEW: [&str; 5] =
-    ["ptc_exp3", "ptc_exp_sum2", "ptc_exp3_f32", "ptc_own_law1_latched", "ptc_tanh3_extern"];
 
 fn is_kept(language: Language, spec: &Spec) -> bool {
     matches!(language, Language::C | Language::Rust) || FEW.contains(&spec.name().as_str())

@@ -5,14 +5,9 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use crate::support;
-use support::goldens::controllers;
+use support::goldens::{FEW, controllers};
 use support::in_samples;
 use support::specs::spec;
-
-/// Whose self-tests are looked at too: an explicit family, an iterated one, one in single precision, one that
-/// latches its state, and one that calls functions of the user's.
-const SELFTESTS: [&str; 5] =
-    ["ptc_exp3", "ptc_exp_sum2", "ptc_exp3_f32", "ptc_own_law1_latched", "ptc_tanh3_extern"];
 
 /// The files in a folder of generated/, by name.
 fn goldens(language: &str) -> Vec<(String, String)> {
@@ -33,7 +28,7 @@ fn goldens_in_rust_are_formatted() {
 /// In the style of .clang-format, as version 14 of the program reads it.
 #[test]
 fn c_and_cpp_are_formatted() {
-    let plain = controllers().into_iter().filter(|spec| SELFTESTS.contains(&&*spec.name()));
+    let plain = controllers().into_iter().filter(|spec| FEW.contains(&&*spec.name()));
     let one_law = spec(&[("n", "2"), ("axes", "2"), ("mu", "exp"), ("pi0", "extern")]);
     let selftests = plain.chain(in_samples::controllers()).chain([one_law]).flat_map(|spec| {
         let files = ptc_codegen::generate_selftest(&spec).expect("a self-test");

@@ -4,6 +4,11 @@ use ptc_codegen::request::Spec;
 
 use super::specs::{families, spec};
 
+/// A few of them: an explicit family, an iterated one, one in single precision, one that latches its state, and one that
+/// calls functions of the user's.
+pub const FEW: [&str; 5] =
+    ["ptc_exp3", "ptc_exp_sum2", "ptc_exp3_f32", "ptc_own_law1_latched", "ptc_tanh3_extern"];
+
 /// Every one of them.
 pub fn controllers() -> Vec<Spec> {
     let mut all: Vec<_> =

@@ -3,11 +3,10 @@
 
 use std::process::Command;
 
-use anyhow::{Context as _, Result};
-use serde_json::Value;
+use anyhow::Result;
 
 use crate::context::{Context, workspace};
-use crate::harness::command::{succeed, text};
+use crate::harness::command::succeed;
 use crate::layer::{Finding, Layer};
 use crate::tool::{GCC, GXX, PYTHON};
 
@@ -16,7 +15,8 @@ pub(super) const EMITTED: Layer = Layer {
     claim: "Emitted C and Rust give u of the reference vectors, agree with C++, Python and the interpreter \
             bit for bit, and give each status where it is due; the goldens run and are formatted.",
     tools: &[GCC, GXX, PYTHON],
-    run: emitted,
+    // With the generator that `cargo test` has built, which checks itself between its passes.
+    run: |context| suite(context, &["--workspace", "--test", "emitted"]),
 };
 
 pub(super) const LOOPS: Layer = Layer {
@@ -36,31 +36,10 @@ pub(super) const SESSIONS: Layer = Layer {
 
 const OPTIMISED: [&str; 5] = ["--release", "--package", "ptc-codegen", "--features", "lab"];
 
-/// With the generator that `cargo test` has built, which checks itself between its passes: a part of the tests alone
-/// would have its dependencies compiled with other options, and the generator with them.
-fn emitted(context: &Context) -> Result<Finding> {
-    let all = ["--workspace", "--lib", "--bins", "--test", "emitted"];
-    let built = text(cargo(context, &all).args(["--no-run", "--message-format", "json"]))?;
-    let told = built.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
-    let mut own = told.filter(|told| told["target"]["name"] == "emitted");
-    let program = own.find_map(|told| Some(told["executable"].as_str()?.to_owned()));
-    let program = program.context("cargo names no program of the tests")?;
-    counted(Command::new(program).current_dir(workspace()))
-}
-
 fn suite(context: &Context, target: &[&str]) -> Result<Finding> {
-    counted(&mut cargo(context, target))
-}
-
-fn cargo(context: &Context, arguments: &[&str]) -> Command {
     let mut cargo = Command::new("cargo");
-    cargo.arg("test").args(arguments).current_dir(workspace());
-    cargo.env("CARGO_TARGET_DIR", context.target());
-    cargo
-}
-
-fn counted(tests: &mut Command) -> Result<Finding> {
-    let output = succeed(tests)?;
+    cargo.arg("test").args(target).current_dir(workspace());
+    let output = succeed(cargo.env("CARGO_TARGET_DIR", context.target()))?;
     let printed = String::from_utf8_lossy(&output.stdout);
     let passed = printed.lines().filter_map(|line| line.strip_prefix("test result: ok. "));
     let counts = passed.filter_map(|line| line.split(' ').next()?.parse::<usize>().ok());

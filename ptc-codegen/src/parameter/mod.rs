@@ -37,6 +37,22 @@ impl Precision {
             Self::F64 => f64::MAX,
         }
     }
+
+    /// Its least positive number that has all digits.
+    pub(crate) fn least_normal(self) -> f64 {
+        match self {
+            Self::F32 => f64::from(f32::MIN_POSITIVE),
+            Self::F64 => f64::MIN_POSITIVE,
+        }
+    }
+
+    /// The distance from 1 to its next number.
+    pub(crate) fn epsilon(self) -> f64 {
+        match self {
+            Self::F32 => f64::from(f32::EPSILON),
+            Self::F64 => f64::EPSILON,
+        }
+    }
 }
 
 /// A parameter: left to run time, or fixed when the code is generated.

@@ -18,11 +18,7 @@ pub fn round(value: &BigRational, precision: Precision) -> f64 {
 /// Whether a number keeps its digits when it is rounded in `precision`; 0 loses none.
 pub fn is_normal(value: &BigRational, precision: Precision) -> bool {
     let rounded = round(value, precision);
-    let least = match precision {
-        Precision::F64 => f64::MIN_POSITIVE,
-        Precision::F32 => f64::from(f32::MIN_POSITIVE),
-    };
-    value.is_zero() || (rounded.is_finite() && rounded.abs() >= least)
+    value.is_zero() || (rounded.is_finite() && rounded.abs() >= precision.least_normal())
 }
 
 /// The float nearest to `value`. Rounding the double again may go wrong where the double lies on

@@ -124,10 +124,7 @@ impl<'a> Maker<'a> {
     ) -> Option<Wanted> {
         let spec = self.spec();
         let relative = tolerance::of(spec);
-        let last_place = match spec.precision {
-            Precision::F64 => f64::EPSILON,
-            Precision::F32 => f64::from(f32::EPSILON),
-        };
+        let last_place = spec.precision.epsilon();
         let allowed = match (expected.status, &expected.control) {
             (Status::Ok | Status::Hold, Some(control)) => {
                 // Beyond it the powers of which u consists may not all fit.

@@ -76,7 +76,7 @@ impl<'a> Bounds<'a> {
         if let Some((elapsed, tau)) = self.program.limits.elapsed {
             let tau = self.get(tau);
             // Time-to-go is known up to its own roundings, which near the deadline are those of tau.
-            let slack = 4.0 * super::epsilon(self.program.precision) * tau.range.high();
+            let slack = 4.0 * self.program.precision.epsilon() * tau.range.high();
             let (least, most) =
                 ((tau.range.low() - high - slack).max(0.0), tau.range.high() - low + slack);
             bounds.known[elapsed.0] = Some(outward(least, most, self.program.precision));

@@ -1,8 +1,8 @@
 //! Bounds of a value over cells of the inputs, for what one interval of each is too wide.
 //!
 //! The divisor 2 + 3 cos(q) sin(q) is far from 0 at every q, while its interval over a whole turn holds 0.
-//! A cell in which the domain of an operation may be left is halved in the input in which it is widest;
-//! where no such cell remains, the hull of the bounds is one of the value. So is one in which a matrix may be singular.
+//! A cell in which the domain of an operation may be left, or a matrix be singular, is halved in the input that helps
+//! most; where no such cell remains, the hull of the bounds is one of the value.
 
 use super::bounds::Bounds;
 use super::computed::Computed;

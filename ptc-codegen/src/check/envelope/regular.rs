@@ -21,7 +21,6 @@
 //! midpoint, weights 0 < w <= 1 and q < 1: then beta = max_k |R_k|/w_k/(1 - q).
 
 use super::computed::Computed;
-use super::epsilon;
 use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
 use crate::program::elimination::eliminate;
@@ -50,7 +49,7 @@ impl Regular {
         let m = entries.len().isqrt();
         let most = entries.iter().copied().map(size).fold(0.0, f64::max);
         let (growth, count) = (growth(m), count(m));
-        let (relative, absolute) = (epsilon(precision), least(precision));
+        let (relative, absolute) = (precision.epsilon(), precision.least_normal());
         let reach = 2.0 * growth * most * relative;
         let reach = (reach + absolute * (2.0 * count + growth * most)) * MORE;
         let Some(near) = inverse(entries, m) else { return Err(f64::INFINITY) };
@@ -85,17 +84,17 @@ impl Regular {
         }
         let wanted = right.iter().copied().map(size).fold(0.0, f64::max);
         let (growth, count) = (growth(m), count(m));
-        let (relative, absolute) = (epsilon(precision), least(precision));
+        let (relative, absolute) = (precision.epsilon(), precision.least_normal());
         let sides = wanted * (1.0 + 2.0 * growth * relative);
         let sides = sides + absolute * count * (4.0 * count + 2.0 + 2.0 * growth * most);
         let solution = inverse * sides * MORE + absolute;
         // Half of the range is more than the roundings of the sums.
-        let range = 0.5 * greatest(precision);
+        let range = 0.5 * precision.greatest();
         let sums = growth * (wanted + count * most * solution);
         if !(solution < range && sums < range && growth * most < range) {
             return None;
         }
-        let around = |size: f64| Computed::new(-size, size);
+        let around = |size: f64| Computed::from(Range::from(size).both_signs());
         let mut all = vec![around(solution); m];
         // A pivot of round k is one of its entries.
         let pivots = (0..m).scan(most, |pivot, _| Some(std::mem::replace(pivot, 2.0 * *pivot)));
@@ -117,20 +116,6 @@ fn growth(m: usize) -> f64 {
 
 fn count(m: usize) -> f64 {
     u32::try_from(m).map_or(f64::INFINITY, f64::from)
-}
-
-fn least(precision: Precision) -> f64 {
-    match precision {
-        Precision::F32 => f64::from(f32::MIN_POSITIVE),
-        Precision::F64 => f64::MIN_POSITIVE,
-    }
-}
-
-fn greatest(precision: Precision) -> f64 {
-    match precision {
-        Precision::F32 => f64::from(f32::MAX),
-        Precision::F64 => f64::MAX,
-    }
 }
 
 /// An approximate inverse of the midpoint, row by row.

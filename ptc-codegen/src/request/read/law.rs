@@ -124,7 +124,7 @@ impl<'a> Reader<'a> {
             spec.expressions().any(|e| e.any(&named))
         };
         let both = |e: &Expression| match e.variable() {
-            Some(Variable::R(k)) => Some(format!("r_{k}")).filter(is_parameter),
+            Some(r @ Variable::R(_)) => Some(r.to_string()).filter(is_parameter),
             _ => None,
         };
         let Some(name) = spec.laws().find_map(|law| law.first(&mut |e| both(e))) else { return };

@@ -85,9 +85,9 @@ impl Reader<'_> {
         let parts = (1..).zip(names).map(|(j, (name, _))| (*name, Variable::State(j)));
         // All outputs share the mapping.
         let highest = coupled.orders().into_iter().max().unwrap_or(0);
-        let rates =
-            (1..=highest).filter_map(|k| Some((Name::new(&format!("r_{k}"))?, Variable::R(k))));
-        let own: Vec<_> = parts.chain(rates).collect();
+        let derivatives = (1..=highest).map(Variable::R);
+        let derivatives = derivatives.filter_map(|r| Some((Name::new(&r.to_string())?, r)));
+        let own: Vec<_> = parts.chain(derivatives).collect();
         let scope = Scope { subject: Subject::Law, n: 0, known, own: &own };
         let law = resolve(node, scope, &mut self.found)?;
         if !self.gives_inputs(node, &law, &coupled.inputs) {
@@ -119,7 +119,7 @@ impl Reader<'_> {
 fn is_derivative(parameter: &Parameter) -> bool {
     let text = parameter.spelling();
     let index = text.strip_prefix("r_").and_then(|index| index.parse::<usize>().ok());
-    index.is_some_and(|k| text == format!("r_{k}"))
+    index.is_some_and(|k| text == Variable::R(k).to_string())
 }
 
 /// Whether a parameter has a stem of the parts of a plant, and then numbers alone.
