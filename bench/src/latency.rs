@@ -43,8 +43,8 @@ pub(crate) struct Latency {
     pub(crate) plain: Step,
     /// With `latency = true`.
     pub(crate) trees: Step,
-    /// Written by hand, where it is.
-    pub(crate) hand: Option<Step>,
+    /// Written by hand, where it is: with u by a pointer, and returned.
+    pub(crate) hand: Option<[Step; 2]>,
 }
 
 /// What a call takes.
@@ -83,9 +83,9 @@ pub(crate) fn measure() -> Result<Vec<Latency>> {
     let (mut objects, mut contestants) = (Vec::new(), Vec::new());
     contestants.extend(cases.iter().map(ours));
     for (_, kernel) in MAPPINGS {
-        let (object, contestant) = by_hand(kernel, &folder)?;
+        let (object, both) = by_hand(kernel, &folder)?;
         objects.push(object);
-        contestants.push(contestant);
+        contestants.extend(both);
     }
     let program = c::link(&driver(&cases, &contestants), &cases, &objects, &folder)?;
     let profile = callgrind::profile(&program, &["count"], &folder.join("callgrind"))?;
@@ -98,7 +98,10 @@ pub(crate) fn measure() -> Result<Vec<Latency>> {
     for (index, pair) in cases.chunks(2).enumerate() {
         let spec = &pair[0].spec;
         let hand = match spec.n {
-            BY_HAND => Some(step(cases.len() + index / ORDERS.len())?),
+            BY_HAND => {
+                let first = cases.len() + 2 * (index / ORDERS.len());
+                Some([step(first)?, step(first + 1)?])
+            }
             _ => None,
         };
         let family = MAPPINGS[index / ORDERS.len()].0.name().to_owned();
@@ -122,19 +125,31 @@ fn ours(case: &Case) -> Contestant {
     }
 }
 
-/// Writes and compiles the kernel of order 3 that is written by hand.
-fn by_hand(kernel: &str, folder: &Path) -> Result<(PathBuf, Contestant)> {
+/// Writes and compiles the kernel of order 3 that is written by hand. It returns u, and by a second function
+/// gives it where ours do, which return a status: by a pointer, so that the next call waits for memory.
+fn by_hand(kernel: &str, folder: &Path) -> Result<(PathBuf, [Contestant; 2])> {
     let source = folder.join(format!("hand_{kernel}.c"));
     let script = format!("import hand; print(hand.hand('{kernel}', {BY_HAND}))");
     let mut python = Command::new("python3");
     let text = run(python.args(["-c", &script]).current_dir(workspace().join("bench/peers")))?;
-    let symbol = format!("hand_{kernel}");
-    std::fs::write(&source, text.replace("ptc_u", &symbol))?;
+    let (given, returned) = (format!("hand_{kernel}_given"), format!("hand_{kernel}"));
+    let more = format!(
+        "void {given}(const double *x, double t, const double *k, double tau, double t0, double a, double *u)\n\
+         {{\n    *u = {returned}(x, t, k, tau, t0, a);\n}}\n"
+    );
+    std::fs::write(&source, text.replace("ptc_u", &returned) + &more)?;
     let object = source.with_extension("o");
     run(Command::new("gcc").args(c::FLAGS).arg("-c").arg(&source).arg("-o").arg(&object))?;
-    let gains = "static const double k[3] = { 2.5, 4.75, 1.25 };".to_owned();
-    let call = format!("u = {symbol}(X[i], t, k, 8.0, 0.5, 1.0)");
-    Ok((object, Contestant { symbol, set_up: gains, call }))
+    let contestant = |symbol: &String, call: String| Contestant {
+        symbol: symbol.clone(),
+        set_up: "static const double k[3] = { 2.5, 4.75, 1.25 };".to_owned(),
+        call,
+    };
+    let contestants = [
+        contestant(&given, format!("{given}(X[i], t, k, 8.0, 0.5, 1.0, &u)")),
+        contestant(&returned, format!("u = {returned}(X[i], t, k, 8.0, 0.5, 1.0)")),
+    ];
+    Ok((object, contestants))
 }
 
 /// The rounds of all contestants in turn; with an argument one round of few calls, for the profiler.
@@ -148,7 +163,7 @@ fn driver(cases: &[Case], contestants: &[Contestant]) -> String {
     for Contestant { symbol, .. } in &contestants[cases.len()..] {
         let _ = writeln!(
             text,
-            "double {symbol}(const double *, double, const double *, double, double, double);"
+            "void {symbol}(const double *, double, const double *, double, double, double, double *);"
         );
     }
     let _ = writeln!(

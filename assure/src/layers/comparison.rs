@@ -64,7 +64,7 @@ pub(super) fn controllers(context: &Context) -> Vec<Spec> {
             all.push(spec(&[keys, &[("name", &*name), ("precision", precision)][..]].concat()));
         }
     }
-    all
+    context.in_turn(all)
 }
 
 /// Compares a language with C.

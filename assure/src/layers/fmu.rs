@@ -64,7 +64,7 @@ fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("fmu");
     let python = python(context)?;
     let generator = generator()?;
-    let specs = context.families(context.order(4));
+    let specs = context.in_turn(context.families(context.order(4)));
     let programs = in_c(&folder, &specs);
     let records: Vec<_> = specs
         .iter()

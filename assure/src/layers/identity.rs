@@ -144,6 +144,7 @@ fn sides(folder: &Path, specs: &[Spec]) -> Vec<Side> {
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("identity");
     let specs = [context.families(context.order(4)), context.random(24)].concat();
+    let specs = context.in_turn(specs);
     let records: Vec<_> = specs
         .iter()
         .enumerate()

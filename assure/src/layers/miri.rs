@@ -41,7 +41,8 @@ pub(super) const LAYER: Layer = Layer {
 
 fn run(context: &Context) -> Result<Finding> {
     let home = context.scratch("miri");
-    let mut specs = [context.families(context.order(3)), context.random(30)].concat();
+    let specs = [context.families(context.order(3)), context.random(30)].concat();
+    let mut specs = context.in_turn(specs);
     specs.retain(|spec| spec.feedback != Feedback::Extern && spec.after != After::Extern);
     for (index, spec) in specs.iter().enumerate() {
         write(&empty(&home.join(format!("src/c{index}"))), spec, Language::Rust);

@@ -29,7 +29,14 @@ fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("samples"), &["mpmath>=1.3"])?;
     let command = generator()?;
     let mut finding = Finding::default();
-    for (what, page) in [("rest", PAGE), ("alone", PAGE), ("stage", PAGE), ("table", README)] {
+    // With the plant whose input gain is off by 1e-6, which has to be seen.
+    let all = vec![
+        ("rest", PAGE, Some("a plant with an input gain off by 1e-6")),
+        ("alone", PAGE, Some("an observer of a plant with an input gain off by 1e-6")),
+        ("stage", PAGE, None),
+        ("table", README, None),
+    ];
+    for (what, page, seed) in context.in_turn(all) {
         let output = measured(&python, &command, &[what])?;
         let printed = String::from_utf8_lossy(&output.stdout).into_owned();
         if !output.status.success() {
@@ -45,22 +52,18 @@ fn run(context: &Context) -> Result<Finding> {
             }
             _ => {}
         }
-    }
-    for (what, seed) in [
-        ("rest", "a plant with an input gain off by 1e-6"),
-        ("alone", "an observer of a plant with an input gain off by 1e-6"),
-    ] {
-        let wrong = measured(&python, &command, &[what, "--gain", "1.000001"])?;
-        let left = String::from_utf8_lossy(&wrong.stdout).lines().next().map(str::to_owned);
-        finding.seed(seed, left.filter(|_| !wrong.status.success()));
+        if let Some(seed) = seed {
+            let wrong = measured(&python, &command, &[what, "--gain", "1.000001"])?;
+            let left = String::from_utf8_lossy(&wrong.stdout).lines().next().map(str::to_owned);
+            finding.seed(seed, left.filter(|_| !wrong.status.success()));
+        }
     }
     let count = |table: &Table| -> usize {
         table.rows.iter().filter_map(|row| row[1].parse::<usize>().ok()).sum()
     };
+    let loops: usize = finding.tables.iter().map(count).sum();
     finding.summary = format!(
-        "{} loops end at rest and {} observers with the state, as far as doubles go",
-        count(&finding.tables[0]),
-        count(&finding.tables[1])
+        "{loops} loops end at rest, or with the state in the observer, as far as doubles go"
     );
     Ok(finding)
 }

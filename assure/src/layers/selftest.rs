@@ -61,6 +61,7 @@ fn run(context: &Context) -> Result<Finding> {
         context.random(20),
     ]
     .concat();
+    let specs = context.in_turn(specs);
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| -> Result<Told> {
         let folder = empty(&folder.join(index.to_string()));

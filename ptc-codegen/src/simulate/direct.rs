@@ -34,7 +34,7 @@ impl Direct {
 }
 
 impl Run<Direct> {
-    /// The same for many scenarios at once, where the loop is smooth and u has no bound.
+    /// The same for many scenarios at once, where the loop is smooth and u within its bound.
     pub fn in_lanes(&self) -> Option<DirectLanes> {
         let Direct { controller, motion } = self.side();
         DirectLanes::of(controller, controller.program(), motion.program())

@@ -6,7 +6,7 @@ use super::samples::{Changes, of_sample};
 use super::track::Track;
 use super::{Campaign, Kind, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
-use crate::parameter::{Parameter, Precision};
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::request::Spec;
 use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Sampled, Side};
 
@@ -106,7 +106,11 @@ impl Trial {
         let lanes = match &closed {
             // A lane integrates components that decay alike; what is accumulated does not decay.
             Closed::Theorem(sides) if integrals.is_empty() => {
-                InLanes::of_theorem((&sides.0, &sides.1), &observer, campaign)
+                // A run that comes near its bound of u is none of lanes.
+                let mut free = spec.clone();
+                free.fixed.insert(Parameter::UMax, Fixed::Infinite);
+                let infinite = Continuous::of(&free, &plant)?;
+                InLanes::of_theorem((&infinite, &sides.1), &observer, campaign)
             }
             Closed::Running(sampled) if !campaign.spec.has_model() => {
                 InLanes::of_running(sampled, &observer)

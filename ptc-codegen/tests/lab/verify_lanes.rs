@@ -132,12 +132,44 @@ fn lanes_agree_with_runs_by_themselves() {
 
 #[test]
 fn what_is_not_smooth_is_run_by_itself() {
-    for (from, to) in
-        [("gust -", "0.1*abs(x1) + gust -"), ("[plant]", "[params]\nu_max = 500\n[plant]")]
-    {
-        let text = design(2, "exp(a=1)", "-4, -5", "").replacen(from, to, 1);
-        assert_eq!(beside(&text, 3), (0.0, true), "{text}");
+    let text = design(2, "exp(a=1)", "-4, -5", "").replacen("gust -", "0.1*abs(x1) + gust -", 1);
+    assert_eq!(beside(&text, 3), (0.0, true), "{text}");
+}
+
+/// Below its bound u is what it is without one, bit by bit; a run that comes near the bound is one by itself.
+#[test]
+fn runs_within_their_bound_of_u_are_in_lanes() {
+    let (mut within, mut near) = (0, 0);
+    for (n, mu, poles, end) in [
+        (2, "exp(a=1)", "-4, -5", "1e-3"),
+        (3, "exp(a=1)", "-4, -5, -6", "1e-3"),
+        (3, "tanh(a=1)", "-4, -5, -6", "1e-3"),
+        (2, "rational(a=1)", "-4, -5", "1e-3"),
+        (4, "tan(a=1)", "-4, -5, -6, -7", "1e-2"),
+    ] {
+        let text = until(n, mu, poles, end);
+        let free = campaign(&text);
+        let settings = settings(&free, 24);
+        let all = Trial::new(&free).expect("a loop").run_all(&settings);
+        // |u| of the objective at its worst instant: the median as the bound halves the runs.
+        let peak = |outcome: &Outcome| 10.0 * (1.0 + outcome.excess[1]);
+        let mut peaks: Vec<_> = all.iter().map(peak).collect();
+        peaks.sort_by(f64::total_cmp);
+        let bound = peaks[12] / 0.95;
+        let bounded =
+            campaign(&text.replacen("[plant]", &format!("[params]\nu_max = {bound}\n[plant]"), 1));
+        let mut trial = Trial::new(&bounded).expect("a loop");
+        let settings = self::settings(&bounded, 24);
+        for ((setting, own), free) in settings.iter().zip(trial.run_all(&settings)).zip(&all) {
+            if peak(free) > 0.95 * bound * (1.0 + 1e-6) {
+                assert_eq!(bits(&own), bits(&trial.run(setting)), "{mu}, n = {n}");
+                near += 1;
+            } else if bits(&own) == bits(free) {
+                within += 1;
+            }
+        }
     }
+    assert!(within > 50 && near > 50, "{within} within, {near} near their bound");
 }
 
 /// Far apart poles, and much stretched time.
@@ -208,13 +240,13 @@ fn linear_loops_need_no_integration() {
     }
 }
 
-/// Gains that are held before the end, and a bound of u, are not part of a linear loop.
+/// What is clipped is not part of a linear loop: these runs meet their bound.
 #[test]
-fn what_is_held_or_clipped_is_run_otherwise() {
+fn what_is_clipped_is_run_by_itself() {
     let text = design(2, "exp(a=1)", "-4, -5", "")
         .replace("f = \"gust - damping*x2 + slip*u\"", "f = \"gust\"")
         .replace("damping = [0, 0.5]\nslip = [-0.2, 0.2]\n", "");
-    let clipped = text.replace("[plant]", "[params]\nu_max = 20\n[plant]");
+    let clipped = text.replace("[plant]", "[params]\nu_max = 0.1\n[plant]");
     assert_eq!(beside(&clipped, 3), (0.0, true), "{clipped}");
 }
 

@@ -17,6 +17,12 @@ const SETTLED: usize = 40;
 /// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
 const REFUSED: usize = 200;
 
+/// Places in a step at which u is held against its bound, and the part of the bound below which it then is
+/// within it between them too: a step is far shorter than the time in which u rises by so much and falls
+/// again.
+const PLACES: u8 = 4;
+const WITHIN: f64 = 0.95;
+
 /// Where a run is.
 #[derive(Clone, Copy, Debug)]
 struct Place {
@@ -216,6 +222,7 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
     fn step(&mut self, see: See<'_>) {
         let active: Which = self.places.map(|place| place.is_some());
         let Self { side, clock, method, end, .. } = self;
+        let from = method.flow().at;
         let moved =
             method.step(&active, end, &mut |share, y, again| side.last(&clock.at(share), y, again));
         if moved.contains(&true) {
@@ -233,9 +240,27 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
                 self.places[lane] = None;
             }
         }
+        self.drop_clipped(&moved, &from);
         self.look(&moved, see);
         for lane in (0..LANES).filter(|lane| !stays[*lane]) {
             self.leave(lane);
+        }
+    }
+
+    /// Gives up the runs whose u has come near its bound in the last step.
+    fn drop_clipped(&mut self, moved: &Which, from: &Pack) {
+        let Some(bound) = self.side.bound() else { return };
+        let to = self.method.flow().at;
+        for place in 0..=PLACES {
+            let part = f64::from(place) / f64::from(PLACES);
+            let at = Pack::of(|lane| from.0[lane] + part * (to.0[lane] - from.0[lane]));
+            self.method.within(&at, &mut self.seen);
+            let at = self.clock.at(&at.map(|at| (-at).exp()));
+            let (_, u) = self.side.tell(&at, &self.seen);
+            for lane in (0..LANES).filter(|lane| moved[*lane]) {
+                let is_free = u.0[lane].abs() <= WITHIN * bound.0[lane];
+                self.places[lane].take_if(|_| !is_free);
+            }
         }
     }
 

@@ -8,12 +8,13 @@ use crate::program::lanes::Pack;
 use crate::program::{Program, Value};
 use crate::simulate::{Controller, Failure, Values};
 
-/// The same loop as [`Direct`](crate::simulate::Direct), where u has no bound.
+/// The same loop as [`Direct`](crate::simulate::Direct), where u stays within its bound.
 #[derive(Clone, Debug)]
 pub struct DirectLanes {
     /// What `init` checks.
     controller: Controller,
     step: Value,
+    u_max: Option<Value>,
     law: Abreast,
     motion: Abreast,
     /// x_n'.
@@ -31,13 +32,13 @@ impl DirectLanes {
         (motion, of_motion): (&Program, &[Kink]),
     ) -> Option<Self> {
         let (n, rate) = (motion.watched.len(), *motion.watched.last()?);
-        if law.limits.u_max.is_some() {
-            return None;
-        }
+        let u_max = law.limits.u_max;
+        let outputs: Vec<_> = [law.step].into_iter().chain(u_max).collect();
         Some(Self {
             controller: controller.clone(),
             step: law.step,
-            law: Abreast::new(law, &[law.step], n)?,
+            u_max,
+            law: Abreast::new(law, &outputs, n)?,
             motion: Abreast::new(motion, &[rate], n)?,
             rate,
             kinks: [Kinks::of(law, of_law.to_vec())?, Kinks::of(motion, of_motion.to_vec())?],
@@ -106,5 +107,9 @@ impl LaneSide for DirectLanes {
         self.law.at(&at.t, state);
         self.x.copy_from_slice(state);
         (&self.x, self.law.lanes.get(self.step))
+    }
+
+    fn bound(&self) -> Option<Pack> {
+        self.u_max.map(|u_max| *self.law.lanes.get(u_max))
     }
 }

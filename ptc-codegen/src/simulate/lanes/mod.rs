@@ -126,6 +126,11 @@ pub trait LaneSide {
 
     /// The plant's state and the control.
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack);
+
+    /// What |u| has to stay below in each lane, for the run to be that without a bound.
+    fn bound(&self) -> Option<Pack> {
+        None
+    }
 }
 
 /// The accuracy of a step, as a part of what is asked for: that of the dense output, whose order is one

@@ -68,7 +68,9 @@ impl Exact {
         let settled = spec.parameters().iter().all(|own| is_free(own) || given(own));
         // The sums of f evaluate mu thousands of times, which costs more than the runs where it is iterated.
         let iterates = spec.is_iterated();
-        if !settled || iterates || campaign.drawn().is_some() || !scales(campaign) {
+        // Between the instants u may come to its bound.
+        let clips = spec.fixed.get(&Parameter::UMax).is_some_and(is_number);
+        if !settled || iterates || clips || campaign.drawn().is_some() || !scales(campaign) {
             return None;
         }
         let rate = unit_rate(&gains)?.to_f64()?;
