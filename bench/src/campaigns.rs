@@ -65,7 +65,11 @@ fn designs() -> Result<Vec<(String, String)>> {
         designs.push((format!("n = {n}"), text));
     }
     designs.push(("`sin(x1)` in f".to_owned(), with("gust -", "sin(x1) + gust -")));
-    designs.push(("`u_max = 500`".to_owned(), with("[plant]", "[params]\nu_max = 500\n\n[plant]")));
+    // No run comes near the first bound, and some to the second.
+    for bound in [5000, 500] {
+        let text = with("[plant]", &format!("[params]\nu_max = {bound}\n\n[plant]"));
+        designs.push((format!("`u_max = {bound}`"), text));
+    }
     let linear = example.replace(
         "f = \"gust - damping*x3 + slip*u\"\ndamping = [0, 0.5]\nslip = [-0.2, 0.2]",
         "f = \"gust\"",
