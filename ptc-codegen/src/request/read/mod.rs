@@ -246,7 +246,7 @@ impl<'a> Reader<'a> {
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
-        self.reference_exists(&spec);
+        self.reference_exists(&spec, samples);
         match samples {
             true if whole || spec.coupled.is_some() => {}
             true => self.sampled(&mut spec),
