@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 
 use model::Read;
 pub(crate) use parameters::known;
+pub(crate) use reference::derivatives;
 pub(crate) use values::items;
 use values::{count, shown, suggestion, whole};
 

@@ -172,7 +172,7 @@ fn kink(e: &Expression) -> Option<Expression> {
 }
 
 /// r and its derivatives up to that of order `n`, or the order of the first that is too large.
-fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
+pub(crate) fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
     bounded(|| {
         let parts: Vec<_> = needs(r).into_iter().map(|(part, _)| part).collect();
         let mut all = vec![r.clone()];

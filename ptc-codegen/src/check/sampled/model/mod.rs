@@ -23,6 +23,7 @@ use crate::model::Model;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::number::round;
 use crate::request::{After, Clock, PlantBounds, Promises, Spec, one_or_each};
+pub(super) use cell::divided;
 use rates::{Rates, Sizes};
 
 /// Rounds in which a force is widened until it is consistent with itself.
