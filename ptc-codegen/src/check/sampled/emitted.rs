@@ -142,7 +142,8 @@ impl<'a> Sample<'a> {
         k: usize,
     ) -> Option<Self> {
         let (precision, known) = (code.precision, kept.len() + sampled.measured);
-        let rates = code.fields.iter().map(|field| field.name.as_str()).filter(|name| is_rate(name));
+        let rates =
+            code.fields.iter().map(|field| field.name.as_str()).filter(|name| is_rate(name));
         let rates: Vec<_> = rates.collect();
         let terms = known + references + rates.len();
         let nothing = Rounded::of(Range::from(0.0));

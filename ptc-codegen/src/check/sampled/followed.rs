@@ -98,7 +98,8 @@ impl Followed {
     /// Bound of the size of what the kept estimate of x_j is in e: the prediction without an error ends at 0.
     /// `shares` are h^m/m!.
     pub(super) fn of_estimate(&self, j: usize, shares: &[f64]) -> f64 {
-        let terms = (j - 1..self.numbers.len()).map(|order| shares[order + 1 - j] * self.size(order));
+        let terms =
+            (j - 1..self.numbers.len()).map(|order| shares[order + 1 - j] * self.size(order));
         terms.sum::<f64>() * ROUNDED
     }
 }

@@ -36,7 +36,6 @@ impl Force {
     pub(super) fn signed(&self, row: &[f64]) -> f64 {
         along(row, &self.column)
     }
-
 }
 
 /// Two numbers between which is the most that any |f| <= 1 adds to what a row sees of a chain in a sample, and of

@@ -152,7 +152,7 @@ impl<'a> Loop<'a> {
             // The input that acted last counts less its rho.
             for _ in self.plant.moved..self.plant.n {
                 sampled.x0.pop();
-                sampled.kept.insert(0, moved.input);
+                sampled.kept.insert(0, moved.acting);
             }
             sampled.moved = Some(moved);
         }

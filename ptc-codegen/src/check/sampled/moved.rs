@@ -26,8 +26,9 @@ pub(super) struct Moved {
     rest: f64,
     /// What rho adds where the input gain is not that of the law.
     wrong: f64,
-    /// Bound of rho as an input.
+    /// Bound of rho as an input, and of what that is with the gain of the plant.
     pub(super) input: f64,
+    pub(super) acting: f64,
     /// How far each state of the plant may be between two samples from where the input alone brings it.
     pub(super) between: Vec<f64>,
 }
@@ -81,6 +82,7 @@ impl Moved {
             rest: followed.rest,
             wrong,
             input: (Range::from(rate) / known.size()).high(),
+            acting: (rate + wrong) * (1.0 + 1e-14),
             between: (1..=n).map(|state| beside * share(n - state) * (1.0 + 1e-14)).collect(),
         }
     }

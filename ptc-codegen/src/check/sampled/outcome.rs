@@ -79,7 +79,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
             Some(format!("{why}; with f = 0 and the g of the law"))
         }
         (_, Some(Reference::Input)) => {
-            Some("each call is given the reference, which is not known between the samples; with a constant r^(n) in each".to_owned())
+            Some(format!("{UNKNOWN}; with a constant r^(n) in each, and without rounding of r"))
         }
         _ => None,
     };
@@ -152,8 +152,12 @@ pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option
     }
 }
 
+/// Why nothing is proved of a reference that each call is given.
+pub(super) const UNKNOWN: &str =
+    "each call is given the reference, which is not known between the samples";
+
 /// What x and u are where the law follows a reference.
-fn followed(spec: &Spec) -> Option<String> {
+pub(super) fn followed(spec: &Spec) -> Option<String> {
     let u = match spec.reference.as_ref()? {
         Reference::Known(_) => "u is that of the plant",
         Reference::Input => "u is what the law adds to what follows r^(n)",
@@ -259,7 +263,11 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
     let others = [
         ("u_step", bound.actuator),
         (
-            if spec.model_in_samples().is_some() { "f + g u between samples" } else { "f" },
+            match (spec.model_in_samples(), &spec.reference) {
+                (None, _) => "f",
+                (Some(_), None) => "f + g u between samples",
+                (Some(_), Some(_)) => "f + g u and r^(n) between samples",
+            },
             bound.force,
         ),
         ("reference", bound.reference),

@@ -15,7 +15,9 @@ pub(crate) fn proved(spec: &Spec) -> Result<Worst, String> {
         return Err("`eps` is left to run time".to_owned());
     }
     if spec.reference.is_some() {
-        return Err("the law follows a reference, and the proof is of one that brings x to 0".to_owned());
+        return Err(
+            "the law follows a reference, and the proof is of one that brings x to 0".to_owned()
+        );
     }
     let number = |value: &Fixed| value.number().is_some_and(|value| *value != Default::default());
     if spec.promises.noise_rms.iter().any(number) {
