@@ -3,12 +3,13 @@
     python3 tools/samples.py table COMMAND   both laws side by side, by h/tau
     python3 tools/samples.py rest COMMAND    what is left of the state at sample N
     python3 tools/samples.py alone COMMAND   what an observer alone is off by at its sample N_o
+    python3 tools/samples.py follow COMMAND  what is left of the tracking error at sample N
     python3 tools/samples.py plants COMMAND  the same of random linear plants
     python3 tools/samples.py gains COMMAND   tests/data/sampled_plants.json: gains of linear plants, without COMMAND's help
     python3 tools/samples.py stage COMMAND   examples/encoder.toml with its encoder, by the gains held
 
 COMMAND is the path of ptc-codegen. Needs mpmath and a C compiler called cc.
-`rest` and `alone` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
+`rest`, `alone` and `follow` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
 plant that is not the controller's, and then at once.
 """
 
@@ -21,7 +22,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from mpmath import ceil, expm, factorial, gamma, lu_solve, matrix, mp, mpf, nstr, rgamma, zeros
+from mpmath import ceil, expm, factorial, gamma, lu_solve, matrix, mp, mpf, nstr, pi, rgamma, sin, zeros
 
 mp.dps = 120
 ROOM = 4096  # bytes for a controller, whatever its fields
@@ -79,13 +80,12 @@ class Controller(Emitted):
         if self.library.probe_init(self.state, block) != 0:
             raise ValueError(f"init refuses {parameters}")
 
-    def step(self, now, x):
-        """u from a tick (an integer) or a time (a float)."""
+    def step(self, now, x, r=()):
+        """u from a tick (an integer) or a time (a float), and the reference where it is given."""
         now = ctypes.c_uint32(now) if isinstance(now, int) else ctypes.c_double(now)
         u = ctypes.c_double()
-        status = self.library.probe_step(
-            self.state, now, (ctypes.c_double * len(x))(*map(float, x)), ctypes.byref(u)
-        )
+        given = [(ctypes.c_double * len(list))(*map(float, list)) for list in (x, r) if list]
+        status = self.library.probe_step(self.state, now, *given, ctypes.byref(u))
         if status < 0:
             raise ValueError(f"step({now}, {x}) gives {status}")
         return u.value
@@ -297,6 +297,55 @@ def alone(command, gain):
     return int(max(map(max, found.values())) > OFF)
 
 
+def followed(command, n, delay, h, samples, r, text=None, measured=None, force=0, gain="1"):
+    """|e_i| h^(i-1) at sample N, of the reference `text` with the derivatives r(i, t), which calls are given without it."""
+    order = n + int(ceil(mpf(delay)))
+    own = lambda count: ",".join(str(-count - 1 - i) for i in range(count))
+    flags = ["--n", str(n), "--mu", "exp(a=1)", "--clock", "samples", "--sample-time", h, "--delay", delay,
+             "--tau", nstr(samples * mpf(h), 30), f"--poles={own(order)}", "--reference", text or "input"]
+    if measured:
+        count = n + 1 - measured + (force != 0)
+        flags += ["--measured", ",".join(f"x{i + 1}" for i in range(measured)), f"--observer-poles={own(count)}",
+                  "--deadbeat", str(2 * (order + count)), *(["--disturbance", "constant"] if force else [])]
+    controller = Controller(command, *flags)
+    controller.init()
+    period = mpf(h)
+    chain = Chain(h, [mpf(1) / (i + 2) + r(i, mpf(0)) for i in range(n)], delay, force, gain=gain)
+    for k in range(samples):
+        now, acts = k * period, (k + mpf(delay)) * period
+        mean = (r(n - 1, acts + period) - r(n - 1, acts)) / period
+        given = [] if text else [*(r(i, now) for i in range(n)), mean]
+        chain.step(controller.step(k, chain.x[:measured], given))
+    return [abs(chain.x[i] - r(i, samples * period)) * period**i for i in range(n)]
+
+
+def follow(command, gain):
+    """Rows of Markdown: the most that is left of polynomials, and by how much less of a sine for half the period."""
+    found = {}
+    for n, delay in ((n, delay) for n in range(1, 4) for delay in ("0", "1", "2", "0.3", "1.75")):
+        def polynomial(i, t):
+            terms = range(i, n + 1)
+            return sum(mpf(j + 1) / (j + 2) * factorial(j) / factorial(j - i) * t ** (j - i) for j in terms)
+        text = "+".join(f"{j + 1}/{j + 2}*t^{j}" for j in range(n + 1))
+        for known, words in ((text, "known"), (None, "given with each call")):
+            for measured, force, group in ((None, 0, "all states"), (1, 0.25, "x1 and a force")):
+                left = followed(command, n, delay, "0.001", 200, polynomial, known, measured, force, gain)
+                found.setdefault(f"polynomial, {words}, {group}", []).append(max(left))
+    print("| reference | number | largest abs(e_i) h^(i-1) |\n| --- | --- | --- |")
+    for group, left in sorted(found.items()):
+        print(row(group, left))
+    sine = lambda i, t: 7**i * sin(7 * t + 1 + i * pi / 2)
+    print("\n| sine, n | e at h = 1 ms | e at 2 ms in parts of it |\n| --- | --- | --- |")
+    for n in range(1, 4):
+        coarse, fine = (followed(command, n, "0", h, samples, sine, "sin(7*t + 1)", gain=gain)
+                        for h, samples in (("0.002", 100), ("0.001", 200)))
+        fine = [e / mpf("0.001") ** i for i, e in enumerate(fine)]
+        coarse = [e / mpf("0.002") ** i for i, e in enumerate(coarse)]
+        print(f"| {n} | {', '.join(f'{float(e):.1e}' for e in fine)} |",
+              ", ".join(f"{float(a / b):.1f}" for a, b in zip(coarse, fine)), "|")
+    return int(max(map(max, found.values())) > mpf("1e-13"))
+
+
 def plant(rng, n, kind, h):
     """A and B of a random plant, of some `kind`, in coordinates that mix its modes."""
     a = [[0.0] * n for _ in range(n)]
@@ -468,7 +517,7 @@ def stage(command, _):
 
 
 if __name__ == "__main__":
-    commands = {"table": table, "rest": rest, "alone": alone, "plants": plants, "gains": gains, "stage": stage}
+    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "plants": plants, "gains": gains, "stage": stage}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("what", choices=commands)
     parser.add_argument("command", metavar="COMMAND")

@@ -104,7 +104,7 @@ fn calls(design: &Design, random: &mut Random) -> Vec<Call> {
         let mut k = start;
         for _ in 0..STEPS {
             let measured = design.measured();
-            let numbers = measured + usize::from(design.observes());
+            let numbers = measured + design.references() + usize::from(design.observes());
             let x = (0..numbers).map(|_| value(random, 9)).collect();
             calls.push(Call::Step(k, x));
             k = match random.below(8) {
@@ -174,7 +174,7 @@ fn every_language_gives_the_bits_of_the_interpreter() {
 fn structured_text_gives_the_bits_of_the_interpreter() {
     agree(
         "samples_structured_text",
-        &[1, 9, 15],
+        &[1, 9, 15, 20, 21],
         &[(Language::StructuredText, in_structured_text)],
     );
 }

@@ -81,3 +81,56 @@ fn a_model_that_is_not_linear_is_known_at_the_samples() {
     assert!(x[0].abs() < 1e-6 && x[1].abs() < 1e-4, "{x:?}");
     assert_eq!(spring.step(0, &[0.0, f64::INFINITY]), Err(Error::Input));
 }
+
+ptc::ptc_controller!(
+    name = Belt,
+    n = 2,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [-4, -5],
+    tau = 0.5,
+    sample_time = 1e-2,
+    u_max = inf,
+    reference = 0.3 + speed * t + t ^ 2
+);
+
+ptc::ptc_controller!(
+    name = Given,
+    n = 2,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [-4, -5],
+    tau = 0.5,
+    sample_time = 1e-2,
+    u_max = inf,
+    reference = input
+);
+
+/// A parabola, known and given with each call: met at sample 50, and followed from there on.
+#[test]
+fn a_reference_is_met_and_followed() {
+    let mut belt = Belt::new(BeltParams { speed: -0.5 }).expect("a finite speed");
+    let mut given = Given::new(GivenParams {}).expect("no parameter is left to run time");
+    let wanted = |t: f64| [0.3 - 0.5 * t + t * t, -0.5 + 2.0 * t, 2.0];
+    belt.arm(9);
+    given.arm(9);
+    let h = 1e-2;
+    let mut x = [[1.0, 0.0]; 2];
+    for k in 0..70_u32 {
+        let r = wanted(h * f64::from(k));
+        let u = [
+            belt.step(9 + k, &x[0]).expect("a control"),
+            given.step(9 + k, &x[1], &r).expect("a control"),
+        ];
+        if k >= 50 {
+            assert!(u.iter().all(|u| u.status == Status::Hold));
+            let off = |x: &[f64; 2]| (x[0] - r[0]).abs() + h * (x[1] - r[1]).abs();
+            assert!(x.iter().all(|x| off(x) < 1e-14), "{k}: {x:?} {r:?}");
+        }
+        for (x, u) in x.iter_mut().zip(u) {
+            *x = [x[0] + h * x[1] + h * h / 2.0 * u.u, x[1] + h * u.u];
+        }
+    }
+    let missing = given.step(0, &[0.0, 0.0], &[0.0, f64::NAN, 0.0]);
+    assert_eq!(missing, Err(Error::Input));
+}

@@ -1,5 +1,5 @@
 //! Controllers with a clock in samples, and observers alone, of every kind: chains, linear plants and models that
-//! are not linear, delays, observers, disturbances, what is fixed and what is not, both precisions, both guards.
+//! are not linear, delays, observers, disturbances, references, what is fixed and what is not, both precisions, both guards.
 
 use ptc_codegen::request::{Spec, What};
 
@@ -22,7 +22,7 @@ const MOTOR: [(&str, &str); 11] = [
     ("after_observer", "-90+20i,-90-20i,-100,-120"),
 ];
 
-const DESIGNS: [Keys; 20] = [
+const DESIGNS: [Keys; 23] = [
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
     &[
@@ -168,6 +168,37 @@ const DESIGNS: [Keys; 20] = [
         ("model.input", "V"),
         ("model.output", "q"),
         ("model.dynamics", "w, i/(1 + q^2) - w/4, 50*(V - 2*i - w)"),
+    ],
+    // References: given with each call, beside inputs under way and an observer; known; of a model.
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("reference", "input"),
+        ("delay", "1.25"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6"),
+        ("g", "0.5"),
+        ("f", "0.25"),
+    ],
+    &[
+        ("n", "3"),
+        ("mu", "exp(a=1)"),
+        ("reference", "size*dt^2/(1 + t^2)"),
+        ("precision", "f32"),
+        ("delay", "0.25"),
+        ("g", "2"),
+    ],
+    &[
+        ("mu", "exp(a=1)"),
+        ("poles", "-3,-4"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+        ("reference", "input"),
+        ("model.states", "q, w"),
+        ("model.input", "F"),
+        ("model.output", "q + q^3/6"),
+        ("model.dynamics", "w, F/(2 + q^2) - k*q^3 - 3*w"),
     ],
 ];
 

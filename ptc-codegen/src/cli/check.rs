@@ -110,7 +110,7 @@ fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
 const LOOP: &str = "loop";
 
 /// The worst case of each state at the deadline, by cause, and of x and u on the way. `final` is the
-/// sum of its causes; by `from_g`, `from_jitter` and `from_rounding` the true one may be more.
+/// sum of its causes; by `from_reference`, `from_g`, `from_jitter` and `from_rounding` the true one may be more.
 fn worst_case(worst: &Worst) -> serde_json::Value {
     let each = |part: &dyn Fn(&Bound) -> f64| worst.states.iter().map(part).collect::<Vec<_>>();
     json!({
@@ -122,6 +122,7 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
         "from_u_step": each(&|bound| bound.actuator),
         "from_f": each(&|bound| bound.force),
         "from_g": each(&|bound| bound.gain),
+        "from_reference": each(&|bound| bound.reference),
         "from_jitter": each(&|bound| bound.jitter),
         "from_rounding": each(&|bound| bound.rounding),
         "rms": each(&|bound| bound.rms),

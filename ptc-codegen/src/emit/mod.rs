@@ -14,6 +14,7 @@ mod declared;
 mod eva;
 mod example;
 pub mod fmu;
+mod followed;
 mod formulas;
 mod header;
 mod language;

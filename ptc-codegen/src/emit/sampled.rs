@@ -1,6 +1,6 @@
 //! The program of a controller in samples, with its head.
 
-use super::{Language, code, header, observed, plant};
+use super::{Language, code, followed, header, observed, plant};
 use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
@@ -24,7 +24,10 @@ pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
 pub(super) fn formulas(report: &Report) -> Vec<String> {
     let spec = &report.spec;
     match spec.sampled() {
-        Some(sampled) if spec.what != What::Observer => purpose(spec, sampled).to_vec(),
+        Some(sampled) if spec.what != What::Observer => {
+            let followed = followed::lines(spec, sampled);
+            purpose(spec, sampled).into_iter().chain(followed).collect()
+        }
         _ => Vec::new(),
     }
 }
@@ -63,7 +66,10 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     }));
     match alone {
         Some(observer) => rest.extend(observed::purpose(sampled, observer)),
-        None => rest.extend(purpose(spec, sampled)),
+        None => {
+            rest.extend(purpose(spec, sampled));
+            rest.extend(followed::lines(spec, sampled));
+        }
     }
     rest.push(String::new());
     rest.push("Parameters:".to_owned());
@@ -137,7 +143,11 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
         Some(Fixed::Infinite) => "u is not clipped.",
         _ => "|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it lasts.",
     }.to_owned());
-    lines.push(guard(spec, language, ["what is measured is", "measurements"]));
+    let given = match spec.references() {
+        0 => ["what is measured is", "measurements"],
+        _ => ["what is measured and the reference are", "measurements and references"],
+    };
+    lines.push(guard(spec, language, given));
     lines
 }
 

@@ -39,7 +39,7 @@ use crate::request::{After, Guard, Spec, What};
 
 pub(crate) use associated::Plant;
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
-pub use sampled::at_sample;
+pub use sampled::{at_sample, reference_at_sample};
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {

@@ -14,6 +14,7 @@ mod units;
 pub use axes::Axes;
 pub use poles::{Pole, PoleError, gains};
 pub use promises::{PlantBounds, Promises, one_or_each};
+pub(crate) use read::derivatives;
 pub use read::{Entry, read};
 pub(crate) use read::{items, known};
 pub use sampled::{Observer, Sampled};

@@ -38,6 +38,16 @@ impl Sampled {
         all
     }
 
+    /// The middle of the time in which the input of this sample acts, and of those of the inputs under way, the
+    /// latest first, in samples from now.
+    pub fn middles(&self) -> impl Iterator<Item = BigRational> {
+        let whole = |count: usize| BigRational::from_integer(count.into());
+        let half = BigRational::new(1.into(), 2.into());
+        let inputs = self.delay.inputs();
+        let latest = self.delay.part() + whole(inputs) - half;
+        (0..=inputs).map(move |age| &latest - whole(age))
+    }
+
     /// Whether there is an observer.
     pub fn observes(&self) -> bool {
         self.observer.is_some()

@@ -11,7 +11,7 @@ use crate::code::{
 };
 use crate::linear::Pair;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Guard, Sampled, Spec, What};
+use crate::request::{After, Guard, Reference, Sampled, Spec, What};
 
 /// The parts of the program while it is being put together.
 pub(super) struct Builder<'a> {
@@ -20,11 +20,14 @@ pub(super) struct Builder<'a> {
     pub(super) fields: Vec<Variable>,
     /// The value that `init` gives each field.
     pub(super) values: Vec<(String, Shape, Expr)>,
+    /// r^(n) over the time in which the latest input acts, and those under way; empty without a reference.
+    pub(super) rates: Vec<Expr>,
 }
 
 /// The controller of a spec whose clock is in samples, or its observer alone.
 pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
-    let mut builder = Builder { spec, sampled, fields: Vec::new(), values: Vec::new() };
+    let (fields, values, rates) = (Vec::new(), Vec::new(), Vec::new());
+    let mut builder = Builder { spec, sampled, fields, values, rates };
     let functions = builder.functions();
     Code {
         name: spec.name(),
@@ -132,9 +135,13 @@ impl Builder<'_> {
             }
             _ => "Starts again: the deadline is N samples after tick `k`.".to_owned(),
         };
+        let time = match self.spec.reference {
+            Some(Reference::Known(_)) => " The time of the reference counts from there.",
+            _ => "",
+        };
         Function {
             name: "arm",
-            about: format!("{starts}{kept}"),
+            about: format!("{starts}{time}{kept}"),
             owner: Owner::Controller,
             access: Access::Change,
             arguments: vec![Variable::new("k", Shape::Count, "tick")],
@@ -216,7 +223,8 @@ impl Builder<'_> {
         let (real, count) = (Shape::Real, Shape::Count);
         let mut model = self.spec.model.is_some().then(|| AtSample::new(self));
         let element = |j| Expr::Element(given.to_owned(), j);
-        let mut body: Vec<_> = self.finite((0..measured).map(element)).into_iter().collect();
+        let elements = (0..measured).map(element).chain(self.given_reference());
+        let mut body: Vec<_> = self.finite(elements).into_iter().collect();
         body.push(Self::elapsed(start));
         self.remember_inputs(1);
         if self.sampled.observes() {
@@ -235,6 +243,7 @@ impl Builder<'_> {
             let states = states.into_iter().zip(1..);
             body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
+        body.extend(self.follow());
         body.extend(self.law(samples));
         if let Some(model) = &mut model {
             let (before, v) = model.input(self);
@@ -256,6 +265,7 @@ impl Builder<'_> {
             };
             finish.give_all(std::slice::from_ref(&u));
             body.extend(self.shift_inputs(&u));
+            body.extend(self.shift_rates());
             if self.sampled.observes() {
                 body.extend(self.keep_estimates());
             }
@@ -267,15 +277,16 @@ impl Builder<'_> {
             false => "",
         };
         let what = self.given();
+        let reference = self.reference();
+        let beside = if reference.is_some() { ", and the reference" } else { "" };
+        let arguments =
+            [Variable::new("k", count, "tick"), Variable::new(given, Shape::Reals(measured), what)];
         Function {
             name: "step",
-            about: format!("u from tick `k`, which may wrap, and {what}. {about}"),
+            about: format!("u from tick `k`, which may wrap, and {what}{beside}. {about}"),
             owner: Owner::Controller,
             access: if changes { Access::Change } else { Access::Read },
-            arguments: vec![
-                Variable::new("k", count, "tick"),
-                Variable::new(given, Shape::Reals(measured), what),
-            ],
+            arguments: arguments.into_iter().chain(reference).collect(),
             callbacks: Vec::new(),
             results: vec![Variable::new("u", real, "input of the plant")],
             failures: match self.guarded() {

@@ -46,8 +46,11 @@ impl Builder<'_> {
         // The inputs under way as they act, with what is added to them.
         let inputs: Vec<Expr> = (0..order)
             .map(|j| match j.checked_sub(self.spec.n) {
-                None => Expr::local(format!("x{}", j + 1)),
-                Some(i) => Expr::field(format!("u{}", i + 1)).add(offset.clone()),
+                None => self.coordinate(j + 1),
+                Some(i) => {
+                    let under_way = Expr::field(format!("u{}", i + 1)).add(offset.clone());
+                    under_way.sub(self.rate(i + 1))
+                }
             })
             .collect();
         let weight = |this: &mut Self, name: String, number: Expr, j: usize| {
@@ -93,8 +96,11 @@ impl Builder<'_> {
         });
         // A model takes u from what the law wants.
         let name = if self.spec.model.is_some() { "w" } else { "v" };
-        let v =
-            |value: Expr| Statement::Set(Place::Local(name.to_owned()), value.sub(offset.clone()));
+        let rate = self.rate(0);
+        let v = |value: Expr| {
+            let value = value.sub(offset.clone()).add(rate.clone());
+            Statement::Set(Place::Local(name.to_owned()), value)
+        };
         known.push(v(horner.add(drifts)));
         statements.push(Statement::Variable(name.to_owned(), Shape::Real));
         let end = vec![Statement::Note("Deadbeat.".to_owned()), v(dead)];

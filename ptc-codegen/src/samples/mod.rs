@@ -15,7 +15,9 @@ mod feedback;
 mod model;
 mod observer;
 mod predicted;
+mod reference;
 mod rows;
+mod staged;
 mod start;
 
 pub use controller::controller;

@@ -4,48 +4,26 @@
 //! chain is w there, and w + (f + g u) - (f + g u at the sample) behind it: what is not held moves x_i by
 //! O(h^(n+2-i)) in a sample.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::controller::Builder;
-use crate::code::{Expr, Shape, Statement, parameter_name};
-use crate::internal::fault;
+use super::staged::Staged;
+use crate::code::{Expr, Shape, Statement};
 use crate::lower::at_sample;
-use crate::program::{Input, Op, Program, Stage, Value, passes};
 
 /// What is computed of the model so far.
-pub(super) struct AtSample {
-    program: Program,
-    /// Users of each value.
-    uses: BTreeMap<Value, usize>,
-    known: BTreeMap<Value, Expr>,
-    /// All that has been known, given away or not.
-    done: BTreeSet<Value>,
-    /// How many have a name of their own.
-    named: usize,
-}
+pub(super) struct AtSample(Staged);
 
 impl AtSample {
     /// Of the model of the builder's spec.
     pub(super) fn new(builder: &Builder<'_>) -> Self {
-        let program = passes::optimise(at_sample(builder.spec), &mut |_, _| {});
-        let mut uses: BTreeMap<_, usize> = BTreeMap::new();
-        let roots = || program.watched.iter().chain([&program.step]);
-        roots().for_each(|root| *uses.entry(*root).or_default() += 1);
-        for value in program.needed(&roots().copied().collect::<Vec<_>>()) {
-            let op = &program.get(value).op;
-            for operand in op.operands() {
-                *uses.entry(operand).or_default() += Expr::writes(op);
-            }
-        }
-        Self { program, uses, known: BTreeMap::new(), done: BTreeSet::new(), named: 0 }
+        let names = (1..=builder.spec.n).map(|j| format!("x{j}")).collect();
+        Self(Staged::new(at_sample(builder.spec), names, ["c", "v"]))
     }
 
     /// Statements that set x1..xn.
     pub(super) fn chain(&mut self, builder: &mut Builder<'_>) -> Vec<Statement> {
-        let roots = self.program.watched.clone();
-        let mut body = self.body(builder, &roots);
-        for (j, root) in (1..).zip(roots) {
-            let (name, value) = (format!("x{j}"), self.expression(root));
+        let (mut body, values) = self.0.watched(builder);
+        for (j, value) in (1..).zip(values) {
+            let name = format!("x{j}");
             if value != Expr::local(&name) {
                 body.push(Statement::Let(name, Shape::Real, value));
             }
@@ -55,71 +33,6 @@ impl AtSample {
 
     /// Statements before u, and u, from the local value w.
     pub(super) fn input(&mut self, builder: &mut Builder<'_>) -> (Vec<Statement>, Expr) {
-        let root = self.program.step;
-        (self.body(builder, &[root]), self.expression(root))
-    }
-
-    /// What stands for a value. That of the only user is given away: the terms of a sum would be copied
-    /// with each term that is added.
-    fn expression(&mut self, value: Value) -> Expr {
-        let known = match self.uses.get(&value) {
-            Some(1) => self.known.remove(&value),
-            _ => self.known.get(&value).cloned(),
-        };
-        known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
-    }
-
-    /// Statements of what `roots` need and is not known yet.
-    fn body(&mut self, builder: &mut Builder<'_>, roots: &[Value]) -> Vec<Statement> {
-        let mut body = Vec::new();
-        for value in self.program.needed(roots) {
-            if self.done.insert(value) {
-                let known = self.value(builder, value, &mut body);
-                self.known.insert(value, known);
-            }
-        }
-        body
-    }
-
-    fn value(
-        &mut self,
-        builder: &mut Builder<'_>,
-        value: Value,
-        body: &mut Vec<Statement>,
-    ) -> Expr {
-        let definition = self.program.get(value);
-        let (op, stage) = (definition.op.clone(), definition.stage);
-        let expression = match &op {
-            Op::Input(Input::State(j)) => Expr::Element("x".to_owned(), j - 1),
-            Op::Input(Input::Control) => return Expr::local("w"),
-            Op::Input(Input::Parameter(parameter)) => {
-                let given = builder.parameter(*parameter);
-                let name = parameter_name(*parameter);
-                return builder.keep(&name, parameter.meaning(), given);
-            }
-            Op::Number(number) => return Expr::Number(number.clone()),
-            op => Expr::of(op, &mut |operand| self.expression(*operand))
-                .unwrap_or_else(|| fault(format!("{op:?} of a model at a sample"))),
-        };
-        if stage <= Stage::Init {
-            self.named += 1;
-            return builder.keep(
-                &format!("c{}", self.named),
-                "derived from the parameters",
-                expression,
-            );
-        }
-        let name = match self.program.watched.iter().position(|watched| *watched == value) {
-            Some(place) => format!("x{}", place + 1),
-            None if self.uses.get(&value).is_some_and(|uses| *uses > 1)
-                && !matches!(op, Op::Input(_)) =>
-            {
-                self.named += 1;
-                format!("v{}", self.named)
-            }
-            None => return expression,
-        };
-        body.push(Statement::Let(name.clone(), Shape::Real, expression));
-        Expr::local(name)
+        self.0.step(builder)
     }
 }

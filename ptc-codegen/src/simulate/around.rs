@@ -82,6 +82,14 @@ impl Loop {
         })
     }
 
+    /// The time after t0, at most `until`, of the last sample at which the controller is armed; 0 where it is not
+    /// armed again.
+    pub fn last_armed(&self, until: f64) -> f64 {
+        let sample = |at: &f64| (at * (1.0 - SAME) / self.period).ceil() * self.period;
+        let within = |at: &f64| *at <= until * (1.0 + SAME);
+        self.arm_at.iter().map(sample).filter(within).fold(0.0, f64::max)
+    }
+
     /// Whether anything in it is drawn at each sample.
     pub fn is_drawn(&self) -> bool {
         let noise = self.noise.iter().chain(&self.noise_rms);

@@ -237,6 +237,14 @@ fn a_clock_in_samples_has_steps_of_a_sample() {
             _ => assert!(all.iter().any(|(name, a)| name == "Integer"
                 && a.get("start").is_some_and(|start| start == "1000"))),
         }
+        // A reference that each call is given is an input, as with a clock in time.
+        let follows = [&["--lang", lang][..], &design, &observer, &["--reference=input"]].concat();
+        written(&follows, &folder.join(lang));
+        let entries = self::entries(&folder.join(lang).join("stage.fmu"));
+        let all = elements(&text(&entries, "modelDescription.xml"));
+        let inputs = all.iter().filter(|(_, a)| a.get("causality").is_some_and(|c| c == "input"));
+        let names: Vec<_> = inputs.map(|(_, a)| a["name"].as_str()).collect();
+        assert_eq!(names, ["y1", "r0", "r1", "r2"]);
     }
 }
 

@@ -15,6 +15,7 @@ mod fmu;
 mod loop_of_linear;
 mod loop_of_model;
 mod loop_of_plant;
+mod loop_of_reference;
 mod models;
 mod references;
 mod report;

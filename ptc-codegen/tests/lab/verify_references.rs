@@ -21,6 +21,29 @@ fn instants(campaign: &Campaign, index: u64) -> Vec<Instant> {
     instants
 }
 
+/// In samples: the errors by hand, at samples and beside a force that is drawn.
+const IN_SAMPLES: &str = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\npoles = [-4, -5]\n\
+    reference = \"0.1*sin(2*t)\"\n[params]\ntau = 1\n[plant]\nf = \"gust\"\ngust = [-0.1, 0.1]\n[verify]\n\
+    x1 = [-0.3, 0.3]\nx2 = 0\nscenarios = 40\nseed = 7\n[[objective]]\nbound = \"within\"\n\
+    h = \"e1 - x1 + 0.1*sin(2*t)\"\nlow = -1e-12\nhigh = 1e-12\n[[objective]]\nbound = \"within\"\n\
+    h = \"e2 - x2 + 0.2*cos(2*t)\"\nlow = -1e-12\nhigh = 1e-12\n[[objective]]\nbound = \"attractive\"\nerror = 0.01\n";
+
+#[test]
+fn a_loop_in_samples_follows() {
+    let campaign = campaign(IN_SAMPLES);
+    let mut trial = Trial::new(&campaign).expect("a trial");
+    for index in 0..40 {
+        let outcome = trial.run(&campaign.setting(&campaign.scenario(index)));
+        assert!(outcome.excess.iter().all(|excess| *excess < 0.0), "{outcome:?}");
+    }
+    for proof in proved(&campaign) {
+        assert!(matches!(proof, Proof::NotProved { why } if why.contains("follows a reference")));
+    }
+    let started = IN_SAMPLES.replace("x2 = 0\n", "x2 = 0\nt0 = [0, 1]\n");
+    let refused = verify::read_with_plant(&entries(&started), &support::spec(&started));
+    assert!(refused.is_err_and(|found| found[0].message.contains("t0 has no meaning")));
+}
+
 /// A chain of order 1 with `exp` and a pole at -4: e = e0 s^4, s = T/tau.
 const CHAIN: &str = "n = 1\nmu = \"exp(a=1)\"\npoles = [-4]\ng = 2\nreference = \"sin(w*t) + 0.3*t\"\n\
     [params]\nw = 3\n[plant]\nf = 0\n[verify]\nx1 = [-1, 1]\ntau = [0.5, 2]\nt0 = [0, 3]\nw = [1, 4]\n\

@@ -19,9 +19,9 @@ def show(value):
     value = float(value)
     return "nan" if math.isnan(value) else struct.pack(">d", value).hex()
 designs = []
-for folder, name, kind, real, layout, given in DESIGNS:
+for folder, name, kind, real, layout, given, measured in DESIGNS:
     sys.path.insert(0, folder)
-    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given))
+    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given, measured))
 held = [None] * len(designs)
 count = 0
 for line in sys.stdin:
@@ -29,7 +29,7 @@ for line in sys.stdin:
     count += 1
     if word == "D":
         at = int(rest[0])
-        module, kind, real, layout, given = designs[at]
+        module, kind, real, layout, given, measured = designs[at]
     elif word == "I":
         values, params = [number(one) for one in rest], {}
         for name, length in layout:
@@ -56,7 +56,8 @@ for line in sys.stdin:
             status, values = held[at].update(k, given_now[:-1], given_now[-1]), []
             assert type(status) is module.Status, (module, type(status))
         else:
-            u, status = held[at].step(k, given_now)
+            x, r = given_now[:measured], given_now[measured:]
+            u, status = held[at].step(k, x, *([r] if r else []))
             assert type(u) is real, (module, type(u))
             values = [u]
         for name in given:
@@ -98,8 +99,12 @@ fn in_interpreter(
         let given: Vec<_> = design.given().map(|(f, _)| format!("\"{}\"", f.name)).collect();
         let (home, name, kind) = (design.folder.display(), &design.code.name, design.kind());
         let (layout, given) = (layout.join(", "), given.join(", "));
-        writeln!(table, "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}]),")
-            .expect("a string");
+        let measured = design.measured();
+        writeln!(
+            table,
+            "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}], {measured}),"
+        )
+        .expect("a string");
     }
     let source = folder.join("driver.py");
     fs::write(&source, format!("DESIGNS = [\n{table}]\n{text}")).expect("Python");
@@ -124,8 +129,8 @@ def called(at, **inputs):
     memory.update(inputs)
     unit.execute(memory)
     return memory
-units, held, layouts, givens, reals, inputs, observes = [], [], [], [], [], [], []
-for folder, name, kind, real, layout, given in DESIGNS:
+units, held, layouts, givens, reals, inputs, observes, counts = [], [], [], [], [], [], [], []
+for folder, name, kind, real, layout, given, measured in DESIGNS:
     with open(f"{folder}/{name}.st") as file:
         unit = Library(file.read()).units[name]
     units.append(unit)
@@ -135,6 +140,7 @@ for folder, name, kind, real, layout, given in DESIGNS:
     reals.append(getattr(np, real))
     inputs.append("y" if "y" in unit.kinds else "x")
     observes.append(kind.endswith("Observer"))
+    counts.append(measured)
 for line in sys.stdin:
     word, *rest = line.split()
     if word == "D":
@@ -161,7 +167,8 @@ for line in sys.stdin:
         continue
     numbers = [real(number(one)) for one in rest[1:]]
     last = {"u": numbers.pop()} if observes[at] else {}
-    memory = called(at, k=k, **{inputs[at]: numbers}, **last)
+    x, r = numbers[:counts[at]], numbers[counts[at]:]
+    memory = called(at, k=k, **{inputs[at]: x}, **({"r": r} if r else {}), **last)
     values = [] if observes[at] else [memory["u"]]
     for name in givens[at]:
         value = memory[name]
@@ -220,10 +227,14 @@ function drive(designs)
                 x = cellfun(@hex2num, words(3:end));
                 if strcmp(d.call, 'update')
                     [status, self{at}] = step(self{at}, k, x(1:end - 1), x(end));
-                elseif d.changes
-                    [u, status, self{at}] = step(self{at}, k, x);
                 else
-                    [u, status] = step(self{at}, k, x);
+                    given_now = {x(1:d.measured)};
+                    if numel(x) > d.measured given_now{2} = x(d.measured + 1:end); end
+                    if d.changes
+                        [u, status, self{at}] = step(self{at}, k, given_now{:});
+                    else
+                        [u, status] = step(self{at}, k, given_now{:});
+                    end
                 end
                 if ~isa(status, 'int32') error('types'); end
                 text = sprintf('S %d', status);
@@ -261,7 +272,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
         writeln!(
             table,
             "designs{{{}}} = struct('folder', '{}', 'name', '{}', 'real', '{real}', 'names', {{{{{}}}}}, \
-             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'call', '{}');",
+             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'call', '{}', 'measured', {});",
             i + 1,
             design.folder.display(),
             design.code.name,
@@ -269,7 +280,8 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
             lengths.join(", "),
             given.join(", "),
             u8::from(changes),
-            step.name
+            step.name,
+            design.measured()
         )
         .expect("a string");
     }

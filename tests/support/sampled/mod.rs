@@ -33,7 +33,8 @@ pub(crate) struct Design {
     pub(crate) folder: PathBuf,
 }
 
-/// What is done with a controller. An observer is given u behind what is measured.
+/// What is done with a controller. Behind what is measured an observer is given u, and a controller that follows
+/// one its reference.
 #[derive(Clone, Debug)]
 pub(crate) enum Call {
     Init(Vec<f64>),
@@ -63,11 +64,18 @@ impl Design {
 
     /// How many measured values a step is given.
     pub(crate) fn measured(&self) -> usize {
-        let lengths = self.called().arguments.iter().filter_map(|a| match a.shape {
-            Shape::Reals(length) => Some(length),
-            _ => None,
-        });
-        lengths.sum()
+        self.given_to("x") + self.given_to("y")
+    }
+
+    /// How many numbers of a reference it is given behind these.
+    pub(crate) fn references(&self) -> usize {
+        self.given_to("r")
+    }
+
+    /// The length of an array that a step is given; 0 where it is not.
+    fn given_to(&self, argument: &str) -> usize {
+        let found = self.called().arguments.iter().find(|a| a.name == argument);
+        found.and_then(|a| a.shape.length()).unwrap_or(0)
     }
 
     /// What it gives beside u, with the lengths of arrays.
@@ -113,8 +121,8 @@ impl Design {
                 }
                 (Call::Step(k, x), Some(instance)) => {
                     let (k, x) = ([f64::from(*k)], x.as_slice());
-                    let (y, last) = x.split_at(self.measured());
-                    let given = [("k", &k[..]), ("x", y), ("y", y), ("u", last)];
+                    let (y, behind) = x.split_at(self.measured());
+                    let given = [("k", &k[..]), ("x", y), ("y", y), ("r", behind), ("u", behind)];
                     let outcome = instance.call(self.called().name, &given);
                     let mut line = format!("S {}", outcome.status.number());
                     if !self.observes() {

@@ -75,13 +75,21 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 ),
             })
             .collect();
-        let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let mut read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let r = match design.references() {
+            0 => "",
+            count => {
+                write!(read, "{real} r[{count}]; ").expect("a string");
+                read.extend((0..count).map(|j| format!("r[{j}] = ({real})number(); ")));
+                "r, "
+            }
+        };
         let step = match design.observes() {
             true => format!(
                 "{real} u = ({real})number(); printf(\"S %d\", (int){name}_update(&self{i}, k, x, u));"
             ),
             false => format!(
-                "{real} u = 77; printf(\"S %d\", (int){name}_step(&self{i}, k, x, &u)); show((double)u);"
+                "{real} u = 77; printf(\"S %d\", (int){name}_step(&self{i}, k, x, {r}&u)); show((double)u);"
             ),
         };
         write!(
@@ -131,13 +139,21 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 None => format!("show(double(self{i}.{}())); ", function.name),
             })
             .collect();
-        let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let mut read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let r = match design.references() {
+            0 => "",
+            count => {
+                write!(read, "std::array<{real}, {count}> r{{}}; ").expect("a string");
+                read.extend((0..count).map(|j| format!("r[{j}] = ({real})number(); ")));
+                ", r"
+            }
+        };
         let step = match design.observes() {
             true => format!(
                 "const auto u = static_cast<{real}>(number()); printf(\"S %d\", static_cast<int>(self{i}.update(k, x, u)));"
             ),
             false => format!(
-                "const auto r = self{i}.step(k, x); printf(\"S %d\", static_cast<int>(r.status)); show(double(r.u));"
+                "const auto c = self{i}.step(k, x{r}); printf(\"S %d\", static_cast<int>(c.status)); show(double(c.u));"
             ),
         };
         write!(

@@ -85,14 +85,16 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
                 None => format!("show(f64::from(this.{}())); ", function.name),
             })
             .collect();
-        let x = (0..m).map(value).collect::<Vec<_>>().join(", ");
+        let list = |count| (0..count).map(value).collect::<Vec<_>>().join(", ");
+        let (x, r) = (list(m), design.references());
+        let r = if r > 0 { format!(", &[{}]", list(r)) } else { String::new() };
         let step = match design.observes() {
             true => format!(
                 "let y = [{x}]; let u = {}; let status = outcome!({name}, this.update(k, &y, u)).map_or_else(|e| e, |s| status!({name}, s)); print!(\"S {{status}}\");",
                 value(0)
             ),
             false => format!(
-                "let (status, u) = outcome!({name}, this.step(k, &[{x}])).map_or_else(|e| (e, 0.0), |c| (status!({name}, c.status), f64::from(c.u))); print!(\"S {{status}}\"); show(u);"
+                "let (status, u) = outcome!({name}, this.step(k, &[{x}]{r})).map_or_else(|e| (e, 0.0), |c| (status!({name}, c.status), f64::from(c.u))); print!(\"S {{status}}\"); show(u);"
             ),
         };
         let path = design.folder.join(format!("{name}.rs"));

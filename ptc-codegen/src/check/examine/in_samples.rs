@@ -3,13 +3,13 @@
 use super::Report;
 use super::growth::check_growth;
 use super::guard::{best_eps, choose_eps};
-use super::{membership, of_chain};
+use super::{membership, of_chain, of_error};
 use crate::check::Outcome;
 use crate::check::sampled::{self, Worst};
 use crate::check::zeros;
 use crate::keys::CHECKS;
 use crate::parameter::Parameter;
-use crate::request::{Clock, Spec, What};
+use crate::request::{Clock, Reference, Spec, What};
 
 /// The checks of a controller in samples. Its loop is exact at any period, so what looks for the
 /// error of a period has nothing to say.
@@ -31,9 +31,11 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
     let (growth, _) = check_growth(&continuous);
     let held = spec.model_in_samples().is_some();
     let exact = |name| {
-        let reason = match held {
-            true => "`loop` bounds what the period leaves of a model that is not linear",
-            false => "the law is exact in samples, at any period",
+        let moves = spec.reference.as_ref().is_some_and(Reference::moves);
+        let reason = match (held, moves) {
+            (true, _) => "`loop` bounds what the period leaves of a model that is not linear",
+            (false, true) => "`loop` bounds what the period leaves of a reference that moves",
+            (false, false) => "the law is exact in samples, at any period",
         };
         Outcome::not_checked(name, reason)
     };
@@ -50,7 +52,7 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
     let mut outcomes = vec![
         membership(&continuous),
-        of_chain(&continuous, growth),
+        of_error(&continuous, of_chain(&continuous, growth)),
         exact("sampling"),
         exact("deadline"),
         looped,

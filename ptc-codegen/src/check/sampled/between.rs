@@ -84,7 +84,9 @@ impl Sampled {
                 *most = most.max(inner + rest);
             }
         }
-        most.iter().enumerate().map(|(i, most)| most + self.of_switches(i, k, trust)).collect()
+        let beside = |i: usize| self.moved.as_ref().map_or(0.0, |moved| moved.between[i]);
+        let own = |(i, most): (usize, &f64)| most + self.of_switches(i, k, trust) + beside(i);
+        most.iter().enumerate().map(own).collect()
     }
 
     /// A sum over x and the input that acts.

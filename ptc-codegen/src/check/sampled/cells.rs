@@ -71,7 +71,7 @@ impl Loop<'_> {
                 open.extend(cell.halves());
                 continue;
             }
-            if way && self.spec.after == After::Hold {
+            if way && self.spec.after == After::Hold && self.followed.is_none() {
                 worst.after = reach.and_then(|reach| sampled.afterwards(self.samples, &reach));
             }
             all = Some(match all {
@@ -130,7 +130,7 @@ impl Loop<'_> {
         let states =
             states.ok_or("an error of one sample may grow without a bound that is found")?;
         let way = if way { sampled.way(self.samples, reach) } else { None };
-        let reached = states.iter().map(|bound| bound.attained() - bound.rounding).collect();
+        let reached = states.iter().map(|b| b.attained() - b.reference - b.rounding).collect();
         Ok(Worst { states, reached, samples: self.samples, way, after: None })
     }
 }

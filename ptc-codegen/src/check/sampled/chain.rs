@@ -63,6 +63,9 @@ pub(super) struct Step {
     pub(super) matrix: Matrix,
     pub(super) columns: Vec<Vec<Near>>,
     pub(super) u: Row,
+    /// What rounding of a reference that is not part of the states adds to each of them at most, and to u.
+    pub(super) lost: Vec<Near>,
+    pub(super) lost_of_u: f64,
 }
 
 /// The unit of a state relative to u, in which all states have the same scale.
@@ -277,7 +280,8 @@ impl Chain {
             errors: all().map(|(_, error)| *error).collect(),
         };
         let column = |l: usize| rows.iter().map(|row| row.of_cause[l]).collect();
-        Step { matrix, columns: (0..causes).map(column).collect(), u: u.clone() }
+        let columns = (0..causes).map(column).collect();
+        Step { matrix, columns, u: u.clone(), lost: Vec::new(), lost_of_u: 0.0 }
     }
 }
 

@@ -7,12 +7,15 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+use num_traits::ToPrimitive;
+
 use super::chain::{Chain, Near, Row, Step, Unit, centre};
+use super::followed::Followed;
 use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
 use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
 use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
-use crate::request::{After, Sampled, Spec};
+use crate::request::{After, Reference, Sampled, Spec};
 
 /// What a name holds at one sample.
 #[derive(Clone, Debug)]
@@ -20,20 +23,26 @@ enum Held {
     Count(u32),
     /// The same at every state.
     Known(Rounded),
-    /// A sum over what is kept and what is measured.
+    /// A sum over what is kept, what is measured, and the reference.
     Linear(Vec<Rounded>),
 }
 
-/// The `samples` of the loop of a controller, where the input that acts is kept, and the units of
-/// what it keeps; `None` if a value is not enclosed.
+/// Samples of a loop, where the input that acts is kept, and of what a controller keeps the unit and how large it
+/// may be at the start.
+pub(super) type Steps = (Vec<Step>, Option<usize>, Vec<(Unit, f64)>);
+
+/// The `samples` of the loop of a controller; `None` if a value is not enclosed.
 pub(super) fn steps(
     spec: &Spec,
     sampled: &Sampled,
     chain: &Chain,
+    followed: Option<&Followed>,
     samples: RangeInclusive<usize>,
-) -> Option<(Vec<Step>, Option<usize>, Vec<Unit>)> {
-    // What follows the deadline is no part of the law before it.
-    let spec = &Spec { after: After::Hold, ..spec.clone() };
+) -> Option<Steps> {
+    // What follows the deadline is no part of the law before it, and how the reference comes about none of what
+    // is done with it.
+    let reference = spec.reference.as_ref().map(|_| Reference::Input);
+    let spec = &Spec { after: After::Hold, reference, ..spec.clone() };
     let code = crate::samples::controller(spec, sampled, Vec::new());
     let kept: Vec<_> = kept(&code).collect();
     let acting = format!("u{}", chain.delay);
@@ -42,14 +51,16 @@ pub(super) fn steps(
         let state = name.strip_prefix('x').and_then(|name| name.split('_').next()?.parse().ok());
         state.map_or(Unit::Power(0), |j: usize| chain.unit(j))
     };
-    let units = kept.iter().map(unit).collect();
+    let terms = followed.map(|followed| moved(followed, &kept, sampled, &chain.shares));
+    let start = |at: usize| terms.as_ref().map_or(0.0, |terms| terms[at].0);
+    let units = kept.iter().enumerate().map(|(at, name)| (unit(&name), start(at))).collect();
     let mut steps = Vec::with_capacity(samples.clone().count());
     for k in samples {
-        let mut sample = Sample::new(&code, &kept, sampled.measured, k, k > 0)?;
+        let mut sample = Sample::new(&code, &kept, (sampled, spec.references()), k)?;
         sample.block(&code.init)?;
         sample.block(&code.function("step")?.body)?;
-        let u = sample.end(&code.function("step")?.finish)?;
-        let u = sample.row(&u, chain, true)?;
+        let control = sample.end(&code.function("step")?.finish)?;
+        let u = sample.row(&control, chain, true)?;
         let rows: Option<Vec<_>> = kept
             .iter()
             .map(|name| match sample.fields.get(*name)? {
@@ -57,7 +68,15 @@ pub(super) fn steps(
                 held => sample.row(&held.clone(), chain, false),
             })
             .collect();
-        steps.push(chain.step(&u, &rows?, acting));
+        let mut step = chain.step(&u, &rows?, acting);
+        if let Some(terms) = &terms {
+            step.lost_of_u = lost(&control, terms);
+            let of_u = if acting.is_none() { step.lost_of_u } else { 0.0 };
+            let plant = chain.input.iter().map(|(b, error)| (b.abs() + error) * of_u);
+            let rows = kept.iter().map(|name| lost(&sample.fields[*name], terms));
+            step.lost = plant.chain(rows).map(|own| (own, 0.0)).collect();
+        }
+        steps.push(step);
     }
     Some((steps, acting, units))
 }
@@ -65,10 +84,42 @@ pub(super) fn steps(
 /// The numbers that the controller changes from sample to sample.
 fn kept(code: &Code) -> impl Iterator<Item = &str> {
     let body = code.function("step").map(|step| step.body.as_slice()).unwrap_or_default();
-    body.iter().filter_map(|statement| match statement {
+    let all = body.iter().filter_map(|statement| match statement {
         Statement::Set(Place::Field(name), Expr::Local(_) | Expr::Field(_)) => Some(name.as_str()),
         _ => None,
-    })
+    });
+    all.filter(|name| !is_rate(name))
+}
+
+/// Whether a field is rho of an input under way.
+fn is_rate(name: &str) -> bool {
+    name.starts_with("rho")
+}
+
+/// How far each term of a sum is from what it is in e, with inputs that count less rho; for a number of the
+/// reference, how large it is, and how far it may be off.
+fn moved(followed: &Followed, kept: &[&str], own: &Sampled, shares: &[f64]) -> Vec<Near> {
+    let n = followed.numbers.len() - 1;
+    let gain = own.gain.to_f64().unwrap_or(0.0).abs();
+    let of_kept = |name: &&str| match name.strip_prefix('x').and_then(|rest| rest.split_once('_')) {
+        Some((j, _)) => (followed.of_estimate(j.parse().unwrap_or(1), shares), 0.0),
+        None if name.starts_with('u') => (followed.size(n) / gain * (1.0 + 1e-14), 0.0),
+        None => (0.0, 0.0),
+    };
+    let measured = (0..own.measured).map(|order| (followed.size(order), 0.0));
+    let under_way = vec![followed.numbers[n]; own.delay.inputs()];
+    let reference = followed.numbers.iter().copied().chain(under_way);
+    kept.iter().map(of_kept).chain(measured).chain(reference).collect()
+}
+
+/// What rounding makes of the terms of a sum that are not 0 in e, and what is off in them. The terms themselves
+/// cancel: the program is linear, and the law one of e.
+fn lost(value: &Held, moved: &[Near]) -> f64 {
+    let Held::Linear(sum) = value else { return 0.0 };
+    let part = |(term, (size, off)): (&Rounded, &Near)| {
+        term.error * (size + off) + (term.exact.size().high() + term.error) * off
+    };
+    sum.iter().zip(moved).map(part).sum::<f64>() * (1.0 + 1e-12)
 }
 
 /// One call of `step`.
@@ -80,17 +131,21 @@ struct Sample<'a> {
     fields: BTreeMap<&'a str, Held>,
     locals: BTreeMap<&'a str, Held>,
     measured: Vec<Held>,
+    reference: Vec<Held>,
 }
 
 impl<'a> Sample<'a> {
     fn new(
         code: &'a Code,
         kept: &[&'a str],
-        measured: usize,
+        (sampled, references): (&Sampled, usize),
         k: usize,
-        seen: bool,
     ) -> Option<Self> {
-        let (precision, terms) = (code.precision, kept.len() + measured);
+        let (precision, known) = (code.precision, kept.len() + sampled.measured);
+        let rates =
+            code.fields.iter().map(|field| field.name.as_str()).filter(|name| is_rate(name));
+        let rates: Vec<_> = rates.collect();
+        let terms = known + references + rates.len();
         let nothing = Rounded::of(Range::from(0.0));
         let unit = |at: usize, error: f64| {
             let mut sum = vec![nothing; terms];
@@ -101,13 +156,17 @@ impl<'a> Sample<'a> {
         locals.insert("k", Held::Count(u32::try_from(k).ok()?));
         // A measurement is rounded as it is handed over.
         let rounding = unit_roundoff(precision);
-        let measured = (0..measured).map(|j| unit(kept.len() + j, rounding)).collect();
+        let measured = (kept.len()..known).map(|at| unit(at, rounding)).collect();
+        let reference = (known..known + references).map(|at| unit(at, 0.0)).collect();
         let mut fields = BTreeMap::new();
         for (at, name) in kept.iter().enumerate() {
             fields.insert(*name, unit(at, 0.0));
         }
-        fields.insert("seen", Held::Count(u32::from(seen)));
-        Some(Self { precision, terms, kept: kept.len(), fields, locals, measured })
+        for (at, name) in (known + references..).zip(rates) {
+            fields.insert(name, unit(at, 0.0));
+        }
+        fields.insert("seen", Held::Count(u32::from(k > 0)));
+        Some(Self { precision, terms, kept: kept.len(), fields, locals, measured, reference })
     }
 
     /// A value over the states x_1..x_n and what is kept, and over the causes.
@@ -124,7 +183,7 @@ impl<'a> Sample<'a> {
             return None;
         }
         let measured = |j: usize| near.get(self.kept + j).copied().unwrap_or((0.0, 0.0));
-        let states = chain.of_states(&near[self.kept..]);
+        let states = chain.of_states(&near[self.kept..self.kept + self.measured.len()]);
         let of_state = states.into_iter().chain(near[..self.kept].iter().copied()).collect();
         let actuator = if acts { 1.0 } else { 0.0 };
         let of_cause = (0..chain.sensors()).map(measured).chain([(actuator, 0.0)]).collect();
@@ -223,6 +282,7 @@ impl<'a> Sample<'a> {
         match name {
             Expr::Local(name) => self.locals.get(name.as_str()),
             Expr::Field(name) => self.fields.get(name.as_str()),
+            Expr::Element(name, index) if name == "r" => self.reference.get(*index),
             Expr::Element(_, index) => self.measured.get(*index),
             _ => None,
         }

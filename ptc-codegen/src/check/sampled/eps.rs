@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 
 use num_traits::ToPrimitive;
 
-use super::chain::{Chain, Gains, Step, Unit};
-use super::emitted;
+use super::chain::{Chain, Gains};
+use super::emitted::{self, Steps};
 use super::gain::{Gain, known_gain};
 use super::judge::Loop;
 use super::worst::Sampled;
@@ -65,11 +65,8 @@ enum Law<'a> {
     /// A law in continuous time, with the gains of each sample without a hold.
     Time { numbers: &'a Numbers<'a>, free: Vec<Vec<f64>> },
     /// A program in samples, which is the same before any hold; none where it is not enclosed.
-    Samples { free: Option<Program> },
+    Samples { free: Option<Steps> },
 }
-
-/// What [`emitted::steps`] makes of a program.
-type Program = (Vec<Step>, Option<usize>, Vec<Unit>);
 
 impl<'a> Trial<'a> {
     fn new(closed: &'a Loop<'a>, numbers: &'a Numbers<'a>) -> Self {
@@ -133,11 +130,12 @@ impl<'a> Trial<'a> {
     }
 
     /// What the program in samples with an eps makes of the samples from `first` on.
-    fn program(&self, eps: f64, first: usize) -> Option<Program> {
+    fn program(&self, eps: f64, first: usize) -> Option<Steps> {
         let mut spec = self.closed.spec.clone();
         spec.choose_eps(self.exact(eps)?);
         let own = spec.sampled()?;
-        emitted::steps(&spec, own, &self.chain, first..=self.closed.samples)
+        let followed = self.closed.followed.as_ref();
+        emitted::steps(&spec, own, &self.chain, followed, first..=self.closed.samples)
     }
 
     /// The loop held at an eps.

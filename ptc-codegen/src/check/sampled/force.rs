@@ -36,26 +36,36 @@ impl Force {
     pub(super) fn signed(&self, row: &[f64]) -> f64 {
         along(row, &self.column)
     }
+}
 
-    /// Two numbers between which is the most that any |f| <= 1 adds, of a chain.
-    pub(super) fn size(&self, chain: &Chain, row: &[f64]) -> [f64; 2] {
-        let n = chain.moved;
-        // The polynomial by the part of the sample that is left, in Bernstein's form.
-        let mut points = vec![0.0; n];
-        let mut ratio = vec![1.0; n];
-        for (m, point) in points.iter_mut().enumerate() {
-            for (j, part) in ratio.iter_mut().enumerate().take(m + 1) {
-                // choose(m, j)/choose(n - 1, j)
-                if j > 0 {
-                    *part = (0..j).map(|l| real(m - l) / real(n - 1 - l)).product();
-                }
-                *point += *part * row[n - 1 - j] * chain.shares[j];
+/// Two numbers between which is the most that any |f| <= 1 adds to what a row sees of a chain in a sample, and of
+/// estimates of its states, each at a place in the row, that f moves as the time gone does.
+pub(super) fn most(chain: &Chain, row: &[f64], estimates: &[(usize, usize)]) -> [f64; 2] {
+    let n = chain.moved;
+    // The polynomial by the part of the sample that is left, in Bernstein's form.
+    let mut points = vec![0.0; n];
+    let mut ratio = vec![1.0; n];
+    for (m, point) in points.iter_mut().enumerate() {
+        for (j, part) in ratio.iter_mut().enumerate().take(m + 1) {
+            // choose(m, j)/choose(n - 1, j)
+            if j > 0 {
+                *part = (0..j).map(|l| real(m - l) / real(n - 1 - l)).product();
             }
+            *point += *part * row[n - 1 - j] * chain.shares[j];
         }
-        let length = chain.shares.get(1).copied().unwrap_or_default();
-        let enough = CLOSE * points.iter().map(|point| point.abs()).sum::<f64>() / real(n);
-        size(&points, DEPTH, enough).map(|part| part * length)
     }
+    for (place, state) in estimates {
+        let j = n - state;
+        let turned = if j.is_multiple_of(2) { chain.shares[j] } else { -chain.shares[j] };
+        // The points of (1 - part left)^j are those of its j-th power from the other end.
+        for (m, point) in points.iter_mut().rev().enumerate().skip(j) {
+            let part: f64 = (0..j).map(|l| real(m - l) / real(n - 1 - l)).product();
+            *point += part * row[*place] * turned;
+        }
+    }
+    let length = chain.shares.get(1).copied().unwrap_or_default();
+    let enough = CLOSE * points.iter().map(|point| point.abs()).sum::<f64>() / real(n);
+    size(&points, DEPTH, enough).map(|part| part * length)
 }
 
 /// Bounds of the mean of the size of a polynomial in Bernstein's form: the mean of its points is its

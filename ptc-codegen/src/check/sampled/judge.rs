@@ -8,9 +8,11 @@ use num_traits::{One, Signed, ToPrimitive};
 use super::between::Between;
 use super::chain::Chain;
 use super::emitted;
+use super::followed::Followed;
 use super::force::Force;
 use super::gain::{Gain, true_gain};
 use super::gains::gains;
+use super::moved::Moved;
 use super::relative::Late;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
@@ -37,6 +39,8 @@ pub(crate) struct Loop<'a> {
     /// The same between two samples; `None` if a mode is too fast.
     between: Option<Between>,
     late: Option<Late>,
+    /// What a reference moves; `None` without one.
+    pub(super) followed: Option<Followed>,
 }
 
 impl<'a> Loop<'a> {
@@ -55,7 +59,7 @@ impl<'a> Loop<'a> {
             let why = "it does not know the model: the plant moves between the samples at which its f and g are known";
             return Err(why.to_owned());
         }
-        if spec.reference.is_some() {
+        if spec.reference.is_some() && spec.sampled().is_none() {
             let why = "the plant follows a reference that moves between the samples at which it is known, and what that leaves is not examined";
             return Err(why.to_owned());
         }
@@ -115,7 +119,11 @@ impl<'a> Loop<'a> {
             None => None,
         };
         let between = within.as_ref().map(Between::new);
-        Ok(Self { spec, expanded, period, samples, gains, plant, between, late })
+        let followed = match spec.sampled() {
+            Some(own) => Followed::new(spec, own)?,
+            None => None,
+        };
+        Ok(Self { spec, expanded, period, samples, gains, plant, between, late, followed })
     }
 
     /// The same, to be bounded at the samples alone.
@@ -138,6 +146,16 @@ impl<'a> Loop<'a> {
         // No input has acted yet.
         let start = promises.x0_max.iter().map(double).chain([0.0]);
         sampled.x0 = start.take(self.plant.n).collect();
+        if let Some((followed, own)) = self.followed.as_ref().zip(self.spec.sampled()) {
+            let known = Range::from(&Interval::exact(&own.gain));
+            let moved = Moved::new(followed, &sampled, known, gain);
+            // The input that acted last counts less its rho.
+            for _ in self.plant.moved..self.plant.n {
+                sampled.x0.pop();
+                sampled.kept.insert(0, moved.acting);
+            }
+            sampled.moved = Some(moved);
+        }
         let each = |bounds: &[Fixed], j| one_or_each(bounds, j).unwrap_or(0.0);
         let noise = |j| each(&promises.noise, j) + each(&promises.sensor_step, j) / 2.0;
         sampled.noise = (0..self.plant.sensors()).map(noise).collect();
@@ -175,8 +193,10 @@ impl<'a> Loop<'a> {
         if self.spec.drift.is_some() {
             return Err("a loop with a known f is not examined".to_owned());
         }
-        let (steps, acting, kept) = emitted::steps(self.spec, own, &chain, 0..=self.samples)
-            .ok_or("the emitted program is not enclosed")?;
+        let followed = self.followed.as_ref();
+        let (steps, acting, kept) =
+            emitted::steps(self.spec, own, &chain, followed, 0..=self.samples)
+                .ok_or("the emitted program is not enclosed")?;
         Ok(Sampled::of(chain, steps, acting, &kept))
     }
 
@@ -197,7 +217,7 @@ impl<'a> Loop<'a> {
     }
 }
 
-fn exact(value: Option<&Fixed>) -> Option<BigRational> {
+pub(super) fn exact(value: Option<&Fixed>) -> Option<BigRational> {
     value.and_then(Fixed::number).cloned()
 }
 

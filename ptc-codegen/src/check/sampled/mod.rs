@@ -11,12 +11,14 @@ mod cells;
 mod chain;
 mod emitted;
 mod eps;
+mod followed;
 mod force;
 mod gain;
 mod gains;
 mod judge;
 mod margins;
 mod model;
+mod moved;
 mod outcome;
 #[cfg(feature = "lab")]
 mod proved;

@@ -3,6 +3,7 @@
 use num_traits::ToPrimitive;
 
 use super::cells::Worst;
+use super::followed::Followed;
 use super::gain::true_gain;
 use super::judge::Loop;
 use super::worst::Bound;
@@ -12,7 +13,7 @@ use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, PlantBounds, Spec};
+use crate::request::{After, PlantBounds, Reference, Spec};
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
@@ -44,13 +45,24 @@ pub(super) fn outcome_of(
     });
     match found {
         Ok((worst, closed)) => (judged(spec, &worst, &closed), Some(worst)),
-        Err(reason) => (Outcome::not_checked(NAME, reason), None),
+        Err(reason) => {
+            let outcome = Outcome::not_checked(NAME, reason);
+            // Of what is known it is not shown what it leaves.
+            let followed = spec.sampled().map(|own| Followed::new(spec, own));
+            match followed {
+                Some(Err(_)) if !spec.promises.x0_max.is_empty() => {
+                    (Outcome { verdict: Verdict::Undecided, ..outcome }, None)
+                }
+                _ => (outcome, None),
+            }
+        }
     }
 }
 
 fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
-    let nominal: Vec<_> = worst.states.iter().map(|bound| bound.attained()).collect();
+    let nominal = worst.states.iter().map(|bound| bound.attained() - bound.reference);
+    let nominal: Vec<_> = nominal.collect();
     let wanted = closed.errors();
     let given = !spec.promises.error.is_empty();
     let (limit, clipped) = clipping(spec, worst, closed);
@@ -62,8 +74,13 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let told =
         |i: usize, x: &[f64]| format!("the worst |x{}| at the deadline is {}", i + 1, digits(x[i]));
     let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
-    let unknown = match &spec.promises.plant {
-        Some(PlantBounds::Unknown(why)) => Some(why),
+    let unknown = match (&spec.promises.plant, &spec.reference) {
+        (Some(PlantBounds::Unknown(why)), _) => {
+            Some(format!("{why}; with f = 0 and the g of the law"))
+        }
+        (_, Some(Reference::Input)) => {
+            Some(format!("{UNKNOWN}; with a constant r^(n) in each, and without rounding of r"))
+        }
         _ => None,
     };
     let (verdict, summary) = match () {
@@ -73,9 +90,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
             format!("u may be clipped, and the bounds hold only without: {}", told(state, &totals)),
         ),
         () if most <= 1.0 => match unknown {
-            Some(why) => {
-                (Verdict::Undecided, format!("{why}; with f = 0 and the g of the law, {all}"))
-            }
+            Some(why) => (Verdict::Undecided, format!("{why}, {all}")),
             None => (Verdict::Sound, all),
         },
         () if share(&worst.reached).1 > 1.0 => {
@@ -94,6 +109,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         () => (Verdict::Undecided, format!("{}, next to error", told(state, &totals))),
     };
     let mut details = vec![assumed(spec, worst.samples)];
+    details.extend(followed(spec));
     details.extend(worst.states.iter().enumerate().map(|(i, _)| split(spec, worst, i)));
     details.extend(on_the_way(worst));
     details.extend(afterwards(spec, worst, closed));
@@ -119,6 +135,8 @@ pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option
     let limit = match spec.fixed.get(&Parameter::UMax) {
         None => return (Some("without a limit of u, which is left to run time".to_owned()), false),
         Some(Fixed::Infinite) => return (None, false),
+        // What r^(n) takes of u is not known.
+        Some(_) if spec.reference == Some(Reference::Input) => return (None, false),
         Some(_) => closed.limit(),
     };
     match &worst.way {
@@ -132,6 +150,19 @@ pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option
             (Some("there are too many samples to decide whether u is clipped".to_owned()), true)
         }
     }
+}
+
+/// Why nothing is proved of a reference that each call is given.
+pub(super) const UNKNOWN: &str =
+    "each call is given the reference, which is not known between the samples";
+
+/// What x and u are where the law follows a reference.
+pub(super) fn followed(spec: &Spec) -> Option<String> {
+    let u = match spec.reference.as_ref()? {
+        Reference::Known(_) => "u is that of the plant",
+        Reference::Input => "u is what the law adds to what follows r^(n)",
+    };
+    Some(format!("x is the tracking error, x_i - r^(i-1), which x0_max bounds at the start; {u}"))
 }
 
 /// What the bounds are about, and what was left out.
@@ -232,9 +263,14 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
     let others = [
         ("u_step", bound.actuator),
         (
-            if spec.model_in_samples().is_some() { "f + g u between samples" } else { "f" },
+            match (spec.model_in_samples(), &spec.reference) {
+                (None, _) => "f",
+                (Some(_), None) => "f + g u between samples",
+                (Some(_), Some(_)) => "f + g u and r^(n) between samples",
+            },
             bound.force,
         ),
+        ("reference", bound.reference),
         ("g", bound.gain),
         ("jitter", bound.jitter),
     ];
@@ -266,6 +302,9 @@ fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
     worst.way.as_ref()?;
     let Some(after) = &worst.after else {
         let why = match spec.after {
+            After::Hold if spec.reference.is_some() => {
+                "what follows the deadline is not examined beside a reference"
+            }
             After::Hold => "no bounds are found of what follows the deadline",
             After::Zero => "u = 0 after the deadline, which holds no state",
             After::Extern => return None,

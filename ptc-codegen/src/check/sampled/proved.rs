@@ -14,6 +14,11 @@ pub(crate) fn proved(spec: &Spec) -> Result<Worst, String> {
     if !spec.fixed.contains_key(&Parameter::Eps) && spec.sampled().is_none() {
         return Err("`eps` is left to run time".to_owned());
     }
+    if spec.reference.is_some() {
+        return Err(
+            "the law follows a reference, and the proof is of one that brings x to 0".to_owned()
+        );
+    }
     let number = |value: &Fixed| value.number().is_some_and(|value| *value != Default::default());
     if spec.promises.noise_rms.iter().any(number) {
         return Err("the random noise of `noise_rms` has no bound".to_owned());

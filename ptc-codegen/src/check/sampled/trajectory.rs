@@ -26,6 +26,8 @@ pub struct Trajectory {
 /// The worst run of a design; `None` where its loop is not known or u would be clipped.
 pub fn trajectory(spec: &Spec, expanded: Option<&Expanded>) -> Option<Trajectory> {
     let closed = Loop::new(spec, expanded).ok()?;
+    // Its states are those of e, and r no signal that is chosen.
+    closed.followed.is_none().then_some(())?;
     let gain = closed.gain();
     let sampled = closed.disturbed(closed.acting(&gain).ok()?, &gain);
     let count = closed.samples;
@@ -93,7 +95,7 @@ impl Sampled {
         s.resize(self.size(), 0.0);
         let (mut states, mut u) = (Vec::new(), Vec::new());
         for (k, (causes, force)) in signals.causes.iter().zip(&signals.force).enumerate() {
-            let Step { matrix, columns, u: own } = self.step(k);
+            let Step { matrix, columns, u: own, .. } = self.step(k);
             u.push(along(&s, &own.of_state) + along(causes, &own.of_cause));
             let row = |(i, row): (usize, &[f64])| {
                 let own: f64 = row.iter().zip(&s).map(|(entry, s)| entry * s).sum();

@@ -98,8 +98,10 @@ impl Sampled {
                 let mut bound = self.bound(&control, k, trust);
                 // The command, before the actuator rounds it.
                 bound.actuator -= self.actuator;
-                way.u = way.u.max(bound.total());
-                way.u_attained = way.u_attained.max(bound.attained());
+                // What rho takes may be of the other sign.
+                let rate = self.moved.as_ref().map_or(0.0, |moved| moved.input);
+                way.u = way.u.max(bound.total() + rate);
+                way.u_attained = way.u_attained.max(bound.attained() - bound.reference - rate);
                 way.u_rms = way.u_rms.max(bound.rms);
             }
             let here = |i| match reach {

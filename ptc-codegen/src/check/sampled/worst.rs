@@ -10,7 +10,8 @@ use std::collections::BTreeMap;
 
 use super::between::Between;
 use super::chain::{Chain, Gains, Step, Unit, along};
-use super::force::Force;
+use super::force::{Force, most as most_of};
+use super::moved::Moved;
 use super::relative::Late;
 use super::transition::growth;
 use super::trust::{Fading, Inexact, Trust};
@@ -38,6 +39,10 @@ pub(super) struct Sampled {
     pub(super) actuator: f64,
     /// What moves the plant beside u.
     pub(super) force: Option<Force>,
+    /// What a reference moves; `None` without one.
+    pub(super) moved: Option<Moved>,
+    /// Bounds of what is kept at the start, behind the states of the plant that [`x0`](Self::x0) bounds.
+    pub(super) kept: Vec<f64>,
     /// How far the true input gain may be from that of the chain, as a part of it.
     pub(super) gain_error: f64,
     /// How far the time of each sample but the first may be from its own.
@@ -66,6 +71,8 @@ pub struct Bound {
     pub actuator: f64,
     /// From f of the plant.
     pub force: f64,
+    /// From what a reference does between the samples, at most.
+    pub reference: f64,
     /// From an input gain that is not known, at most.
     pub gain: f64,
     /// From samples that are early or late, at most.
@@ -79,11 +86,11 @@ pub struct Bound {
 impl Bound {
     /// All causes together.
     pub fn total(&self) -> f64 {
-        self.attained() + self.gain + self.jitter + self.rounding
+        self.attained() + self.reference + self.gain + self.jitter + self.rounding
     }
 
-    /// What the worst signals reach, but for rounding, with the input gain in the middle of its interval
-    /// and samples in time.
+    /// What the worst signals reach, but for rounding, with the input gain in the middle of its interval,
+    /// samples in time and a reference that r^(n) of each sample follows.
     pub fn attained(&self) -> f64 {
         self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
     }
@@ -110,16 +117,23 @@ impl Sampled {
     pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
         let steps = gains.iter().map(|gains| chain.closed(gains)).collect();
         let acting = (chain.delay > 0).then_some(chain.n);
-        let kept = vec![Unit::Power(0); chain.delay];
+        let kept = vec![(Unit::Power(0), 0.0); chain.delay];
         Self::of(chain, steps, acting, &kept)
     }
 
-    /// The loop of a plant and a controller that keeps states of these units.
-    pub(super) fn of(chain: Chain, steps: Vec<Step>, acting: Option<usize>, kept: &[Unit]) -> Self {
+    /// The loop of a plant and a controller that keeps states of these units, which are within bounds at the
+    /// start.
+    pub(super) fn of(
+        chain: Chain,
+        steps: Vec<Step>,
+        acting: Option<usize>,
+        kept: &[(Unit, f64)],
+    ) -> Self {
         let (x0, noise) = (vec![0.0; chain.n], vec![0.0; chain.sensors()]);
         let noise_rms = noise.clone();
         let own = (1..=chain.n).map(|j| chain.unit(j));
-        let units: Vec<_> = own.chain(kept.iter().copied()).collect();
+        let units: Vec<_> = own.chain(kept.iter().map(|(unit, _)| *unit)).collect();
+        let kept = kept.iter().map(|(_, start)| *start).collect();
         let gained = |unit: &Unit| match unit {
             Unit::Gain(j) => Some((*j, most(&steps, &units, *unit))),
             Unit::Power(_) => None,
@@ -136,6 +150,8 @@ impl Sampled {
             noise_rms,
             actuator: 0.0,
             force: None,
+            moved: None,
+            kept,
             gain_error: 0.0,
             late: None,
             between: None,
@@ -145,6 +161,11 @@ impl Sampled {
     /// Length of the state.
     pub(super) fn size(&self) -> usize {
         self.units.len()
+    }
+
+    /// The unit of a state, from 0.
+    pub(super) fn unit(&self, place: usize) -> Unit {
+        self.units[place]
     }
 
     /// Sample `k`.
@@ -241,12 +262,15 @@ impl Sampled {
         let mut bound = Bound { noise: vec![0.0; self.noise.len()], ..Bound::default() };
         let mut row = self.row(output, at);
         let mut inexact = Inexact::new(trust, self.size());
+        // Of the numbers of a reference.
+        let mut lost = 0.0;
         if output.direct != 0.0 {
             let u = &self.step(at).u;
             let seen: Vec<_> = u.of_cause.iter().map(|(d, _)| output.direct * d).collect();
             self.add(&mut bound, &seen);
             bound.jitter += self.of_drift(trust, at, &seen);
             inexact.direct(output.direct, u, at, self.limits());
+            lost += output.direct.abs() * self.step(at).lost_of_u;
         }
         let mut before = Vec::new();
         let mut seen = Vec::new();
@@ -256,7 +280,7 @@ impl Sampled {
             if let Some(force) = &self.force {
                 constant += force.signed(&row);
                 if force.varying > 0.0 {
-                    let size = force.size(&self.chain, &row);
+                    let size = most_of(&self.chain, &row, &[]);
                     varying.iter_mut().zip(size).for_each(|(sum, part)| *sum += part);
                 }
             }
@@ -267,13 +291,20 @@ impl Sampled {
                 let causes = seen.iter_mut().zip(&step.u.of_cause);
                 causes.for_each(|(sum, (own, _))| *sum -= output.direct * own);
                 inexact.direct(output.direct, &step.u, k, self.limits());
+                lost += output.direct.abs() * step.lost_of_u;
             }
+            if let Some(moved) = &self.moved {
+                bound.reference += moved.adds(&self.chain, &row);
+            }
+            lost += row.iter().zip(&step.lost).map(|(p, (own, _))| p.abs() * own).sum::<f64>();
             self.add(&mut bound, &seen);
             bound.jitter += self.of_drift(trust, k, &seen) + self.of_switch(trust, k, &row);
             let gain = self.of_gain(trust, k);
             bound.gain += along(&row, &self.chain.input).abs() * gain;
             let force = self.force.iter().map(|force| (&force.column, force.most()));
             let causes = step.columns.iter().zip(self.limits()).chain(force);
+            let moved = self.moved.iter().flat_map(Moved::causes);
+            let causes = causes.chain(moved).chain([(&step.lost, 1.0)]);
             inexact.sample(k, &row, &step.matrix, causes.chain([(&self.chain.input, gain)]));
             step.matrix.after(&row, &mut before);
             std::mem::swap(&mut row, &mut before);
@@ -283,8 +314,10 @@ impl Sampled {
             }
         }
         bound.x0 = row.iter().zip(&self.x0).map(|(p, x0)| (p * x0).abs()).sum();
-        inexact.start(&self.x0);
-        let mut rounding = inexact.sum;
+        let kept = row.iter().skip(self.x0.len()).zip(&self.kept);
+        bound.reference += kept.map(|(p, start)| (p * start).abs()).sum::<f64>();
+        inexact.start(&[self.x0.as_slice(), &self.kept].concat());
+        let mut rounding = inexact.sum + lost;
         if let Some(force) = &self.force {
             let [least, most] = varying;
             bound.force =
@@ -293,7 +326,8 @@ impl Sampled {
         }
         bound.rms = bound.rms.sqrt();
         // The sums of this function round too.
-        let slack = 1e-12 * (bound.attained() + bound.gain + bound.jitter + rounding);
+        let others = bound.reference + bound.gain + bound.jitter;
+        let slack = 1e-12 * (bound.attained() + others + rounding);
         bound.rounding = if trust.is_some() { rounding + slack } else { f64::INFINITY };
         bound
     }

@@ -33,14 +33,17 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// A run of `spec`; `report` is that of the emitted controller, whose u may be held.
+    /// A run of `spec`; `report` is that of the emitted controller, whose u may be held. From `armed` after
+    /// t0 on the reference counts.
     fn new(
         (spec, values): (&Spec, &Values),
         (report, held): (Option<Report>, bool),
         rows: Vec<Row>,
+        armed: f64,
     ) -> Result<Self, Failure> {
         let [tau, t0] = [Parameter::Tau, Parameter::StartTime].map(|p| values.get(p));
-        let last = rows.last().map(|row| tracking_error(spec, values, row.t, &row.x));
+        let last = rows.last();
+        let last = last.map(|row| tracking_error(spec, values, row.t - armed, &row.x));
         let error = last.transpose().map_err(|failure| ended(failure, tau))?.flatten();
         let (states, inputs) = (spec.state_names(), spec.input_names());
         let limits = values.limits(spec);
@@ -81,7 +84,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
     if report.is_some() {
         refused(spec, &rows, tau);
     }
-    Run::new((spec, &values), (report.clone(), false), rows)
+    Run::new((spec, &values), (report.clone(), false), rows, 0.0)
 }
 
 /// The emitted controller at each sample.
@@ -98,7 +101,10 @@ pub(super) fn sampled(
     let rows = record::sampled((spec, plant), &values, (&asked.x0, around), &mut || ())
         .map_err(|failure| ended(failure, tau))?;
     refused(spec, &rows, tau);
-    Run::new((spec, &values), (Some(report.clone()), true), rows)
+    // In samples the time of a reference counts from there.
+    let end = rows.last().map_or(0.0, |row| row.t);
+    let armed = spec.sampled().map_or(0.0, |_| around.last_armed(end));
+    Run::new((spec, &values), (Some(report.clone()), true), rows, armed)
 }
 
 /// The checks of the emitted controller, which set eps where a sample period or an error is promised;

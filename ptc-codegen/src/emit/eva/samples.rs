@@ -49,6 +49,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         _ => vec![STATE; measured],
     };
     let y: Vec<_> = (1..).zip(&y_max).map(|(j, value)| bound(&format!("y{j}"), *value)).collect();
+    let r = (0..spec.references()).map(|j| bound(&format!("r{j}"), STATE)).collect();
     let applied = alone.then(|| bound("applied", LAW));
     let changed = changed(code);
     let kept = code.fields.iter().filter(|field| changed.contains(field.name.as_str()));
@@ -86,6 +87,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         fixed_limit: limit.map(text),
         given: if spec.sampled().is_some_and(|s| s.measures_states()) { "x" } else { "y" },
         y,
+        r,
         applied,
         kept,
         full,
@@ -177,6 +179,8 @@ struct Harness<'a> {
     /// What is measured: its name, and the macros of its bounds.
     given: &'static str,
     y: Vec<String>,
+    /// The macros of the bounds of the reference and its derivatives.
+    r: Vec<String>,
     /// The macro of the bound of the input that an observer alone is given.
     applied: Option<String>,
     /// What calls change.

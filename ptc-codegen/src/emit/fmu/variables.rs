@@ -152,6 +152,9 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
             name: format!("r{order}"),
             description: match order {
                 0 => format!("Reference that the output follows{unit}"),
+                order if order == spec.n && spec.sampled().is_some() => {
+                    format!("Its derivative of order {order} over the sample in which u acts{unit}")
+                }
                 order => format!("Its derivative of order {order}{unit}"),
             },
             attributes: vec![("start", "0".to_owned())],

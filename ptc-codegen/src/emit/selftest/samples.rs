@@ -46,17 +46,20 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         result.map(|result| result.shape.length().unwrap_or(1))
     };
     let states = estimate("estimate");
+    let measured = spec.sampled().map_or(0, |sampled| sampled.measured);
     let source = Source {
         name: &name,
         noun: code.noun(),
         abs: format!("fabs{}", suffix(spec)),
         poison: numbers.number(12345.0),
-        measured: spec.sampled().map_or(0, |sampled| sampled.measured),
+        measured,
         alone: code.function("update").is_some(),
         states,
         disturbance: estimate("disturbance").is_some(),
         sessions: &sessions,
-        calls: &calls.map(|call| numbers.sample(call, states.unwrap_or(0))).collect::<Vec<_>>(),
+        calls: &calls
+            .map(|call| numbers.sample(call, measured, states.unwrap_or(0)))
+            .collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
         has_parameters: !code.parameters.is_empty(),
         frame: &Outline::new(spec, code),
@@ -65,14 +68,19 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
 }
 
 impl Numbers<'_> {
-    /// A call whose estimates are those of `states` states, and then that of the disturbance.
-    fn sample(&self, call: &Call, states: usize) -> String {
+    /// A call that is given so many measured values, and then the reference, and whose estimates are those of
+    /// `states` states, and then that of the disturbance.
+    fn sample(&self, call: &Call, measured: usize, states: usize) -> String {
+        let (y, r) = call.y.split_at(measured);
         let mut fields = vec![
             format!(".is_armed = {}U", u8::from(call.start.is_some())),
             format!(".start = {}U", call.start.unwrap_or(0)),
             format!(".k = {}U", call.k),
-            format!(".y = {{{}}}", self.list(&call.y)),
+            format!(".y = {{{}}}", self.list(y)),
         ];
+        if !r.is_empty() {
+            fields.push(format!(".r = {{{}}}", self.list(r)));
+        }
         fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
         fields.push(format!(".status = {}", printed::word(call.status)));
         fields.extend(call.u.map(|u| format!(".u = {}", self.number(u))));

@@ -9,13 +9,14 @@ use crate::request::{After, Promises, Spec};
 use crate::syntax::real;
 
 /// The keys of a law, and what stands for each with an observer.
-const OF_LAW: [(&str, &str); 6] = [
+const OF_LAW: [(&str, &str); 7] = [
     ("tau", "the estimates are exact from sample `observer_samples` on"),
     ("eps", "`observer_eps` holds the gains of an observer"),
     ("u_max", "the observer is given u as it was applied"),
     ("after", "`after_observer` says what follows sample `observer_samples`"),
     ("deadbeat", "an observer takes it from its poles"),
     ("error", "no check judges an observer alone"),
+    ("reference", "an observer estimates the state itself"),
 ];
 
 impl Reader<'_> {
@@ -74,6 +75,7 @@ impl Reader<'_> {
         spec.fixed.retain(|parameter, _| matches!(parameter, Parameter::SampleTime | Parameter::A));
         spec.poles.clear();
         spec.after = After::Hold;
+        spec.reference = None;
         let promises = std::mem::take(&mut spec.promises);
         spec.promises = Promises {
             sample_time: promises.sample_time,

@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 
 use model::Read;
 pub(crate) use parameters::known;
+pub(crate) use reference::derivatives;
 pub(crate) use values::items;
 use values::{count, shown, suggestion, whole};
 
@@ -246,7 +247,7 @@ impl<'a> Reader<'a> {
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
-        self.reference_exists(&spec);
+        self.reference_exists(&spec, samples);
         match samples {
             true if whole || spec.coupled.is_some() => {}
             true => self.sampled(&mut spec),

@@ -80,13 +80,19 @@ impl Reader<'_> {
         let beside = [
             (
                 "clock",
-                samples,
-                "a reference needs a clock in time: it moves between the samples, so that rest is not exact at them",
-                "leave `clock` out; a constant set point is subtracted from x1 before the call",
+                samples && (spec.axes.is_some() || spec.coupled.is_some()),
+                "references of several inputs need a clock in time",
+                "leave `clock` out, or make a controller for each input",
+            ),
+            (
+                "reference",
+                samples && self.keys.contains_key("A"),
+                "a linear plant in samples comes to rest with all its states, and r gives one of them",
+                "leave it out; in samples a chain of integrators (`n`) and a model that is not linear follow a reference, and with `clock` = time every model does",
             ),
             (
                 "what",
-                spec.what != What::Controller,
+                spec.what == What::Associated || !samples && spec.what == What::Observer,
                 "a reference belongs to a controller: the infinite-time system is that of the error, whatever it is",
                 "leave `reference` out",
             ),
@@ -100,10 +106,30 @@ impl Reader<'_> {
         self.against(&beside);
     }
 
+    /// Refuses a reference that names a time which a controller in samples does not know.
+    pub(super) fn reference_in_samples(&mut self, spec: &Spec) {
+        let place = self.keys.get("reference").map(|node| node.place);
+        let given = spec.known_references().flatten().flat_map(Expression::parameters);
+        for parameter in crate::collect::set(given) {
+            let (message, help) = match parameter {
+                Parameter::StartTime => (
+                    "`t0` in a reference in samples",
+                    "its t counts from the tick at which the controller is armed: leave t0 out",
+                ),
+                Parameter::Tau if !spec.fixed.contains_key(&parameter) => (
+                    "`tau` in a reference, and it is left to run time as a number of samples",
+                    "give `tau`, or a parameter of another name under [params]",
+                ),
+                _ => continue,
+            };
+            self.found.push("bad-expression", "reference", place, message, help);
+        }
+    }
+
     /// Refuses a reference whose derivatives are not shown to exist from the start on: they do where each
     /// of its operations is analytic. What depends on parameters alone is left to run time, as far as
     /// they are.
-    pub(super) fn reference_exists(&mut self, spec: &Spec) {
+    pub(super) fn reference_exists(&mut self, spec: &Spec, samples: bool) {
         let known = |p: &Parameter| spec.fixed.contains_key(p) || spec.bounds.contains_key(p);
         let decided = |part: &Expression| moves(part) || part.parameters().iter().all(known);
         // A root has a value at 0, and no derivative there.
@@ -111,7 +137,7 @@ impl Reader<'_> {
             Condition::NotNegative => (part, Condition::Positive),
             condition => (part, condition),
         };
-        let names = names(spec);
+        let names = names(spec, samples);
         let mut evaluator = Evaluator::new();
         let mut met = |part: &Expression, condition: Condition| {
             let value = evaluator.value(part, &names);
@@ -123,11 +149,15 @@ impl Reader<'_> {
         let Some((part, condition)) = open else { return };
         let place = self.keys.get("reference").map(|node| node.place);
         let message = format!(
-            "the reference is not shown to have derivatives at all t >= t0: {part} has to be {}",
+            "the reference is not shown to have derivatives at all t >= {}: {part} has to be {}",
+            if samples { "0" } else { "t0" },
             condition.words()
         );
-        let help = "give t0, and values or bounds of the parameters under [params]; write a sum of squares as one; or give the derivatives with each call, `reference` = input";
-        self.wrong("reference", place, message, help.to_owned());
+        let start = if samples { "" } else { "t0, and " };
+        let help = format!(
+            "give {start}values or bounds of the parameters under [params]; write a sum of squares as one; or give the derivatives with each call, `reference` = input"
+        );
+        self.wrong("reference", place, message, help);
     }
 }
 
@@ -142,7 +172,7 @@ fn kink(e: &Expression) -> Option<Expression> {
 }
 
 /// r and its derivatives up to that of order `n`, or the order of the first that is too large.
-fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
+pub(crate) fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
     bounded(|| {
         let parts: Vec<_> = needs(r).into_iter().map(|(part, _)| part).collect();
         let mut all = vec![r.clone()];
@@ -175,15 +205,16 @@ fn tidied(rate: Expression, parts: &[Expression]) -> Expression {
     if form.size() <= rate.size() { form } else { rate }
 }
 
-/// What is known of time and the parameters.
-fn names(spec: &Spec) -> Names {
+/// What is known of time, which in samples counts from the start, and the parameters.
+fn names(spec: &Spec, samples: bool) -> Names {
     let exact = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
-    let start = exact(Parameter::StartTime);
+    let zero = integer(0);
+    let start = if samples { Some(&zero) } else { exact(Parameter::StartTime) };
     let from =
         |low: Option<_>| low.map_or_else(|| Interval::WHOLE, |low| Interval::between(low, None));
     let mut names = Names::from([
         (Variable::Time.into(), from(start)),
-        (Variable::Elapsed.into(), from(Some(&integer(0)))),
+        (Variable::Elapsed.into(), from(Some(&zero))),
     ]);
     for parameter in spec.parameters() {
         let bounds = spec.bounds.get(&parameter);

@@ -10,7 +10,7 @@ mod search;
 
 use crate::code::{Branch, Code, Expr, Status, Test};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::Function;
+use crate::expression::{Expression, Function, Node};
 use crate::request::Spec;
 
 /// A call of `step`, or of `update`, and of the functions that give the estimates.
@@ -20,7 +20,7 @@ pub struct Call {
     pub start: Option<u32>,
     /// The tick.
     pub k: u32,
-    /// What is measured.
+    /// What is measured; behind it the reference and its derivatives, where each call is given them.
     pub y: Vec<f64>,
     /// The input of the tick before, which `update` takes.
     pub applied: Option<f64>,
@@ -69,11 +69,19 @@ impl SelfTest {
     pub fn new(spec: &Spec, code: &Code) -> Result<Self, Vec<Diagnostic>> {
         if let Some(function) = library_function(code) {
             let mut found = Diagnostics::default();
+            let calls = |e: &Expression| {
+                e.any(&|e| matches!(e.node(), Node::Call(own, _) if own.name() == function))
+            };
+            let of_reference = spec.known_references().flatten().any(calls);
+            let (key, what) = match of_reference || spec.model.is_none() {
+                true => ("reference", "reference"),
+                false => ("dynamics", "model"),
+            };
             found.push(
                 "unsupported",
-                "dynamics",
+                key,
                 None,
-                format!("a self-test in samples compares every bit, and the model calls {function}, whose last bits differ by library"),
+                format!("a self-test in samples compares every bit, and the {what} calls {function}, whose last bits differ by library"),
                 "run the emitted step beside `simulate`, or take a clock in time, whose self-test has tolerances",
             );
             found.finish(Some(()))?;

@@ -23,7 +23,9 @@ pub(super) struct Search<'a> {
     spec: &'a Spec,
     code: &'a Code,
     choice: Sets<'a>,
+    /// Numbers that are measured, and those of the reference that a call is given.
     measured: usize,
+    references: usize,
     draw: Draw,
     pub(super) sessions: Vec<Session>,
     pub(super) refused: Vec<Vec<f64>>,
@@ -59,6 +61,7 @@ impl<'a> Search<'a> {
             code,
             choice: Sets::new(spec),
             measured: spec.sampled().map_or(0, |sampled| sampled.measured),
+            references: spec.references(),
             draw: Draw(1),
             sessions: Vec::new(),
             refused: Vec::new(),
@@ -75,7 +78,7 @@ impl<'a> Search<'a> {
         for start in [None, Some(u32::MAX - 2)] {
             for (index, elapsed) in life.ends.ladder().into_iter().enumerate() {
                 let start = start.filter(|_| index == 0);
-                let y = arriving(self.spec, self.measured, elapsed, life.ends);
+                let y = arriving(self.spec, self.count(), elapsed, life.ends);
                 let applied = settle(-0.25 * y[0], self.spec.precision);
                 self.ask(&mut life, Input { start, elapsed, y, applied }, true);
                 if index == 2 && self.spec.guard == Guard::Full {
@@ -89,9 +92,9 @@ impl<'a> Search<'a> {
     /// Every input alone is no number or infinite: the call is refused, and changes nothing.
     fn without_numbers(&mut self, life: &mut Life<'a>, elapsed: u32) {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for j in 0..=self.measured {
+            for j in 0..=self.count() {
                 let mut input =
-                    Input { start: None, elapsed, y: vec![0.5; self.measured], applied: 0.5 };
+                    Input { start: None, elapsed, y: vec![0.5; self.count()], applied: 0.5 };
                 match input.y.get_mut(j) {
                     Some(y) => *y = value,
                     None if self.spec.what == What::Observer => input.applied = value,
@@ -124,7 +127,7 @@ impl<'a> Search<'a> {
             }
             Ok(_) if adds => {
                 let Some(mut life) = self.begin(&set) else { return };
-                let y = vec![0.0; self.measured];
+                let y = vec![0.0; self.count()];
                 self.ask(&mut life, Input { start: None, elapsed: 0, y, applied: 0.0 }, true);
                 self.end(life);
             }
@@ -140,7 +143,7 @@ impl<'a> Search<'a> {
         for set in std::iter::once(self.choice.usual()).chain(self.choice.others()) {
             let Some(mut life) = self.begin(&set) else { continue };
             for elapsed in life.ends.near() {
-                let y = anything(self.spec, self.measured, 1.0, &mut self.draw);
+                let y = anything(self.spec, self.count(), 1.0, &mut self.draw);
                 self.ask(&mut life, Input { start: None, elapsed, y, applied: 0.25 }, false);
             }
             let ticks = [life.ends.ladder(), life.ends.near()].concat();
@@ -172,9 +175,14 @@ impl<'a> Search<'a> {
         Input {
             start: self.draw.of(&[None, Some(life.start), Some(u32::MAX - 5)]),
             elapsed: self.draw.of(ticks),
-            y: anything(self.spec, self.measured, size, &mut self.draw),
+            y: anything(self.spec, self.count(), size, &mut self.draw),
             applied: settle(self.draw.of(&[0.0, 0.5, size]), self.spec.precision),
         }
+    }
+
+    /// Numbers that a call is given in arrays.
+    fn count(&self) -> usize {
+        self.measured + self.references
     }
 
     fn watched(&self, set: &[f64]) -> (Result<Instance<'a>, Status>, Taken) {
@@ -238,7 +246,9 @@ impl<'a> Search<'a> {
         let alone = self.spec.what == What::Observer;
         let states = self.spec.sampled().is_some_and(|sampled| sampled.measures_states());
         let (tick, last) = ([f64::from(k)], [applied]);
-        let mut given = vec![("k", &tick[..]), (if states { "x" } else { "y" }, &y[..])];
+        let (measured, reference) = y.split_at(self.measured);
+        let mut given = vec![("k", &tick[..]), (if states { "x" } else { "y" }, measured)];
+        given.extend((self.references > 0).then_some(("r", reference)));
         given.extend(alone.then_some(("u", &last[..])));
         let outcome = trial.call(if alone { "update" } else { "step" }, &given);
         let of = |name: &str| outcome.results.get(name).and_then(|value| value.first()).copied();

@@ -20,6 +20,11 @@ impl Reader<'_> {
     pub(super) fn drawn(&mut self, given: &Given<'_>) -> Vec<(Parameter, Interval)> {
         let legal = self.may_be_drawn();
         let mut drawn = Vec::new();
+        if let (Some((place, _)), Some(_)) = (given.get("t0"), self.spec.sampled()) {
+            let message = "t0 has no meaning for a clock in samples".to_owned();
+            let help = "leave it out: the controller is armed at the start of each run";
+            self.wrong("verify.t0", Some(*place), message, help);
+        }
         for parameter in &legal {
             let name = parameter.spelling();
             if let Some(interval) = self.interval("verify", &name, given)

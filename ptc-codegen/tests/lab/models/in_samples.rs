@@ -126,7 +126,7 @@ fn what_needs_a_linear_model_is_refused() {
         ),
         ("poles", "observer_poles = [-3]\npoles", 5, "without an observer"),
         ("poles", "n = 3\npoles", 5, "the relative degree of the output is 2"),
-        ("poles", "reference = \"sin(t)\"\npoles", 3, "a reference needs a clock in time"),
+        ("poles", "reference = \"sin(t - t0)\"\npoles", 5, "`t0` in a reference in samples"),
         ("exp(a=1)", "tan(a=1)", 2, "for the mapping exp alone"),
     ] {
         let text = SPRING.replacen(from, to, 1);

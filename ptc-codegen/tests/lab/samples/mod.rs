@@ -2,6 +2,7 @@
 //! chain. What runs is the program that is emitted, in its own arithmetic.
 
 mod calls;
+mod followed;
 mod reference;
 mod refusals;
 mod rest;

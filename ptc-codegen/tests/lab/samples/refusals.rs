@@ -69,3 +69,35 @@ fn mistakes_are_named() {
     let found = read(&keys).expect_err("no clock in samples");
     assert!(found.contains("needs a clock in samples"), "{found}");
 }
+
+/// What a reference in samples is refused beside, by key and a part of the message.
+#[test]
+fn references_that_are_refused_are_named() {
+    let common = [("mu", "exp(a=1)"), ("clock", "samples"), ("sample_time", "0.01")];
+    let chain = [&common[..], &[("n", "2")]].concat();
+    let plant = [&common[..], &[("A", "[[0,1],[-1,0]]"), ("B", "[0,1]")]].concat();
+    let observer = [
+        ("what", "observer"),
+        ("measured", "x1"),
+        ("observer_poles", "-3,-4"),
+        ("observer_samples", "9"),
+    ];
+    let alone = [&chain[..], &observer].concat();
+    for (keys, reference, wanted) in [
+        (&plant, "t", "a linear plant in samples comes to rest with all its states"),
+        (&plant, "input", "a chain of integrators (`n`) and a model that is not linear"),
+        (&chain, "sin(t - t0)", "`t0` in a reference in samples"),
+        (&chain, "sin(t/tau)", "it is left to run time as a number of samples"),
+        (&chain, "1/t", "derivatives at all t >= 0: t has to be not 0"),
+        (&chain, "abs(t)", "has a kink"),
+        (&alone, "t", "`reference` is of a law, and an observer alone has none"),
+    ] {
+        let found = read(&[&keys[..], &[("reference", reference)]].concat());
+        let found = found.expect_err(reference);
+        assert!(found.contains(wanted), "{reference}: {found}");
+    }
+    // What is of a law has no part in the observer of its design.
+    let own = read(&[&alone[..], &[("reference", "t"), ("poles", "-3,-4")]].concat());
+    let without = read(&[&alone[..], &[("poles", "-3,-4")]].concat());
+    assert_eq!(own.expect("a legal design"), without.expect("a legal design"));
+}

@@ -16,13 +16,13 @@ const REST: f64 = 1e-28;
 const OBSERVED: f64 = 1e-20;
 
 /// The loop of a program with the exact chain.
-struct Chain {
-    n: usize,
+pub(super) struct Chain {
+    pub(super) n: usize,
     /// Inputs under way, and the part of a sample in which the oldest of them still acts.
-    delay: (usize, BigRational),
-    measured: usize,
-    h: BigRational,
-    disturbance: BigRational,
+    pub(super) delay: (usize, BigRational),
+    pub(super) measured: usize,
+    pub(super) h: BigRational,
+    pub(super) disturbance: BigRational,
 }
 
 impl Chain {
@@ -53,7 +53,8 @@ impl Chain {
         (most(&x) / largest).to_f64().expect("a number")
     }
 
-    fn moved(
+    /// State i + 1 after a length of time with an input.
+    pub(super) fn moved(
         &self,
         x: &[BigRational],
         i: usize,
@@ -73,7 +74,7 @@ impl Chain {
 }
 
 /// The inputs under way, and the part of a sample in which the oldest still acts.
-fn late(delay: &str, inputs: usize) -> (usize, BigRational) {
+pub(super) fn late(delay: &str, inputs: usize) -> (usize, BigRational) {
     let thousandths = delay.parse::<f64>().expect("a delay") * 1000.0;
     let delay = BigRational::new((thousandths.round() as i64).into(), 1000.into());
     (inputs, delay - BigRational::from_integer(inputs.into()) + BigRational::one())

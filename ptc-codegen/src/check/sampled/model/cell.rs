@@ -84,7 +84,7 @@ pub(super) fn cells(around: &[Range], most: usize) -> Vec<Vec<Range>> {
 
 /// An interval in equal parts, which share their ends.
 #[allow(clippy::cast_precision_loss)]
-pub(super) fn divided(range: Range, parts: usize) -> Vec<Range> {
+pub(in crate::check::sampled) fn divided(range: Range, parts: usize) -> Vec<Range> {
     let width = range.high() - range.low();
     let at = |i: usize| match i {
         0 => range.low(),

@@ -6,6 +6,7 @@
 //! is consistent with itself bounds the loop, by induction over time, as long as the states stay within the
 //! envelope; they do where no state on its faces has a chain within the bounds that follow.
 
+mod beside;
 mod cell;
 mod faces;
 mod rates;
@@ -13,8 +14,9 @@ mod rates;
 use num_traits::Zero;
 
 use super::cells::Worst;
+use super::followed::Followed;
 use super::judge::Loop;
-use super::outcome::{NAME, split};
+use super::outcome::{NAME, UNKNOWN, followed, split};
 use crate::algebra::BigRational;
 use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
@@ -22,7 +24,9 @@ use crate::internal::fault;
 use crate::model::Model;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::number::round;
-use crate::request::{After, Clock, PlantBounds, Promises, Spec, one_or_each};
+use crate::request::{After, Clock, PlantBounds, Promises, Reference, Spec, one_or_each};
+use beside::Beside;
+pub(super) use cell::divided;
 use rates::{Rates, Sizes};
 
 /// Rounds in which a force is widened until it is consistent with itself.
@@ -81,8 +85,17 @@ fn bounded(spec: &Spec, model: &Model) -> Result<Bounded, Lacking> {
             "the plant of [plant] may differ from the model, and what that leaves is not examined";
         return Err(Lacking::Proof(why.to_owned()));
     }
+    if spec.reference == Some(Reference::Input) {
+        return Err(Lacking::Proof(UNKNOWN.to_owned()));
+    }
+    let own = spec.sampled().unwrap_or_else(|| fault("a model in samples without samples"));
+    let followed = Followed::new(spec, own).map_err(Lacking::Proof)?;
     let rates = Rates::new(spec, model).map_err(Lacking::Proof)?;
-    let sensors = rates.sensors().map_err(Lacking::Proof)?;
+    let mut sensors = rates.sensors().map_err(Lacking::Proof)?;
+    let followed = followed.map(|followed| Beside::new(spec, &followed));
+    if let Some(beside) = &followed {
+        sensors.iter_mut().zip(&beside.off).for_each(|(sensor, off)| *sensor += off);
+    }
     let mut force = 0.0;
     for _ in 0..ROUNDS {
         let chain = chain(spec, &sensors, force);
@@ -92,9 +105,16 @@ fn bounded(spec: &Spec, model: &Model) -> Result<Bounded, Lacking> {
         let way = way.ok_or_else(|| {
             Lacking::Proof("there are too many samples to bound the way to the deadline".to_owned())
         })?;
-        let sizes = rates.sizes(way.u, &way.x).map_err(Lacking::Proof)?;
+        let (wanted, x) = match &followed {
+            Some(beside) => beside.of_plant(way.u, &way.x),
+            None => (way.u, way.x.clone()),
+        };
+        let mut sizes = rates.sizes(wanted, &x).map_err(Lacking::Proof)?;
+        if let Some(beside) = &followed {
+            sizes.force += beside.force(wanted);
+        }
         if sizes.force <= force {
-            faces::stays(spec, model, &way.x).map_err(Lacking::Proof)?;
+            faces::stays(spec, model, &x).map_err(Lacking::Proof)?;
             return Ok(Bounded { worst, sizes, force });
         }
         force = (1.0 + WIDER) * sizes.force;
@@ -119,6 +139,7 @@ fn chain(spec: &Spec, sensors: &[f64], force: f64) -> Spec {
         model: None,
         drift: None,
         input_gain: None,
+        reference: None,
         // What follows the deadline is not looked at.
         after: After::Zero,
         promises: Promises {
@@ -175,11 +196,13 @@ fn judged(spec: &Spec, model: &Model, found: &Bounded) -> Outcome {
             worst.samples
         ),
         format!(
-            "between samples f + g u is within {} of what it was at the sample, which leaves an error of order h^({}-i) in x_i",
+            "between samples {} is within {} of what it was at the sample, which leaves an error of order h^({}-i) in x_i",
+            if spec.reference.is_some() { "f + g u - r^(n)" } else { "f + g u" },
             digits(*force),
             n + 2
         ),
     ];
+    details.extend(followed(spec));
     if !spec.fixed.contains_key(&Parameter::UMax) {
         details.push("without a limit of u, which is left to run time".to_owned());
     }

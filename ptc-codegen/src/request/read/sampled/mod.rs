@@ -73,6 +73,7 @@ impl Reader<'_> {
     pub(super) fn sampled(&mut self, spec: &mut Spec) {
         self.has_no_meaning(spec);
         self.period(spec);
+        self.reference_in_samples(spec);
         let a = spec.fixed.get(&Parameter::A).and_then(Fixed::number).cloned();
         // That of a model is refused.
         let late = spec.promises.delay.clone().filter(|_| spec.model.is_none()).unwrap_or_default();

@@ -1,0 +1,140 @@
+//! What a reference leaves in the loop of a controller in samples: where its derivatives are over a run.
+//!
+//! In e_i = x_i - r^(i-1), and with inputs that count less rho, the loop is that of the law without a reference,
+//! moved beside it by r^(n) - rho alone. With c the middle of the time in which an input acts, at which rho is
+//! r^(n), that is r^(n+1)(c) (t - c) + rest, |rest| <= (t - c)^2/2 max |r^(n+2)|.
+
+use num_traits::Zero;
+
+use super::judge::exact;
+use super::model::divided;
+use super::rounded::{Rounded, StagedValues, unit_roundoff};
+use crate::algebra::BigRational;
+use crate::expression::enclosure::{Interval, Range};
+use crate::lower::{plant, reference_at_sample};
+use crate::parameter::Parameter;
+use crate::program::{Input, Program, Stage, passes};
+use crate::request::{Reference, Sampled, Spec, derivatives};
+
+/// Cells into which the time of a run is divided.
+const CELLS: usize = 400;
+
+/// Roundings of the time of a call: of a count as a number, of h, and of their product, and more.
+const OF_TIME: f64 = 4.0;
+
+/// More than a few products and sums in doubles lose.
+const ROUNDED: f64 = 1.0 + 1e-14;
+
+/// Bounds over a run.
+#[derive(Clone, Debug)]
+pub(super) struct Followed {
+    /// Of |r|, |r'|, ..., and of |rho|, and how far each may be off as the program computes it.
+    pub(super) numbers: Vec<Near>,
+    /// Of |r^(n+1)|, where r^(n) - rho goes with it by the distance from the middle of a sample.
+    pub(super) slope: f64,
+    /// Of what is left of |r^(n) - rho| beside it.
+    pub(super) rest: f64,
+    /// Of all of |r^(n) - rho|.
+    pub(super) most: f64,
+}
+
+/// A bound, and what it may be off by.
+type Near = (f64, f64);
+
+impl Followed {
+    /// The reference of a design whose numbers are known; `None` without one. One that each call is given counts
+    /// as one whose r^(n) is constant over each sample, and as 0 where it rounds.
+    ///
+    /// # Errors
+    /// Why it has no bounds.
+    pub(super) fn new(spec: &Spec, own: &Sampled) -> Result<Option<Self>, String> {
+        let n = spec.n;
+        let jitter = exact(spec.promises.jitter.as_ref()).is_some_and(|jitter| !jitter.is_zero());
+        if spec.reference.is_some() && jitter {
+            return Err("what jitter leaves of a reference is not examined".to_owned());
+        }
+        let given = match &spec.reference {
+            None => return Ok(None),
+            Some(Reference::Known(all)) => &all[0],
+            Some(Reference::Input) => {
+                let numbers = vec![(0.0, 0.0); n + 1];
+                return Ok(Some(Self { numbers, slope: 0.0, rest: 0.0, most: 0.0 }));
+            }
+        };
+        let known = |value| exact(value).ok_or("tau or the sample period is left to run time");
+        let h = known(spec.promises.sample_time.as_ref())?;
+        let tau = known(spec.fixed.get(&Parameter::Tau))?;
+        let lacks = |order: usize| {
+            format!("no bound of derivative {order} of the reference is found over the run")
+        };
+        let all = derivatives(given, n + 2).map_err(lacks)?;
+        // Until the last input before the deadline has acted.
+        let late = BigRational::from_integer((own.delay.inputs() + 2).into()) * &h;
+        let [h, end] = [h, tau + late].map(|time| Range::from(&Interval::exact(&time)).high());
+        let cells = divided(Range::from(0.0).hull(&Range::from(end)), CELLS);
+        let values = over(spec, reference_at_sample(spec, own), &cells).map_err(lacks)?;
+        // Behind the derivatives up to n - 1 is that of order n for each input.
+        let (below, rates) = values.split_at(n);
+        let most = |a: Near, b: Near| (a.0.max(b.0), a.1.max(b.1));
+        let rate = rates.iter().copied().fold((0.0, 0.0), most);
+        let further = over(spec, plant(spec, &all[n + 1..]), &cells);
+        let further = further.map_err(|order| lacks(n + 1 + order.min(1)))?;
+        let [slope, curve] = [0, 1].map(|order: usize| further[order].0);
+        let most = 0.5 * h * slope * ROUNDED;
+        let (slope, rest) = match own.delay.is_whole() {
+            true => (slope, 0.125 * h * h * curve * ROUNDED),
+            // Two inputs act in a sample, the older one from before the start on: any signal.
+            false => (0.0, most),
+        };
+        let numbers = below.iter().copied().chain([rate]).collect();
+        Ok(Some(Self { numbers, slope, rest, most }))
+    }
+
+    /// Bound of |r^(order)|, and of |rho| for n.
+    pub(super) fn size(&self, order: usize) -> f64 {
+        self.numbers[order].0
+    }
+
+    /// Bound of the size of what the kept estimate of x_j is in e: the prediction without an error ends at 0.
+    /// `shares` are h^m/m!.
+    pub(super) fn of_estimate(&self, j: usize, shares: &[f64]) -> f64 {
+        let terms =
+            (j - 1..self.numbers.len()).map(|order| shares[order + 1 - j] * self.size(order));
+        terms.sum::<f64>() * ROUNDED
+    }
+}
+
+/// Bounds of the values that a program watches over cells of time, and of what rounding does to them.
+///
+/// # Errors
+/// The first that has none.
+fn over(spec: &Spec, program: Program, cells: &[Range]) -> Result<Vec<Near>, usize> {
+    let program = passes::optimise(program, &mut |_, _| {});
+    let mut values = StagedValues::new(&program, &program.watched).ok_or(0_usize)?;
+    let nothing = Rounded::of(Range::from(0.0));
+    let early = |input: Input| match input {
+        Input::Parameter(asked) => {
+            Some(Rounded::number(spec.fixed.get(&asked)?.number()?, spec.precision))
+        }
+        // Time counts from the start.
+        Input::StartTime => Some(nothing),
+        _ => None,
+    };
+    for stage in [Stage::Generation, Stage::Init, Stage::Arm] {
+        values.run(stage, &early);
+    }
+    let unit = OF_TIME * unit_roundoff(spec.precision);
+    let mut found = vec![(0.0_f64, 0.0_f64); program.watched.len()];
+    for cell in cells {
+        let time = Rounded { exact: *cell, error: (unit * cell.high()).next_up() };
+        values.run(Stage::Tick, &|input| match input {
+            Input::Time => Some(time),
+            other => early(other),
+        });
+        for (order, (value, most)) in program.watched.iter().zip(&mut found).enumerate() {
+            let value = values.get(*value).ok_or(order)?;
+            *most = (most.0.max(value.exact.size().high()), most.1.max(value.error));
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,110 @@
+//! What a reference adds to a sum over the states of a loop of e.
+//!
+//! R = (r, r', ...) moves by R_{k+1} = Phi R_k + Gamma rho_k + res_k, res_i the integral of (r^(n) - rho) against
+//! (time left)^(n-i)/(n-i)!, and e_{k+1} = Phi e_k + Gamma w_k - res_k. An observer sees the true input and does
+//! not see res: an estimate that a controller keeps counts less Phi^-1 (R_{k+1} - Gamma rho_k), so that its
+//! prediction is one of e, and Phi^-1 res_k, the integral against (-time gone)^(n-i)/(n-i)!, moves it.
+
+use super::chain::{Chain, Near, Unit, along};
+use super::followed::Followed;
+use super::force;
+use super::gain::Gain;
+use super::worst::Sampled;
+use crate::expression::enclosure::Range;
+
+/// What moves a loop of e beside the law, and what it takes of u.
+#[derive(Clone, Debug)]
+pub(super) struct Moved {
+    /// What r^(n+1) = 1 adds to each state in a sample, by the distance from the middle.
+    slanted: Vec<Near>,
+    /// The most that |r^(n) - rho| <= 1 adds, and of the plant alone.
+    whole: Vec<Near>,
+    plant: Vec<Near>,
+    /// Where estimates are kept, and of which state.
+    estimates: Vec<(usize, usize)>,
+    slope: f64,
+    rest: f64,
+    /// What rho adds where the input gain is not that of the law.
+    wrong: f64,
+    /// Bound of rho as an input, and of what that is with the gain of the plant.
+    pub(super) input: f64,
+    pub(super) acting: f64,
+    /// How far each state of the plant may be between two samples from where the input alone brings it.
+    pub(super) between: Vec<f64>,
+}
+
+impl Moved {
+    /// Of a loop whose law divides by `known`, of a plant with a `gain`.
+    pub(super) fn new(followed: &Followed, sampled: &Sampled, known: Range, gain: &Gain) -> Self {
+        let chain = &sampled.chain;
+        let (n, h) = (chain.moved, chain.shares[1]);
+        let size = sampled.size();
+        let estimates = (chain.n..size).filter_map(|place| {
+            let state = match sampled.unit(place) {
+                Unit::Gain(j) => j,
+                Unit::Power(power) => (n + 1).checked_sub(usize::try_from(power).ok()?)?,
+            };
+            (1..=n).contains(&state).then_some((place, state))
+        });
+        let estimates: Vec<_> = estimates.collect();
+        let plant: Vec<_> = (1..=n).map(|state| (state - 1, state)).collect();
+        let of = |places: &[(usize, usize)], value: &dyn Fn(usize) -> f64| {
+            let mut column = vec![(0.0, 0.0); size];
+            for (place, state) in places {
+                let value = value(n - state);
+                column[*place] = (value, 4.0 * f64::EPSILON * value.abs());
+            }
+            column
+        };
+        let share = |m: usize| chain.shares[m + 1];
+        // The integral of (s - h/2) against s^m/m!, with the sign of the time left or gone.
+        let slant = |m: usize| {
+            let count = real(m);
+            h * h * chain.shares[m] * count / (2.0 * (count + 1.0) * (count + 2.0))
+        };
+        let mut slanted = of(&plant, &|m| -slant(m));
+        let turned = |m: usize| if m.is_multiple_of(2) { slant(m) } else { -slant(m) };
+        let kept = of(&estimates, &turned);
+        slanted[chain.n..].copy_from_slice(&kept[chain.n..]);
+        let all = [plant.as_slice(), &estimates].concat();
+        let ends = [-1.0, 1.0].map(|side| gain.value * Range::from(1.0 + side * gain.error));
+        let off = ends.map(|end| (end / known - Range::from(1.0)).size().high());
+        let rate = followed.size(n);
+        // Two ranges of the same number are a rounding apart.
+        let wrong = off[0].max(off[1]) * rate;
+        let beside = 2.0 * (followed.most + wrong);
+        Self {
+            slanted,
+            whole: of(&all, &share),
+            plant: of(&plant, &share),
+            estimates,
+            slope: followed.slope,
+            rest: followed.rest,
+            wrong,
+            input: (Range::from(rate) / known.size()).high(),
+            acting: (rate + wrong) * (1.0 + 1e-14),
+            between: (1..=n).map(|state| beside * share(n - state) * (1.0 + 1e-14)).collect(),
+        }
+    }
+
+    /// The most that it adds to what `row` sees in a sample.
+    pub(super) fn adds(&self, chain: &Chain, row: &[f64]) -> f64 {
+        let any = |size: f64, estimates: &[(usize, usize)]| match size {
+            0.0 => 0.0,
+            size => size * force::most(chain, row, estimates)[1],
+        };
+        self.slope * along(row, &self.slanted).abs()
+            + any(self.rest, &self.estimates)
+            + any(self.wrong, &[])
+    }
+
+    /// The columns of its causes with their bounds.
+    pub(super) fn causes(&self) -> [(&Vec<Near>, f64); 3] {
+        [(&self.slanted, self.slope), (&self.whole, self.rest), (&self.plant, self.wrong)]
+    }
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn real(count: usize) -> f64 {
+    count as f64
+}

@@ -1,0 +1,119 @@
+//! A staged program within the program of a controller in samples: what is known before a call goes into
+//! fields, the rest into statements of the call.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::controller::Builder;
+use crate::code::{Expr, Shape, Statement, parameter_name};
+use crate::internal::fault;
+use crate::program::{Input, Op, Program, Stage, Value, passes};
+
+/// What is computed of a program so far.
+pub(super) struct Staged {
+    program: Program,
+    /// The names of the values that it watches.
+    names: Vec<String>,
+    /// What stands before the numbers of other values: of fields, and of local values.
+    letters: [&'static str; 2],
+    /// Users of each value.
+    uses: BTreeMap<Value, usize>,
+    known: BTreeMap<Value, Expr>,
+    /// All that has been known, given away or not.
+    done: BTreeSet<Value>,
+    /// How many have a name of their own.
+    named: usize,
+}
+
+impl Staged {
+    /// Of a program whose time is the local value t, and whose control is w.
+    pub(super) fn new(program: Program, names: Vec<String>, letters: [&'static str; 2]) -> Self {
+        let program = passes::optimise(program, &mut |_, _| {});
+        let mut uses: BTreeMap<_, usize> = BTreeMap::new();
+        let roots = || program.watched.iter().chain([&program.step]);
+        roots().for_each(|root| *uses.entry(*root).or_default() += 1);
+        for value in program.needed(&roots().copied().collect::<Vec<_>>()) {
+            let op = &program.get(value).op;
+            for operand in op.operands() {
+                *uses.entry(operand).or_default() += Expr::writes(op);
+            }
+        }
+        let (known, done) = (BTreeMap::new(), BTreeSet::new());
+        Self { program, names, letters, uses, known, done, named: 0 }
+    }
+
+    /// Statements before the values that it watches, and these.
+    pub(super) fn watched(&mut self, builder: &mut Builder<'_>) -> (Vec<Statement>, Vec<Expr>) {
+        let roots = self.program.watched.clone();
+        let body = self.body(builder, &roots);
+        (body, roots.into_iter().map(|root| self.expression(root)).collect())
+    }
+
+    /// Statements before its step, and this.
+    pub(super) fn step(&mut self, builder: &mut Builder<'_>) -> (Vec<Statement>, Expr) {
+        let root = self.program.step;
+        (self.body(builder, &[root]), self.expression(root))
+    }
+
+    /// What stands for a value. That of the only user is given away: the terms of a sum would be copied
+    /// with each term that is added.
+    fn expression(&mut self, value: Value) -> Expr {
+        let known = match self.uses.get(&value) {
+            Some(1) => self.known.remove(&value),
+            _ => self.known.get(&value).cloned(),
+        };
+        known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
+    }
+
+    /// Statements of what `roots` need and is not known yet.
+    fn body(&mut self, builder: &mut Builder<'_>, roots: &[Value]) -> Vec<Statement> {
+        let mut body = Vec::new();
+        for value in self.program.needed(roots) {
+            if self.done.insert(value) {
+                let known = self.value(builder, value, &mut body);
+                self.known.insert(value, known);
+            }
+        }
+        body
+    }
+
+    fn value(
+        &mut self,
+        builder: &mut Builder<'_>,
+        value: Value,
+        body: &mut Vec<Statement>,
+    ) -> Expr {
+        let definition = self.program.get(value);
+        let (op, stage) = (definition.op.clone(), definition.stage);
+        let [field, local] = self.letters;
+        let expression = match &op {
+            Op::Input(Input::State(j)) => Expr::Element("x".to_owned(), j - 1),
+            Op::Input(Input::Control) => return Expr::local("w"),
+            Op::Input(Input::Time) => Expr::local("t"),
+            Op::Input(Input::Parameter(parameter)) => {
+                let given = builder.parameter(*parameter);
+                let name = parameter_name(*parameter);
+                return builder.keep(&name, parameter.meaning(), given);
+            }
+            Op::Number(number) => return Expr::Number(number.clone()),
+            op => Expr::of(op, &mut |operand| self.expression(*operand))
+                .unwrap_or_else(|| fault(format!("{op:?} at a sample"))),
+        };
+        if stage <= Stage::Init {
+            self.named += 1;
+            let name = format!("{field}{}", self.named);
+            return builder.keep(&name, "derived from the parameters", expression);
+        }
+        let name = match self.program.watched.iter().position(|watched| *watched == value) {
+            Some(place) => self.names[place].clone(),
+            None if self.uses.get(&value).is_some_and(|uses| *uses > 1)
+                && !matches!(op, Op::Input(_)) =>
+            {
+                self.named += 1;
+                format!("{local}{}", self.named)
+            }
+            None => return expression,
+        };
+        body.push(Statement::Let(name.clone(), Shape::Real, expression));
+        Expr::local(name)
+    }
+}
