@@ -53,7 +53,7 @@ pub(super) fn steps(
     };
     let terms = followed.map(|followed| moved(followed, &kept, sampled, &chain.shares));
     let start = |at: usize| terms.as_ref().map_or(0.0, |terms| terms[at].0);
-    let units = kept.iter().enumerate().map(|(at, name)| (unit(&name), start(at))).collect();
+    let units = kept.iter().enumerate().map(|(at, name)| (unit(name), start(at))).collect();
     let mut steps = Vec::with_capacity(samples.clone().count());
     for k in samples {
         let mut sample = Sample::new(&code, &kept, (sampled, spec.references()), k)?;

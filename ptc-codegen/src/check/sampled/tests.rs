@@ -108,8 +108,8 @@ fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
         let own = spec.sampled().expect("a clock in samples");
         let h = range(&spec.fixed[&Parameter::SampleTime]);
         let chain = Chain::new(n, h, 0);
-        let (steps, acting, kept) =
-            super::emitted::steps(&spec, own, &chain, 0..=samples).expect("a program in rows");
+        let (steps, acting, kept) = super::emitted::steps(&spec, own, &chain, None, 0..=samples)
+            .expect("a program in rows");
         assert_eq!((acting, kept.len()), (None, 0));
         let mut sampled = Sampled::of(chain, steps, acting, &kept);
         sampled.x0 = vec![1.0; n];
