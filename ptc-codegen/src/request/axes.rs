@@ -2,7 +2,7 @@
 
 use std::iter::repeat_with;
 
-use super::{Feedback, Reference, Spec};
+use super::{Clock, Feedback, Reference, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::model::{Coupled, Model, Output};
@@ -18,6 +18,8 @@ pub struct Axes {
     pub gains: Vec<Vec<Fixed>>,
     /// The poles of each, from which the gains were computed.
     pub poles: Vec<Vec<(BigRational, BigRational)>>,
+    /// Greatest exponent of each in samples, [`Sampled::greatest`](super::Sampled::greatest).
+    pub greatest: Vec<BigRational>,
     /// Bound of |u| of each.
     pub limits: Vec<Fixed>,
     /// Input gain g of each.
@@ -99,6 +101,11 @@ impl Spec {
         if let Some(gains) = axes.gains.get(index) {
             spec.fixed.extend((1..).map(Parameter::Gain).zip(gains.iter().cloned()));
             spec.poles = axes.poles.get(index).cloned().unwrap_or_default();
+        }
+        if let (Clock::Samples(sampled), Some(greatest)) =
+            (&mut spec.clock, axes.greatest.get(index))
+        {
+            sampled.greatest = Some(greatest.clone());
         }
         if let Some(limit) = axes.limits.get(index) {
             spec.fixed.insert(Parameter::UMax, limit.clone());

@@ -20,11 +20,18 @@ pub(super) struct Builder<'a> {
     pub(super) fields: Vec<Variable>,
     /// The value that `init` gives each field.
     pub(super) values: Vec<(String, Shape, Expr)>,
+    /// The design of each output, where there are several.
+    pub(super) designs: &'a [Spec],
+    /// The output whose law is put together, from 1, where there are several.
+    pub(super) output: Option<usize>,
 }
 
 /// The controller of a spec whose clock is in samples, or its observer alone.
 pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
-    let mut builder = Builder { spec, sampled, fields: Vec::new(), values: Vec::new() };
+    let designs = spec.designs();
+    let (fields, values) = (Vec::new(), Vec::new());
+    let mut builder =
+        Builder { spec, sampled, fields, values, designs: &designs, output: None };
     let functions = builder.functions();
     Code {
         name: spec.name(),
@@ -113,7 +120,10 @@ impl Builder<'_> {
             given => self.keep_count("samples", "samples from the start to rest", given),
         };
         let mut functions = vec![self.arm()];
-        functions.push(self.step(&start, &samples));
+        functions.push(match self.spec.decoupled() {
+            Some(coupled) => self.step_of_inputs(coupled, &start, &samples),
+            None => self.step(&start, &samples),
+        });
         if self.sampled.observes() {
             functions.extend(self.estimates());
         }
@@ -330,7 +340,7 @@ impl Builder<'_> {
     }
 
     /// The bound of |u|; none for no bound.
-    fn limit(&mut self) -> Option<Expr> {
+    pub(super) fn limit(&mut self) -> Option<Expr> {
         if let Some(Fixed::Infinite) = self.spec.fixed.get(&Parameter::UMax) {
             return None;
         }

@@ -79,7 +79,8 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         | Input::Gain(_)
         | Input::Divisor
         | Input::Drift
-        | Input::Control => Computed::ANY,
+        | Input::Control
+        | Input::Wanted(_) => Computed::ANY,
     };
     let (eps, tau) =
         (parameter(Parameter::Eps).range.low(), parameter(Parameter::Tau).range.high());

@@ -68,6 +68,7 @@ impl<'a> Reader<'a> {
             count: number,
             gains,
             poles: Vec::new(),
+            greatest: Vec::new(),
             limits: Vec::new(),
             input_gains: Vec::new(),
             laws,

@@ -180,7 +180,7 @@ impl<'a> Reader<'a> {
         };
         let promises = self.promises(n, states);
         // A sample of delay is a state more.
-        let keeps = samples && (whole || model.is_none());
+        let keeps = samples && (whole || !self.has_model());
         let late = promises.delay.as_ref().filter(|_| keeps).map_or(0, Delay::inputs);
         let orders = (n.map(|n| n + late), order + late);
         let of_model = model.as_ref().map(|read| &read.model);
@@ -248,7 +248,7 @@ impl<'a> Reader<'a> {
         self.parameters(&mut spec, complete);
         self.reference_exists(&spec);
         match samples {
-            true if whole || spec.coupled.is_some() => {}
+            true if whole => {}
             true => self.sampled(&mut spec),
             false => self.not_sampled(&spec),
         }

@@ -86,7 +86,8 @@ impl Python<'_> {
             Gives::Progress => "Status".to_owned(),
             Gives::Array => "Array".to_owned(),
             Gives::Number => format!("np.{real}"),
-            Gives::Rate | Gives::Value | Gives::Values | Gives::Gains | Gives::Axes => {
+            Gives::Axes => "Axes".to_owned(),
+            Gives::Rate | Gives::Value | Gives::Values | Gives::Gains => {
                 crate::internal::fault("one of a batch")
             }
         };
@@ -135,7 +136,10 @@ impl Python<'_> {
         }
         self.block(&function.body);
         self.raises = None;
-        self.finish(&function.finish);
+        match &function.finish {
+            Finish::Inputs(inputs) => self.inputs_of_call(inputs),
+            finish => self.finish(finish),
+        }
         if computes {
             self.out.leave();
         }

@@ -1,5 +1,6 @@
 //! The inputs of one plant.
 
+use super::super::block::Block;
 use super::super::text::Text;
 use super::{Python, word};
 use crate::code::{Inputs, Status, Test};
@@ -43,6 +44,32 @@ impl Python<'_> {
         self.out.line(
             "u = np.where((status < 0)[..., np.newaxis], _R(0.0), u)
 return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
+        );
+    }
+    /// The same for one call.
+    pub(super) fn inputs_of_call(&mut self, inputs: &Inputs) {
+        let values: Vec<_> = inputs.values.iter().map(|value| self.alone(value)).collect();
+        let tracks = self.test(&inputs.tracks);
+        let line = self.out.joined("if ", &self.parts(&inputs.finite()), ("and", "\n    and "), ":");
+        self.out.line(format!("now = Status.OK if {tracks} else Status.HOLD"));
+        self.out.line(format!("u = [{}]", values.join(", ")));
+        self.out.line(format!("axes = [now] * {}", values.len()));
+        self.out.line("status = now");
+        self.out.open(line);
+        self.clip(inputs, &|index, bound| {
+            let saturated = "Status.SATURATED";
+            format!("u[{index}] = {bound}\naxes[{index}] = {saturated}\nstatus = {saturated}")
+        });
+        self.out.turn("else:");
+        for (index, value) in values.iter().enumerate() {
+            let finite = self.finite(value);
+            self.out.line(format!("u[{index}] = _R(0.0)"));
+            self.out.line(format!("if not {finite}:\n    axes[{index}] = Status.RANGE"));
+        }
+        self.out.line("status = Status.RANGE");
+        self.out.leave();
+        self.out.line(
+            "return Axes(np.array(u, dtype=_R), np.array(axes, dtype=np.int8), np.int8(status))",
         );
     }
 }

@@ -74,8 +74,10 @@ impl Reader<'_> {
         self.has_no_meaning(spec);
         self.period(spec);
         let a = spec.fixed.get(&Parameter::A).and_then(Fixed::number).cloned();
+        // Any other model is known at the samples alone.
+        let has_model = spec.model.is_some() || spec.coupled.is_some();
         // That of a model is refused.
-        let late = spec.promises.delay.clone().filter(|_| spec.model.is_none()).unwrap_or_default();
+        let late = spec.promises.delay.clone().filter(|_| !has_model).unwrap_or_default();
         let delay = late.inputs();
         if delay > MAX_KEPT || spec.n + delay > MAX_ORDER {
             let place = self.keys.get("delay").map(|node| node.place);
@@ -93,11 +95,11 @@ impl Reader<'_> {
         if linear.is_none() && self.keys.contains_key("A") {
             return;
         }
-        let gain = match linear.is_some() || spec.model.is_some() {
+        let gain = match linear.is_some() || has_model {
             true => integer(1),
             false => self.gain(spec),
         };
-        if spec.model.is_none() {
+        if !has_model {
             self.force_is_constant(spec);
         }
         let (measured, estimates, blocks) = match linear {
@@ -105,7 +107,7 @@ impl Reader<'_> {
                 let estimates: usize = blocks.iter().sum();
                 (plant.c.len(), (estimates > 0).then_some(estimates), blocks.clone())
             }
-            None if spec.model.is_some() => (spec.states(), None, Vec::new()),
+            None if has_model => (spec.states(), None, Vec::new()),
             None => {
                 let measured = self.measured(spec.n);
                 let estimates = spec.n + 1 - measured + usize::from(disturbance);
@@ -119,11 +121,11 @@ impl Reader<'_> {
             gain,
             measured,
             disturbance,
-            greatest: a.as_ref().and_then(|a| greatest(spec, spec.n + delay, a)),
+            greatest: a.as_ref().and_then(|a| greatest_of_all(spec, delay, a)),
             observer: self.observer(spec, estimates, &blocks, a.as_ref()),
             leaves_eps: !self.keys.contains_key("eps"),
         };
-        let least = sampled.least_samples(spec.n);
+        let least = sampled.least_samples(spec.highest_order());
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
         let samples = samples.filter(|_| spec.what != What::Observer);
         if let Some(samples) = samples.filter(|samples| **samples < integer(i64::from(least))) {
@@ -139,7 +141,7 @@ impl Reader<'_> {
         // Those of this clock have names of their own.
         let used = crate::collect::set(spec.expressions().flat_map(Expression::parameters));
         self.names_are_distinct(spec, &used);
-        self.deadbeat(spec, spec.n + delay);
+        self.deadbeat(spec, spec.highest_order() + delay);
         if spec.what == What::Observer {
             self.observer_alone(spec);
         }
@@ -323,6 +325,19 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// The greatest exponent of the laws of all outputs, where they are fixed; those of each are kept where they
+/// differ.
+fn greatest_of_all(spec: &mut Spec, delay: usize, a: &BigRational) -> Option<BigRational> {
+    let designs = spec.designs();
+    let each = designs.iter().map(|own| greatest(own, own.n + delay, a));
+    let each = each.collect::<Option<Vec<_>>>()?;
+    let most = each.iter().max().cloned();
+    if let Some(axes) = spec.axes.as_mut().filter(|axes| !axes.gains.is_empty()) {
+        axes.greatest = each;
+    }
+    most
 }
 
 /// The greatest real part of the exponents p = -pole/a, where the gains are fixed; where no poles
