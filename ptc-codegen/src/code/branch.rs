@@ -75,6 +75,14 @@ fn finish(function: &'static str, end: &Finish, found: &mut Vec<Branch>) {
         finish(function, yes, found);
         finish(function, no, found);
     } else {
+        if let Finish::Inputs(inputs) = end {
+            test(function, &inputs.tracks, found);
+            let clips = (0..inputs.values.len()).flat_map(|index| inputs.clips_at(index));
+            let clips = clips.map(|(test, _, place)| (test, place));
+            for (test, place) in inputs.finite_at().into_iter().chain(clips) {
+                both(function, test, place, found);
+            }
+        }
         end.visit(&mut |value| expression(function, value, found));
     }
 }

@@ -274,6 +274,11 @@ impl<'b> Frame<'_, 'b> {
     }
 
     pub(super) fn test(&self, test: &Test) -> bool {
+        self.test_at(test, std::ptr::from_ref(test).addr())
+    }
+
+    /// The same of a test that is known by another place in the program than its own.
+    pub(super) fn test_at(&self, test: &Test, place: usize) -> bool {
         let holds = match test {
             Test::Less(a, b) => self.real(a) < self.real(b),
             Test::AtMost(a, b) => self.real(a) <= self.real(b),
@@ -283,7 +288,7 @@ impl<'b> Frame<'_, 'b> {
             Test::NotNumber(a) => self.real(a).is_nan(),
             Test::All(tests) => return tests.iter().all(|test| self.test(test)),
         };
-        self.note(std::ptr::from_ref(test).addr(), holds);
+        self.note(place, holds);
         holds
     }
 

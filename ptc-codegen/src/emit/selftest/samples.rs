@@ -51,6 +51,8 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         noun: code.noun(),
         abs: format!("fabs{}", suffix(spec)),
         poison: numbers.number(12345.0),
+        dimension: spec.axes.as_ref().map(|axes| format!("[{}]", axes.count)).unwrap_or_default(),
+        result: if spec.axes.is_some() { "u" } else { "&u" },
         measured: spec.sampled().map_or(0, |sampled| sampled.measured),
         alone: code.function("update").is_some(),
         states,
@@ -75,7 +77,13 @@ impl Numbers<'_> {
         ];
         fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
         fields.push(format!(".status = {}", printed::word(call.status)));
-        fields.extend(call.u.map(|u| format!(".u = {}", self.number(u))));
+        fields.extend(match call.axes.as_slice() {
+            [] => call.u.first().map(|u| format!(".u = {}", self.number(*u))),
+            axes => {
+                let axes: Vec<_> = axes.iter().map(|status| printed::word(*status)).collect();
+                Some(format!(".u = {{{}}}, .axes = {{{}}}", self.list(&call.u), axes.join(", ")))
+            }
+        });
         let (xhat, d) = call.estimates.split_at(states.min(call.estimates.len()));
         if !xhat.is_empty() {
             fields.push(format!(".xhat = {{{}}}", self.list(xhat)));
@@ -93,6 +101,9 @@ struct Source<'a> {
     abs: String,
     /// What a result is before a call, which must overwrite it.
     poison: String,
+    /// What stands behind u where there are several, and u as an argument.
+    dimension: String,
+    result: &'static str,
     /// Values that are measured.
     measured: usize,
     /// Whether it is an observer alone.

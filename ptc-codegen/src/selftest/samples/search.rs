@@ -241,7 +241,8 @@ impl<'a> Search<'a> {
         let mut given = vec![("k", &tick[..]), (if states { "x" } else { "y" }, &y[..])];
         given.extend(alone.then_some(("u", &last[..])));
         let outcome = trial.call(if alone { "update" } else { "step" }, &given);
-        let of = |name: &str| outcome.results.get(name).and_then(|value| value.first()).copied();
+        let inputs = self.spec.axes.as_ref().map(|axes| axes.count);
+        let of = |name: &str| outcome.results.get(name).cloned();
         let mut estimates = Vec::new();
         for function in ["estimate", "disturbance"] {
             if self.code.function(function).is_some() {
@@ -255,7 +256,11 @@ impl<'a> Search<'a> {
             applied: alone.then_some(applied),
             status: outcome.status,
             // A call that fails gives 0.
-            u: (!alone).then(|| of("u").unwrap_or(0.0)),
+            u: match alone {
+                true => Vec::new(),
+                false => of("u").unwrap_or_else(|| vec![0.0; inputs.unwrap_or(1)]),
+            },
+            axes: of("axes").into_iter().flatten().map(Status::of_number).collect(),
             estimates,
         };
         call.estimates.iter().chain(&call.u).all(|value| value.is_finite()).then_some(call)
