@@ -49,27 +49,29 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
     /// The same for one call.
     pub(super) fn inputs_of_call(&mut self, inputs: &Inputs) {
         let values: Vec<_> = inputs.values.iter().map(|value| self.alone(value)).collect();
-        let tracks = self.test(&inputs.tracks);
-        let line = self.out.joined("if ", &self.parts(&inputs.finite()), ("and", "\n    and "), ":");
+        let (count, tracks) = (values.len(), self.test(&inputs.tracks));
+        let finite = self.parts(&inputs.finite());
         self.out.line(format!("now = Status.OK if {tracks} else Status.HOLD"));
-        self.out.line(format!("u = [{}]", values.join(", ")));
-        self.out.line(format!("axes = [now] * {}", values.len()));
+        self.out.line(format!("u = np.array([{}], dtype=_R)", values.join(", ")));
+        self.out.line(format!("axes = np.full({count}, now, dtype=np.int8)"));
         self.out.line("status = now");
+        let line = self.out.joined("if ", &finite, ("and", " \\\n    and "), ":");
         self.out.open(line);
         self.clip(inputs, &|index, bound| {
             let saturated = "Status.SATURATED";
             format!("u[{index}] = {bound}\naxes[{index}] = {saturated}\nstatus = {saturated}")
         });
         self.out.turn("else:");
-        for (index, value) in values.iter().enumerate() {
-            let finite = self.finite(value);
-            self.out.line(format!("u[{index}] = _R(0.0)"));
-            self.out.line(format!("if not {finite}:\n    axes[{index}] = Status.RANGE"));
-        }
-        self.out.line("status = Status.RANGE");
+        self.out.line("axes[~np.isfinite(u)] = Status.RANGE\nu[:] = 0.0\nstatus = Status.RANGE");
         self.out.leave();
-        self.out.line(
-            "return Axes(np.array(u, dtype=_R), np.array(axes, dtype=np.int8), np.int8(status))",
-        );
+        self.out.line("return Axes(u, axes, np.asarray(status, dtype=np.int8))");
+    }
+
+    /// What such a call gives where it fails before it has computed them.
+    pub(super) fn no_inputs(&self, word: &str) -> String {
+        let count = self.code.axes().unwrap_or_default();
+        format!(
+            "refused = np.full({count}, Status.{word}, dtype=np.int8)\nreturn Axes(np.zeros({count}, dtype=_R), refused, np.asarray(Status.{word}, dtype=np.int8))"
+        )
     }
 }

@@ -154,18 +154,8 @@ impl Block for Python<'_> {
         let word = word(status);
         self.out.line(match self.gives {
             Gives::Progress => format!("return Status.{word}"),
-            Gives::Axes => {
-                let count = self.code.axes().unwrap_or_default();
-                format!("return {}", every_axis(count, &word))
-            }
+            Gives::Axes => self.no_inputs(&word),
             _ => format!("return Control(_R(0.0), Status.{word})"),
         });
     }
-}
-
-/// What a call of so many inputs gives where it fails before it has computed them.
-fn every_axis(count: usize, word: &str) -> String {
-    format!(
-        "Axes(np.zeros({count}, dtype=_R), np.full({count}, Status.{word}, dtype=np.int8), np.int8(Status.{word}))"
-    )
 }
