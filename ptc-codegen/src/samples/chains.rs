@@ -35,9 +35,7 @@ fn join(all: &mut Vec<Statement>, more: Vec<Statement>) {
         let is_test = |other: &Statement| matches!(other, Statement::If(..));
         match statement {
             Statement::If(test, yes, no) => {
-                let same = |other: &&mut Statement| {
-                    matches!(other, Statement::If(own, ..) if *own == test)
-                };
+                let same = |other: &&mut Statement| matches!(other, Statement::If(own, ..) if *own == test);
                 match all.iter_mut().find(same) {
                     Some(Statement::If(_, own_yes, own_no)) => {
                         join(own_yes, yes);

@@ -30,8 +30,7 @@ pub(super) struct Builder<'a> {
 pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
     let designs = spec.designs();
     let (fields, values) = (Vec::new(), Vec::new());
-    let mut builder =
-        Builder { spec, sampled, fields, values, designs: &designs, output: None };
+    let mut builder = Builder { spec, sampled, fields, values, designs: &designs, output: None };
     let functions = builder.functions();
     Code {
         name: spec.name(),

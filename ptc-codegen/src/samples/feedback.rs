@@ -134,7 +134,8 @@ impl Builder<'_> {
             left = left.max(self.keep("hold", "samples to go at which the gains are held", hold));
         }
         first.push(now(left));
-        let from = self.keep(&self.named("deadbeat"), "samples to go at which deadbeat takes over", from);
+        let from =
+            self.keep(&self.named("deadbeat"), "samples to go at which deadbeat takes over", from);
         (first, Test::Less(from, Expr::local("m0")), Vec::new())
     }
 

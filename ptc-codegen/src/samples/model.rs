@@ -43,7 +43,10 @@ impl AtSample {
             }
         }
         let (coordinates, wanted) = match builder.spec.decoupled() {
-            None => ((1..=program.watched.len()).map(|j| format!("x{j}")).collect(), vec!["w".to_owned()]),
+            None => (
+                (1..=program.watched.len()).map(|j| format!("x{j}")).collect(),
+                vec!["w".to_owned()],
+            ),
             Some(coupled) => (
                 coupled.names_of_chains().map(|name| format!("x{name}")).collect(),
                 (1..=coupled.outputs.len()).map(|output| format!("law_{output}")).collect(),

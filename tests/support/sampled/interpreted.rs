@@ -56,7 +56,12 @@ for line in sys.stdin:
             status, values = held[at].update(k, given_now[:-1], given_now[-1]), []
             assert type(status) is module.Status, (module, type(status))
         else:
-            u, status = held[at].step(k, given_now)
+            u, *axes, status = held[at].step(k, given_now)
+            if axes:
+                [axes] = axes
+                assert (u.dtype, axes.dtype, status.dtype) == (real, np.int8, np.int8), module
+                print("S", int(status), *map(show, u), *map(int, axes))
+                continue
             assert type(u) is real, (module, type(u))
             values = [u]
         for name in given:
@@ -220,6 +225,9 @@ function drive(designs)
                 x = cellfun(@hex2num, words(3:end));
                 if strcmp(d.call, 'update')
                     [status, self{at}] = step(self{at}, k, x(1:end - 1), x(end));
+                elseif d.inputs
+                    [u, axes, status] = step(self{at}, k, x);
+                    if ~isa(axes, 'int32') error('types'); end
                 elseif d.changes
                     [u, status, self{at}] = step(self{at}, k, x);
                 else
@@ -229,7 +237,10 @@ function drive(designs)
                 text = sprintf('S %d', status);
                 if ~strcmp(d.call, 'update')
                     if ~isa(u, d.real) error('types'); end
-                    text = [text show(u)];
+                    for value = u(:)'
+                        text = [text show(value)];
+                    end
+                    if d.inputs text = [text sprintf(' %d', axes)]; end
                 end
                 for j = 1:numel(given)
                     values = given{j}(self{at});
@@ -261,7 +272,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
         writeln!(
             table,
             "designs{{{}}} = struct('folder', '{}', 'name', '{}', 'real', '{real}', 'names', {{{{{}}}}}, \
-             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'call', '{}');",
+             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'inputs', {}, 'call', '{}');",
             i + 1,
             design.folder.display(),
             design.code.name,
@@ -269,6 +280,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
             lengths.join(", "),
             given.join(", "),
             u8::from(changes),
+            u8::from(design.code.axes().is_some()),
             step.name
         )
         .expect("a string");

@@ -3,7 +3,7 @@
 //! A driver reads words: `D i` chooses a design, `I` and its parameters initialise it, `A k` arms it,
 //! `S k` and its measurements step it. Numbers are the bits of doubles in hexadecimal. It writes a
 //! line for each `I` (the status) and for each `S`: the status, u, and all that the controller gives
-//! beside it.
+//! beside it; of several inputs every u, and then the status of each.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -117,9 +117,14 @@ impl Design {
                     let given = [("k", &k[..]), ("x", y), ("y", y), ("u", last)];
                     let outcome = instance.call(self.called().name, &given);
                     let mut line = format!("S {}", outcome.status.number());
+                    let of = |name: &str| outcome.results.get(name).cloned();
                     if !self.observes() {
-                        let u = outcome.results.get("u").map_or(0.0, |u| u[0]);
-                        write!(line, " {}", word(u)).expect("a string");
+                        for u in of("u").unwrap_or_else(|| vec![0.0]) {
+                            write!(line, " {}", word(u)).expect("a string");
+                        }
+                    }
+                    for status in of("axes").into_iter().flatten() {
+                        write!(line, " {status}").expect("a string");
                     }
                     for (function, _) in self.given() {
                         for value in instance.call(function.name, &[]).results.values().flatten() {

@@ -76,11 +76,15 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             })
             .collect();
         let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
-        let step = match design.observes() {
-            true => format!(
+        let step = match (design.observes(), design.code.axes()) {
+            (true, _) => format!(
                 "{real} u = ({real})number(); printf(\"S %d\", (int){name}_update(&self{i}, k, x, u));"
             ),
-            false => format!(
+            (false, Some(m)) => format!(
+                "{real} u[{m}]; ptc_status axes[{m}]; printf(\"S %d\", (int){name}_step(&self{i}, k, x, u, axes)); \
+                 for (int j = 0; j < {m}; j++) show((double)u[j]); for (int j = 0; j < {m}; j++) printf(\" %d\", (int)axes[j]);"
+            ),
+            (false, None) => format!(
                 "{real} u = 77; printf(\"S %d\", (int){name}_step(&self{i}, k, x, &u)); show((double)u);"
             ),
         };
@@ -132,11 +136,15 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             })
             .collect();
         let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
-        let step = match design.observes() {
-            true => format!(
+        let step = match (design.observes(), design.code.axes()) {
+            (true, _) => format!(
                 "const auto u = static_cast<{real}>(number()); printf(\"S %d\", static_cast<int>(self{i}.update(k, x, u)));"
             ),
-            false => format!(
+            (false, Some(_)) => format!(
+                "const auto r = self{i}.step(k, x); printf(\"S %d\", static_cast<int>(r.status)); \
+                 for (const auto e : r.u) show(double(e)); for (const auto e : r.axes) printf(\" %d\", static_cast<int>(e));"
+            ),
+            (false, None) => format!(
                 "const auto r = self{i}.step(k, x); printf(\"S %d\", static_cast<int>(r.status)); show(double(r.u));"
             ),
         };

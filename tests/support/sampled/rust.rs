@@ -86,12 +86,16 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
             })
             .collect();
         let x = (0..m).map(value).collect::<Vec<_>>().join(", ");
-        let step = match design.observes() {
-            true => format!(
+        let step = match (design.observes(), design.code.axes()) {
+            (true, _) => format!(
                 "let y = [{x}]; let u = {}; let status = outcome!({name}, this.update(k, &y, u)).map_or_else(|e| e, |s| status!({name}, s)); print!(\"S {{status}}\");",
                 value(0)
             ),
-            false => format!(
+            (false, Some(_)) => format!(
+                "let c = this.step(k, &[{x}]); let number = |s| outcome!({name}, s).map_or_else(|e| e, |s| status!({name}, s)); \
+                 print!(\"S {{}}\", number(c.status)); for u in c.u {{ show(f64::from(u)); }} for s in c.axes {{ print!(\" {{}}\", number(s)); }}"
+            ),
+            (false, None) => format!(
                 "let (status, u) = outcome!({name}, this.step(k, &[{x}])).map_or_else(|e| (e, 0.0), |c| (status!({name}, c.status), f64::from(c.u))); print!(\"S {{status}}\"); show(u);"
             ),
         };

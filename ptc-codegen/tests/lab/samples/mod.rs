@@ -5,6 +5,7 @@ mod calls;
 mod reference;
 mod refusals;
 mod rest;
+mod several_inputs;
 
 use ptc_codegen::code::Code;
 use ptc_codegen::diagnostic::Place;
