@@ -196,7 +196,7 @@ const OF_INPUTS: [Keys; 4] = [
         ("bias", "[m*q2*w1*w2, w1^2/2 - q1]"),
     ],
     &[
-        ("mu", "exp(a=1.5)"),
+        ("mu", "exp(a=0.8)"),
         ("poles", "[[-4],[-3,-4],[-5],[-2.5,-6]]"),
         ("u_max", "inf"),
         ("states", "a, b, b1, c, d, d1"),
@@ -214,7 +214,7 @@ const OF_INPUTS: [Keys; 4] = [
         ("states", "a, b"),
         ("inputs", "A, B"),
         ("outputs", "a, b"),
-        ("dynamics", "A*b, A + B - k*a"),
+        ("dynamics", "A*(b - 1), A + B - k*a"),
     ],
 ];
 

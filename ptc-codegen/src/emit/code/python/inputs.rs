@@ -50,20 +50,19 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
     pub(super) fn inputs_of_call(&mut self, inputs: &Inputs) {
         let values: Vec<_> = inputs.values.iter().map(|value| self.alone(value)).collect();
         let (count, tracks) = (values.len(), self.test(&inputs.tracks));
-        let finite = self.parts(&inputs.finite());
-        self.out.line(format!("now = Status.OK if {tracks} else Status.HOLD"));
+        self.out.line(format!("status = Status.OK if {tracks} else Status.HOLD"));
         self.out.line(format!("u = np.array([{}], dtype=_R)", values.join(", ")));
-        self.out.line(format!("axes = np.full({count}, now, dtype=np.int8)"));
-        self.out.line("status = now");
-        let line = self.out.joined("if ", &finite, ("and", " \\\n    and "), ":");
-        self.out.open(line);
+        self.out.line(format!("axes = np.full({count}, status, dtype=np.int8)"));
+        self.out.line("usable = np.isfinite(u)");
+        self.out.open("if not usable.all():");
+        self.out.line("axes[~usable] = Status.RANGE");
+        self.out.line(format!("u = np.zeros({count}, dtype=_R)"));
+        self.out.line("return Axes(u, axes, np.asarray(Status.RANGE, dtype=np.int8))");
+        self.out.leave();
         self.clip(inputs, &|index, bound| {
             let saturated = "Status.SATURATED";
             format!("u[{index}] = {bound}\naxes[{index}] = {saturated}\nstatus = {saturated}")
         });
-        self.out.turn("else:");
-        self.out.line("axes[~np.isfinite(u)] = Status.RANGE\nu[:] = 0.0\nstatus = Status.RANGE");
-        self.out.leave();
         self.out.line("return Axes(u, axes, np.asarray(status, dtype=np.int8))");
     }
 
