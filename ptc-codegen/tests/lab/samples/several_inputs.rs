@@ -25,13 +25,7 @@ mu = "exp(a=1)"
 states = ["a", "b", "b1", "c", "d", "d1"]
 inputs = ["A", "B", "C", "D"]
 outputs = ["a", "b", "c", "d"]
-[model.dynamics]
-a = "A*(2 + b^2) + B - a*c"
-b = "b1"
-b1 = "B*(3 + a) + C*d - b*d1"
-c = "C + D*a - c^2"
-d = "d1"
-d1 = "D*(2 - b) + A*c + a"
+dynamics = { a = "A*(2 + b^2) + B - a*c", b = "b1", b1 = "B*(3 + a) + C*d - b*d1", c = "C + D*a - c^2", d = "d1", d1 = "D*(2 - b) + A*c + a" }
 "#;
 
 /// A design with other values of keys at its top and under [params].
@@ -196,8 +190,8 @@ fn the_error_falls_with_the_period() {
         (
             "tank.toml",
             "poles = [[-4], [-3, -4]]",
-            30,
-            [1.0, 0.5, 0.25],
+            4,
+            [0.125, 0.0625, 0.03125],
             &[0.3, 10.0, 5.0][..],
             tank as fn(&[f64]) -> Vec<f64>,
             &[2, 3, 2][..],
@@ -219,12 +213,12 @@ fn the_error_falls_with_the_period() {
         });
         for pair in errors.windows(2) {
             for ((coarse, fine), order) in pair[0].iter().zip(&pair[1]).zip(orders) {
-                // At 1e-16 roundings are all that is left.
+                // Roundings leave some 1e-17.
                 let bound = coarse / 2.0_f64.powi(*order) + 1e-16;
                 assert!(*fine <= bound, "{name}: {errors:?}");
             }
         }
-        assert!(errors[0].iter().all(|error| *error > 1e-11), "{name}: {errors:?}");
+        assert!(errors[0].iter().any(|error| *error > 1e-9), "{name}: {errors:?}");
     }
 }
 
