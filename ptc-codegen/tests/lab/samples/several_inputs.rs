@@ -3,6 +3,8 @@
 
 use num_traits::{FromPrimitive, Signed, ToPrimitive};
 use ptc_codegen::algebra::BigRational;
+use ptc_codegen::check::Verdict;
+use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{Code, Instance, Status};
 use ptc_codegen::plant::{Plant, read_design};
 use ptc_codegen::samples;
@@ -376,4 +378,59 @@ fn the_command_gives_the_design() {
         let found = crate::command::spec_of(&wanted.command()).expect("a legal command");
         assert_eq!(found, wanted, "{}", wanted.command());
     }
+}
+
+/// What is not proved is not called sound.
+#[test]
+fn the_checks_say_what_they_do_not_know() {
+    let report = |text: &str| examine(&spec(text));
+    let of = |text: &str, name: &str| {
+        let outcome = report(text).outcomes.into_iter().find(|outcome| outcome.name == name);
+        outcome.expect("a check")
+    };
+    let tank = |x_max: &str, limit: &str| {
+        let top = format!("sample_time = 0.05\nx_max = {x_max}\nnoise = [1e-3, 0.1, 0.1]");
+        changed(&example("tank.toml"), &top, limit)
+    };
+    for name in ["sampling", "deadline", "loop"] {
+        let found = of(&tank("[0.9, 50, 50]", ""), name);
+        assert_eq!(found.verdict, Verdict::NotChecked, "{name}: {}", found.summary);
+        assert!(found.summary.contains("several inputs"), "{name}: {}", found.summary);
+    }
+    let arm = |mass: &str| {
+        let top = "mu = \"exp(a=1)\"\npoles = [-3, -4]\nsample_time = 0.05\nx0_max = [1, 1]\nerror = 0.1\nx_max = [3, 3, 9, 9]";
+        changed(&example("two_link.toml"), top, mass)
+    };
+    for (text, verdict, summary) in [
+        (tank("[0.9, 50, 50]", ""), Verdict::NotChecked, "within `x_max` it divides by no 0"),
+        (tank("[1, 50, 50]", ""), Verdict::Refuted, "1 + h, is 0 at h = -1: the law divides by it"),
+        (arm("m2 = 1.5"), Verdict::NotChecked, "within `x_max` it divides by no 0"),
+        (
+            changed(
+                FOUR,
+                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nx_max = [1, 1, 9, 1, 1, 9]",
+                "tau = 1\nsample_time = 0.01",
+            ),
+            Verdict::NotChecked,
+            "within `x_max` it divides by no 0",
+        ),
+        (
+            changed(
+                FOUR,
+                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nx_max = [4, 3, 9, 1, 1, 9]",
+                "tau = 1\nsample_time = 0.01",
+            ),
+            Verdict::Refuted,
+            "the law divides by it",
+        ),
+    ] {
+        let found = of(&text, "envelope");
+        assert_eq!(found.verdict, verdict, "{text}: {}", found.summary);
+        assert!(found.summary.contains(summary), "{}", found.summary);
+    }
+    let looped = of(&arm("m2 = 1.5"), "loop");
+    assert_eq!(looped.verdict, Verdict::NotChecked, "{}", looped.summary);
+    // A mass at run time is in nothing that the law divides by, yet it may be no number.
+    let open = of(&arm("tau = 1").replace("\nm2 ", "\n# m2 "), "envelope");
+    assert_ne!(open.verdict, Verdict::Sound, "{}", open.summary);
 }
