@@ -102,11 +102,6 @@ impl Spec {
             spec.fixed.extend((1..).map(Parameter::Gain).zip(gains.iter().cloned()));
             spec.poles = axes.poles.get(index).cloned().unwrap_or_default();
         }
-        if let (Clock::Samples(sampled), Some(greatest)) =
-            (&mut spec.clock, axes.greatest.get(index))
-        {
-            sampled.greatest = Some(greatest.clone());
-        }
         if let Some(limit) = axes.limits.get(index) {
             spec.fixed.insert(Parameter::UMax, limit.clone());
         }
@@ -118,6 +113,14 @@ impl Spec {
         }
         if let Some(gain) = axes.input_gains.get(index) {
             spec.input_gain = (*gain != Expression::integer(1)).then(|| gain.clone());
+        }
+        let (gain, chains) = (spec.known_gain(), self.decoupled().is_none());
+        if let Clock::Samples(sampled) = &mut spec.clock {
+            let greatest = axes.greatest.get(index).cloned();
+            sampled.greatest = greatest.or(sampled.greatest.take());
+            if chains {
+                (sampled.measured, sampled.gain) = (spec.n, gain);
+            }
         }
         spec
     }

@@ -20,15 +20,16 @@ pub(super) struct Builder<'a> {
     pub(super) fields: Vec<Variable>,
     /// The value that `init` gives each field.
     pub(super) values: Vec<(String, Shape, Expr)>,
-    /// The design of each output, where there are several.
+    /// The design of each output or axis, where there are several.
     pub(super) designs: &'a [Spec],
-    /// The output whose law is put together, from 1, where there are several.
+    /// The output or axis whose law is put together, from 1, where there are several.
     pub(super) output: Option<usize>,
 }
 
 /// The controller of a spec whose clock is in samples, or its observer alone.
 pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
-    let designs = spec.designs();
+    let count = spec.axes.as_ref().map_or(0, |axes| axes.count);
+    let designs: Vec<_> = (0..count).map(|index| spec.axis(index)).collect();
     let (fields, values) = (Vec::new(), Vec::new());
     let mut builder = Builder { spec, sampled, fields, values, designs: &designs, output: None };
     let functions = builder.functions();
@@ -119,9 +120,9 @@ impl Builder<'_> {
             given => self.keep_count("samples", "samples from the start to rest", given),
         };
         let mut functions = vec![self.arm()];
-        functions.push(match self.spec.decoupled() {
-            Some(coupled) => self.step_of_inputs(coupled, &start, &samples),
-            None => self.step(&start, &samples),
+        functions.push(match self.designs {
+            [] => self.step(&start, &samples),
+            _ => self.step_of_inputs(&start, &samples),
         });
         if self.sampled.observes() {
             functions.extend(self.estimates());

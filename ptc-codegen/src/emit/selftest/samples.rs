@@ -53,12 +53,17 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         poison: numbers.number(12345.0),
         dimension: spec.axes.as_ref().map(|axes| format!("[{}]", axes.count)).unwrap_or_default(),
         result: if spec.axes.is_some() { "u" } else { "&u" },
-        measured: spec.sampled().map_or(0, |sampled| sampled.measured),
+        shape: match spec.rows_of_axes() {
+            Some((count, n)) => format!("[{count}][{n}]"),
+            None => format!("[{}]", spec.sampled().map_or(0, |sampled| sampled.measured)),
+        },
         alone: code.function("update").is_some(),
         states,
         disturbance: estimate("disturbance").is_some(),
         sessions: &sessions,
-        calls: &calls.map(|call| numbers.sample(call, states.unwrap_or(0))).collect::<Vec<_>>(),
+        calls: &calls
+            .map(|call| numbers.sample(call, states.unwrap_or(0), spec.rows_of_axes()))
+            .collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
         has_parameters: !code.parameters.is_empty(),
         frame: &Outline::new(spec, code),
@@ -67,13 +72,19 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
 }
 
 impl Numbers<'_> {
-    /// A call whose estimates are those of `states` states, and then that of the disturbance.
-    fn sample(&self, call: &Call, states: usize) -> String {
+    /// A call whose estimates are those of `states` states, and then that of the disturbance; of axes with so
+    /// many `rows` of states.
+    fn sample(&self, call: &Call, states: usize, rows: Option<(usize, usize)>) -> String {
+        let row = |row: &[f64]| format!("{{{}}}", self.list(row));
+        let y = match rows {
+            Some((_, n)) => call.y.chunks(n).map(row).collect::<Vec<_>>().join(", "),
+            None => self.list(&call.y),
+        };
         let mut fields = vec![
             format!(".is_armed = {}U", u8::from(call.start.is_some())),
             format!(".start = {}U", call.start.unwrap_or(0)),
             format!(".k = {}U", call.k),
-            format!(".y = {{{}}}", self.list(&call.y)),
+            format!(".y = {{{y}}}"),
         ];
         fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
         fields.push(format!(".status = {}", printed::word(call.status)));
@@ -104,8 +115,8 @@ struct Source<'a> {
     /// What stands behind u where there are several, and u as an argument.
     dimension: String,
     result: &'static str,
-    /// Values that are measured.
-    measured: usize,
+    /// The shape of what is measured.
+    shape: String,
     /// Whether it is an observer alone.
     alone: bool,
     /// States that are estimated; `None` without an observer.

@@ -179,8 +179,9 @@ impl<'a> Reader<'a> {
             (None, None) => n,
         };
         let promises = self.promises(n, states);
-        // A sample of delay is a state more.
-        let keeps = samples && (whole || !self.has_model());
+        // A sample of delay is a state more of a chain, or of a plant that is linear.
+        let one = !self.has_model() && !self.keys.contains_key("axes");
+        let keeps = samples && (whole || one);
         let late = promises.delay.as_ref().filter(|_| keeps).map_or(0, Delay::inputs);
         let orders = (n.map(|n| n + late), order + late);
         let of_model = model.as_ref().map(|read| &read.model);

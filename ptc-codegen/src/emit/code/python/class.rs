@@ -94,7 +94,7 @@ impl Python<'_> {
         let mut list = vec!["self".to_owned()];
         for argument in &function.arguments {
             let kind = match argument.shape {
-                Shape::Reals(_) => "ArrayLike",
+                Shape::Reals(_) | Shape::Lists(..) => "ArrayLike",
                 // A float64 is a float, a float32 is none.
                 Shape::Real if self.code.precision == Precision::F32 => "float | np.float32",
                 shape => annotation(shape),
@@ -126,6 +126,10 @@ impl Python<'_> {
                 Shape::Count => self.out.line(format!("{name} = {name}.__index__() & _WRAP")),
                 Shape::Reals(length) => {
                     self.out.line(format!("{name} = _numbers({name}, {length}, \"{name}\")"));
+                }
+                Shape::Lists(count, length) => {
+                    let given = format!("{name}, {count}, {length}, \"{name}\"");
+                    self.out.line(format!("{name} = _of_axes({given})"));
                 }
                 _ => self.out.line(format!("{name} = _R({name})")),
             }

@@ -76,8 +76,9 @@ impl Reader<'_> {
         let a = spec.fixed.get(&Parameter::A).and_then(Fixed::number).cloned();
         // Any other model is known at the samples alone.
         let has_model = spec.model.is_some() || spec.coupled.is_some();
-        // That of a model is refused.
-        let late = spec.promises.delay.clone().filter(|_| !has_model).unwrap_or_default();
+        // That of a model, or of axes, is refused.
+        let one = !has_model && spec.axes.is_none();
+        let late = spec.promises.delay.clone().filter(|_| one).unwrap_or_default();
         let delay = late.inputs();
         if delay > MAX_KEPT || spec.n + delay > MAX_ORDER {
             let place = self.keys.get("delay").map(|node| node.place);
@@ -108,6 +109,7 @@ impl Reader<'_> {
                 (plant.c.len(), (estimates > 0).then_some(estimates), blocks.clone())
             }
             None if has_model => (spec.states(), None, Vec::new()),
+            None if spec.axes.is_some() => (self.measured_axes(spec), None, Vec::new()),
             None => {
                 let measured = self.measured(spec.n);
                 let estimates = spec.n + 1 - measured + usize::from(disturbance);
@@ -147,16 +149,16 @@ impl Reader<'_> {
         }
     }
 
+    /// g, that of the first of several axes.
     fn gain(&mut self, spec: &Spec) -> BigRational {
-        let Some(gain) = &spec.input_gain else { return integer(1) };
-        let number = gain.number().cloned().unwrap_or_else(|| {
+        let own = spec.axes.iter().flat_map(|axes| &axes.input_gains);
+        if own.chain(&spec.input_gain).any(|gain| gain.number().is_none()) {
             let place = self.keys.get("g").map(|node| node.place);
             let message = "g is not a number".to_owned();
             let help = "a clock in samples takes a constant input gain";
             self.wrong("g", place, message, help.to_owned());
-            integer(1)
-        });
-        if number.is_zero() { integer(1) } else { number }
+        }
+        spec.known_gain()
     }
 
     /// What needs a clock in time.
@@ -263,6 +265,18 @@ impl Reader<'_> {
             let text = nearest.to_string();
             spec.fixed.insert(Parameter::Samples, Fixed::Number { value: nearest, text });
         }
+    }
+
+    /// The states of all axes, which a call is given in rows.
+    fn measured_axes(&mut self, spec: &Spec) -> usize {
+        let measured = self.measured(spec.n);
+        if measured < spec.n {
+            let place = self.keys.get("measured").map(|node| node.place);
+            let message = "axes in samples have no observers".to_owned();
+            let help = "leave `measured` out, or make a controller for each axis and call all with the same k";
+            self.wrong("measured", place, message, help.to_owned());
+        }
+        spec.n * spec.axes.as_ref().map_or(1, |axes| axes.count)
     }
 
     /// How many of x1, x2, ... are measured.
