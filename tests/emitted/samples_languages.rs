@@ -41,7 +41,7 @@ fn designs(folder: &Path, indices: &[usize]) -> Vec<Design> {
         fs::create_dir_all(&home).expect("a folder");
         let written = LANGUAGES.into_iter();
         // Which is refused.
-        let several = report.spec.coupled.is_some();
+        let several = report.spec.axes.is_some();
         for language in written.filter(|l| !several || *l != Language::StructuredText) {
             support::write(&home, &report.spec, language);
         }

@@ -172,8 +172,8 @@ const DESIGNS: [Keys; 20] = [
 ];
 
 /// Plants with several inputs: of different orders with held gains, a mechanical one with all left to run time,
-/// one whose inputs are solved for, and one that they do not decouple everywhere.
-const OF_INPUTS: [Keys; 4] = [
+/// one whose inputs are solved for, one that they do not decouple everywhere; and axes, apart and alike.
+const OF_INPUTS: [Keys; 6] = [
     &[
         ("mu", "exp(a=1)"),
         ("poles", "[[-4],[-3,-4.5]]"),
@@ -216,6 +216,17 @@ const OF_INPUTS: [Keys; 4] = [
         ("outputs", "a, b"),
         ("dynamics", "A*(b - 1), A + B - k*a"),
     ],
+    &[
+        ("n", "2"),
+        ("axes", "3"),
+        ("mu", "exp(a=1)"),
+        ("poles", "[[-4,-5],[-3+i,-3-i],[-6,-7.5]]"),
+        ("limits", "1,2,3"),
+        ("g", "[0.5,2,-1]"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+    ],
+    &[("n", "3"), ("axes", "2"), ("mu", "exp"), ("precision", "f32"), ("eps", "0.02"), ("g", "3")],
 ];
 
 /// A stage whose position alone is measured, with a delay and a force that is not known.
@@ -253,7 +264,7 @@ pub fn controllers() -> Vec<Spec> {
     DESIGNS.iter().enumerate().map(|(index, keys)| named(index, keys)).collect()
 }
 
-/// Those of plants with several inputs, which not every language and tool takes.
+/// Those of plants with several inputs and of axes, which not every language and tool takes.
 pub fn of_inputs() -> Vec<Spec> {
     let first = DESIGNS.len();
     (first..).zip(OF_INPUTS).map(|(index, keys)| named(index, keys)).collect()

@@ -37,10 +37,7 @@ impl Builder<'_> {
             about,
             owner: Owner::Controller,
             access: Access::Read,
-            arguments: vec![
-                Variable::new("k", Shape::Count, "tick"),
-                Variable::new("x", shape, x),
-            ],
+            arguments: vec![Variable::new("k", Shape::Count, "tick"), Variable::new("x", shape, x)],
             callbacks: Vec::new(),
             results: vec![
                 Variable::new("u", Shape::Reals(m), u),

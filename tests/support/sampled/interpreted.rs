@@ -19,9 +19,9 @@ def show(value):
     value = float(value)
     return "nan" if math.isnan(value) else struct.pack(">d", value).hex()
 designs = []
-for folder, name, kind, real, layout, given in DESIGNS:
+for folder, name, kind, real, layout, given, columns in DESIGNS:
     sys.path.insert(0, folder)
-    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given))
+    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given, columns))
 held = [None] * len(designs)
 count = 0
 for line in sys.stdin:
@@ -29,7 +29,7 @@ for line in sys.stdin:
     count += 1
     if word == "D":
         at = int(rest[0])
-        module, kind, real, layout, given = designs[at]
+        module, kind, real, layout, given, columns = designs[at]
     elif word == "I":
         values, params = [number(one) for one in rest], {}
         for name, length in layout:
@@ -56,6 +56,8 @@ for line in sys.stdin:
             status, values = held[at].update(k, given_now[:-1], given_now[-1]), []
             assert type(status) is module.Status, (module, type(status))
         else:
+            if columns:
+                given_now = np.reshape(given_now, (-1, columns))
             u, *axes, status = held[at].step(k, given_now)
             if axes:
                 [axes] = axes
@@ -103,8 +105,12 @@ fn in_interpreter(
         let given: Vec<_> = design.given().map(|(f, _)| format!("\"{}\"", f.name)).collect();
         let (home, name, kind) = (design.folder.display(), &design.code.name, design.kind());
         let (layout, given) = (layout.join(", "), given.join(", "));
-        writeln!(table, "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}]),")
-            .expect("a string");
+        let columns = design.columns().unwrap_or(0);
+        writeln!(
+            table,
+            "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}], {columns}),"
+        )
+        .expect("a string");
     }
     let source = folder.join("driver.py");
     fs::write(&source, format!("DESIGNS = [\n{table}]\n{text}")).expect("Python");
@@ -130,7 +136,7 @@ def called(at, **inputs):
     unit.execute(memory)
     return memory
 units, held, layouts, givens, reals, inputs, observes = [], [], [], [], [], [], []
-for folder, name, kind, real, layout, given in DESIGNS:
+for folder, name, kind, real, layout, given, _ in DESIGNS:
     with open(f"{folder}/{name}.st") as file:
         unit = Library(file.read()).units[name]
     units.append(unit)
@@ -223,6 +229,7 @@ function drive(designs)
                 self{at} = arm(self{at}, k);
             else
                 x = cellfun(@hex2num, words(3:end));
+                if d.columns x = reshape(x, d.columns, [])'; end
                 if strcmp(d.call, 'update')
                     [status, self{at}] = step(self{at}, k, x(1:end - 1), x(end));
                 elseif d.inputs
@@ -272,7 +279,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
         writeln!(
             table,
             "designs{{{}}} = struct('folder', '{}', 'name', '{}', 'real', '{real}', 'names', {{{{{}}}}}, \
-             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'inputs', {}, 'call', '{}');",
+             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'inputs', {}, 'columns', {}, 'call', '{}');",
             i + 1,
             design.folder.display(),
             design.code.name,
@@ -281,6 +288,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
             given.join(", "),
             u8::from(changes),
             u8::from(design.code.axes().is_some()),
+            design.columns().unwrap_or(0),
             step.name
         )
         .expect("a string");

@@ -63,11 +63,26 @@ impl Design {
 
     /// How many measured values a step is given.
     pub(crate) fn measured(&self) -> usize {
-        let lengths = self.called().arguments.iter().filter_map(|a| match a.shape {
-            Shape::Reals(length) => Some(length),
-            _ => None,
-        });
+        let lengths = self.called().arguments.iter().filter_map(|a| a.shape.length());
         lengths.sum()
+    }
+
+    /// How many of them stand in a row, where a step is given those of each axis in one.
+    fn columns(&self) -> Option<usize> {
+        self.called().arguments.iter().find_map(|a| match a.shape {
+            Shape::Lists(_, columns) => Some(columns),
+            _ => None,
+        })
+    }
+
+    /// Statements of C that read what is measured into `x`.
+    fn read_in_c(&self) -> String {
+        let place = |j: usize| match self.columns() {
+            Some(columns) => format!("[{}][{}]", j / columns, j % columns),
+            None => format!("[{j}]"),
+        };
+        let read = |j| format!("x{} = ({})number(); ", place(j), self.real());
+        (0..self.measured()).map(read).collect()
     }
 
     /// What it gives beside u, with the lengths of arrays.

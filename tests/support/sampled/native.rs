@@ -75,7 +75,11 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 ),
             })
             .collect();
-        let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let read = design.read_in_c();
+        let shape = match design.columns() {
+            Some(columns) => format!("[{}][{columns}]", m / columns),
+            None => format!("[{m}]"),
+        };
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
                 "{real} u = ({real})number(); printf(\"S %d\", (int){name}_update(&self{i}, k, x, u));"
@@ -93,7 +97,7 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             "static {name} self{i};\n\
              static int init{i}(void) {{ {name}_params p; memset(&p, 0, sizeof p); {}return (int){name}_init(&self{i}, &p); }}\n\
              static void arm{i}(uint32_t k) {{ (void){name}_arm(&self{i}, k); }}\n\
-             static void step{i}(uint32_t k) {{ {real} x[{m}]; {read}{step} {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ {real} x{shape}; {read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");
@@ -135,7 +139,13 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 None => format!("show(double(self{i}.{}())); ", function.name),
             })
             .collect();
-        let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let read = design.read_in_c();
+        let array = match design.columns() {
+            Some(columns) => {
+                format!("std::array<std::array<{real}, {columns}>, {}>", m / columns)
+            }
+            None => format!("std::array<{real}, {m}>"),
+        };
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
                 "const auto u = static_cast<{real}>(number()); printf(\"S %d\", static_cast<int>(self{i}.update(k, x, u)));"
@@ -153,7 +163,7 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             "static ptc::{kind} self{i};\n\
              static int init{i}() {{ ptc::{kind}Params p{{}}; {}return static_cast<int>(self{i}.init(p)); }}\n\
              static void arm{i}(uint32_t k) {{ self{i}.arm(k); }}\n\
-             static void step{i}(uint32_t k) {{ std::array<{real}, {m}> x{{}}; {read}{step} {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ {array} x{{}}; {read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");

@@ -85,7 +85,14 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
                 None => format!("show(f64::from(this.{}())); ", function.name),
             })
             .collect();
-        let x = (0..m).map(value).collect::<Vec<_>>().join(", ");
+        let x: Vec<_> = (0..m).map(value).collect();
+        let x = match design.columns() {
+            Some(columns) => {
+                let rows = x.chunks(columns).map(|row| format!("[{}]", row.join(", ")));
+                rows.collect::<Vec<_>>().join(", ")
+            }
+            None => x.join(", "),
+        };
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
                 "let y = [{x}]; let u = {}; let status = outcome!({name}, this.update(k, &y, u)).map_or_else(|e| e, |s| status!({name}, s)); print!(\"S {{status}}\");",

@@ -61,6 +61,12 @@ pub(super) fn in_samples(spec: &Spec) -> Outcome {
     if let Some(refuted) = divisor::zero(spec) {
         return refuted;
     }
+    let open = spec.parameters().into_iter().find(|p| {
+        matches!(p, Parameter::Named(_)) && !is_known(spec, *p) && !spec.bounds.contains_key(p)
+    });
+    if let Some(open) = open {
+        return lacks(&format!("`{}` is left to run time without bounds", open.spelling()));
+    }
     let law = "the law in samples is not examined; ";
     let Err(open) = covered(&passes::optimise(at_sample(spec), &mut |_, _| {}), &|asked| {
         match asked {

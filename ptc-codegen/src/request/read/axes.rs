@@ -131,9 +131,10 @@ impl<'a> Reader<'a> {
         let moves = |g: &Expression| g.any(&|e| matches!(e.node(), expression::Node::Variable(_)));
         let curved = spec.input_gain.iter().chain(&axes.input_gains).any(moves);
         let late = spec.promises.delay.as_ref().is_some_and(|delay| delay.samples() > 0.0);
-        let observes = self.keys.get("disturbance").is_some_and(|node| {
-            !matches!(&node.value, Value::Word(word) if word == "none")
-        });
+        let observes = self
+            .keys
+            .get("disturbance")
+            .is_some_and(|node| !matches!(&node.value, Value::Word(word) if word == "none"));
         let alone = "make a controller for each axis, armed at the same t0 with the same tau";
         let beside = [
             (

@@ -65,6 +65,11 @@ fn decoupled(further: &[(&str, &str)]) -> Code {
     code(&[&own, further].concat())
 }
 
+/// The same as axes.
+fn axes(further: &[(&str, &str)]) -> Code {
+    code(&[&[("n", "2"), ("axes", "2")], further].concat())
+}
+
 #[test]
 fn chains_apart_have_the_bits_of_a_controller_each() {
     let time = [("tau", "0.5"), ("sample_time", "1/128")];
@@ -76,7 +81,8 @@ fn chains_apart_have_the_bits_of_a_controller_each() {
         (vec![("poles", "[[-3,-4],[-2.5,-7]]"), ("precision", "f32")], ["-3,-4", "-2.5,-7"]),
         (vec![("poles", "[[-3,-4],[-2.5,-7]]"), ("limits", "2, 5")], ["-3,-4", "-2.5,-7"]),
     ] {
-        let all = decoupled(&[&time[..], &both].concat());
+        let keys = [&time[..], &both].concat();
+        let (plant, rows) = (decoupled(&keys), axes(&keys));
         let alone = each.iter().enumerate().map(|(index, poles)| {
             let mut keys = [&time[..], &[("n", "2"), ("poles", *poles)]].concat();
             let other = both.iter().filter(|(key, _)| !["poles", "limits"].contains(key));
@@ -87,13 +93,16 @@ fn chains_apart_have_the_bits_of_a_controller_each() {
             code(&keys)
         });
         let alone: Vec<_> = alone.collect();
-        let mut all = Instance::new(&all, &[]).expect("legal parameters");
+        let [mut plant, mut rows] =
+            [&plant, &rows].map(|code| Instance::new(code, &[]).expect("legal parameters"));
         let mut alone: Vec<_> =
             alone.iter().map(|code| Instance::new(code, &[]).expect("legal parameters")).collect();
         for k in 0..70_u32 {
             let k = f64::from(k);
             let x = [0.3 - k / 100.0, (k * 0.7).sin(), 0.2 * k - 3.0, (k * 1.3).cos()];
-            let outcome = all.call("step", &[("k", &[k]), ("x", &x)]);
+            let outcome = plant.call("step", &[("k", &[k]), ("x", &x)]);
+            let of_rows = [("k", &[k][..]), ("x", &[x[0], x[2], x[1], x[3]])];
+            assert_eq!(rows.call("step", &of_rows), outcome, "{both:?}, {k}");
             for (index, own) in alone.iter_mut().enumerate() {
                 let own = own.call("step", &[("k", &[k]), ("x", &[x[index], x[index + 2]])]);
                 let [u, wanted] = [outcome.results["u"][index], own.results["u"][0]];
@@ -408,8 +417,8 @@ fn the_checks_say_what_they_do_not_know() {
         (
             changed(
                 FOUR,
-                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nx_max = [1, 1, 9, 1, 1, 9]",
-                "tau = 1\nsample_time = 0.01",
+                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nsample_time = 0.01\nx_max = [1, 1, 9, 1, 1, 9]",
+                "tau = 1",
             ),
             Verdict::NotChecked,
             "within `x_max` it divides by no 0",
@@ -417,8 +426,8 @@ fn the_checks_say_what_they_do_not_know() {
         (
             changed(
                 FOUR,
-                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nx_max = [4, 3, 9, 1, 1, 9]",
-                "tau = 1\nsample_time = 0.01",
+                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nsample_time = 0.01\nx_max = [4, 3, 9, 1, 1, 9]",
+                "tau = 1",
             ),
             Verdict::Refuted,
             "the law divides by it",
@@ -430,7 +439,63 @@ fn the_checks_say_what_they_do_not_know() {
     }
     let looped = of(&arm("m2 = 1.5"), "loop");
     assert_eq!(looped.verdict, Verdict::NotChecked, "{}", looped.summary);
-    // A mass at run time is in nothing that the law divides by, yet it may be no number.
-    let open = of(&arm("tau = 1").replace("\nm2 ", "\n# m2 "), "envelope");
-    assert_ne!(open.verdict, Verdict::Sound, "{}", open.summary);
+    // What is left to run time may be anything, unless it has bounds.
+    let open =
+        tank("[0.5, 50, 50]", "").replace("e = \"(c - e)*(1 + h)\"", "e = \"(c - e)*(k + h)\"");
+    for (text, verdict, summary) in [
+        (open.clone(), Verdict::NotChecked, "`k` is left to run time without bounds"),
+        (
+            open.replace("[params]", "[params]\nk = [0.6, 2]"),
+            Verdict::NotChecked,
+            "divides by no 0",
+        ),
+        (
+            open.replace("[params]", "[params]\nk = [0.4, 2]"),
+            Verdict::Refuted,
+            "the law divides by it",
+        ),
+    ] {
+        let found = of(&text, "envelope");
+        assert_eq!(found.verdict, verdict, "{text}: {}", found.summary);
+        assert!(found.summary.contains(summary), "{}", found.summary);
+    }
+}
+
+/// Each axis has its own input gain, and a reader refuses what axes in samples lack.
+#[test]
+fn axes_are_chains_with_gains_of_their_own() {
+    let time = [("tau", "0.5"), ("sample_time", "1/128"), ("poles", "[[-3,-4],[-5,-6.5]]")];
+    let all = axes(&[&time[..], &[("g", "[2, -0.5]")]].concat());
+    let mut all = Instance::new(&all, &[]).expect("legal parameters");
+    let alone = [("-3,-4", "2"), ("-5,-6.5", "-0.5")]
+        .map(|(poles, g)| code(&[&time[..2], &[("n", "2"), ("poles", poles), ("g", g)]].concat()));
+    let mut alone = alone.each_ref().map(|code| Instance::new(code, &[]).expect("legal"));
+    for k in 0..66_u32 {
+        let k = f64::from(k);
+        let x = [0.3 - k / 100.0, (k * 0.7).sin(), 0.2 * k - 3.0, (k * 1.3).cos()];
+        let outcome = all.call("step", &[("k", &[k]), ("x", &x)]);
+        for (index, own) in alone.iter_mut().enumerate() {
+            let own = own.call("step", &[("k", &[k]), ("x", &x[2 * index..2 * index + 2])]);
+            let [u, wanted] = [outcome.results["u"][index], own.results["u"][0]];
+            assert_eq!(u.to_bits(), wanted.to_bits(), "{k}, {index}");
+        }
+    }
+    let keys = [("n", "2"), ("axes", "2"), ("mu", "exp(a=1)"), ("clock", "samples")];
+    read(&[&keys[..], &[("measured", "x1, x2"), ("disturbance", "none")]].concat())
+        .expect("a legal design");
+    for (key, value, wanted) in [
+        ("delay", "1", "axes in samples keep no inputs under way"),
+        ("measured", "x1", "axes in samples have no observers"),
+        ("disturbance", "constant", "axes in samples have no observers"),
+        ("A", "[[0,1],[0,0]]", "the axes are chains"),
+        ("g", "[2, m]", "g is not a number"),
+        ("f", "3", "f depends on the state of one axis"),
+        ("pi0", "extern", "a clock in samples needs a linear law"),
+        ("after", "zero", "axes hold their gains after the deadline"),
+        ("what", "observer", "axes are of a controller"),
+        ("reference", "input", "a reference needs a clock in time"),
+    ] {
+        let found = read(&[&keys[..], &[(key, value)]].concat()).expect_err(key);
+        assert!(found.contains(wanted), "{key} = {value}: {found}");
+    }
 }
