@@ -13,7 +13,7 @@ mod interpret;
 mod operation;
 mod visit;
 
-pub use branch::{Branch, Taken};
+pub use branch::{Branch, Condition, Taken};
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Axes, Callback, Ending, Finish, Function, Inputs, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};

@@ -194,7 +194,14 @@ impl<'b> Frame<'_, 'b> {
                 let operands = operands.each_ref().map(|operand| self.real(operand));
                 apply(&Op::Fused(a, b, c), &operands, self.precision).unwrap_or(f64::NAN)
             }
-            Expr::Quotient(a, b) => self.apply(Op::Quotient, a, b),
+            Expr::Quotient(a, b) => {
+                let (place, divisor) = (std::ptr::from_ref(value).addr(), self.real(b));
+                self.note(place, divisor < 0.0);
+                if !matches!(divisor.partial_cmp(&0.0), Some(std::cmp::Ordering::Less)) {
+                    self.note(place + 1, divisor > 0.0);
+                }
+                self.apply(Op::Quotient, a, b)
+            }
             Expr::Pow(a, b) => self.apply(Op::Pow, a, b),
             Expr::Call(function, a) => {
                 let result = apply(&Op::Call(*function, Value(0)), &[self.real(a)], self.precision);
@@ -292,7 +299,7 @@ impl<'b> Frame<'_, 'b> {
         holds
     }
 
-    fn note(&self, place: usize, holds: bool) {
+    pub(super) fn note(&self, place: usize, holds: bool) {
         if let Some(taken) = &self.taken {
             taken.borrow_mut().insert(place, holds);
         }

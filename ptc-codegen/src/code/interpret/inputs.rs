@@ -27,6 +27,9 @@ impl<'b> Frame<'_, 'b> {
         let mut each = vec![now; m];
         let finite = inputs.finite_at();
         if !finite.iter().all(|(test, place)| self.test_at(test, *place)) {
+            for (test, place) in inputs.finite_beside_at() {
+                self.test_at(&test, place);
+            }
             for (status, _) in each.iter_mut().zip(&u).filter(|(_, u)| !u.is_finite()) {
                 *status = Status::Range;
             }
@@ -39,7 +42,11 @@ impl<'b> Frame<'_, 'b> {
                 (u[index], each[index]) = (self.real(clipped), Status::Saturated);
             }
         }
-        let clipped = each.contains(&Status::Saturated);
+        let mut asked = inputs.saturated_at().into_iter();
+        let clipped = asked.any(|(index, place)| {
+            self.note(place, each[index] == Status::Saturated);
+            each[index] == Status::Saturated
+        });
         let status = if clipped { Status::Saturated } else { now };
         given(status, u, each)
     }

@@ -8,7 +8,7 @@ mod inputs;
 mod parameters;
 mod search;
 
-use crate::code::{Branch, Code, Expr, Status, Test};
+use crate::code::{Branch, Code, Condition, Expr, Status};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Function;
 use crate::request::Spec;
@@ -47,7 +47,7 @@ pub struct Session {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Untaken {
     /// The condition.
-    pub condition: Test,
+    pub condition: Condition,
     /// What is known of it.
     pub reason: String,
 }

@@ -164,7 +164,26 @@ impl<'a> Search<'a> {
                     life = next;
                 }
             }
+            if self.spec.axes.is_some() {
+                self.scattered(&mut life, &ticks, &sizes);
+            }
             self.end(life);
+        }
+    }
+
+    /// Calls of several inputs with states of different sizes, 0 and small whole numbers among them: one input
+    /// alone is clipped or no number, and what is divided by may be 0.
+    fn scattered(&mut self, life: &mut Life<'a>, ticks: &[u32], sizes: &[f64]) {
+        for _ in 0..CALLS {
+            let mut input = self.any_input(life, ticks, 1.0);
+            for y in &mut input.y {
+                let size = self.draw.of(sizes);
+                let whole = self.draw.of(&[0.0, 0.5, 1.0, 2.0]);
+                let of_size = self.draw.of(&[-1.0, 1.0]) * self.draw.between(0.25, 1.0) * size;
+                let sign = self.draw.of(&[-1.0, 1.0]);
+                *y = settle(self.draw.of(&[sign * whole, of_size]), self.spec.precision);
+            }
+            self.ask(life, input, false);
         }
     }
 
