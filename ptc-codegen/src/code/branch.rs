@@ -15,6 +15,8 @@ pub enum Condition {
     Test(Test),
     /// Whether a divisor is above 0, where it is not below.
     Positive(Expr),
+    /// Whether no pivot of a system of so many unknowns is 0.
+    Regular(usize),
     /// Whether an input, from 0, is the first of several that was clipped.
     Saturated(usize),
 }
@@ -75,7 +77,13 @@ fn statements(function: &'static str, all: &[Statement], found: &mut Vec<Branch>
                 statements(function, no, found);
             }
             Statement::Require(condition, _) => test(function, condition, found),
-            other => other.visit(&mut |value| expression(function, value, found)),
+            other => {
+                if let Statement::Elimination { right, .. } = other {
+                    let place = std::ptr::from_ref(other).addr();
+                    both(function, Condition::Regular(right.len()), place, found);
+                }
+                other.visit(&mut |value| expression(function, value, found));
+            }
         }
     }
 }

@@ -110,6 +110,10 @@ impl<'b> Frame<'_, 'b> {
                     let [matrix, right]: [Vec<f64>; 2] =
                         [matrix, right].map(|list| list.iter().map(|v| self.real(v)).collect());
                     let values = eliminate(&matrix, &right, self.precision);
+                    // The determinant stands last, and may be 0 by underflow alone.
+                    let lost = values.iter().any(|value| value.is_nan());
+                    let singular = values.last() == Some(&0.0) && lost;
+                    self.note(std::ptr::from_ref(statement).addr(), !singular);
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
                 Statement::Call { name, callback, array, times, count } => {

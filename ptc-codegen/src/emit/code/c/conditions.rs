@@ -24,6 +24,9 @@ pub(in crate::emit) fn written(code: &Code, condition: &Decision) -> String {
         Decision::Positive(value) => {
             format!("{} > {}", printer.alone(value), printer.literal("0.0"))
         }
+        Decision::Regular(unknowns) => {
+            format!("a[({unknowns}U * k) + k] > {}", printer.literal("0.0"))
+        }
         Decision::Saturated(index) => format!("axes[{index}] == PTC_SATURATED"),
     }
 }
