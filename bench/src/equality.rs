@@ -148,7 +148,8 @@ fn difference(program: &Program, best: &RecExpr<Node>) -> f64 {
             | Input::ReferenceOf(..)
             | Input::Divisor
             | Input::Drift
-            | Input::Control => 0.0,
+            | Input::Control
+            | Input::Wanted(_) => 0.0,
             Input::Time => 1000.8 - 0.7 * 10.0_f64.powi(-i32::from(point)),
             Input::State(j) | Input::StateAtStart(j) | Input::Gain(j) => 0.7 + 0.3 * j as f64,
         };

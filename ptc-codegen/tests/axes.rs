@@ -44,7 +44,7 @@ fn what_axes_cannot_have_is_refused_at_its_key() {
         (&[("pi0", "-xi1^3 - xi2")], "pi0", "give gains or poles"),
         (&[("reference", "sin(t)")], "reference", "`reference` = input"),
         (&[("after", "zero")], "after", "u = 0 outside"),
-        (&[("clock", "samples"), ("sample_time", "1e-3")], "clock", "a controller for each axis"),
+        (&[("clock", "samples"), ("delay", "1")], "delay", "call all with the same k"),
         (&[("noise", "[[1e-3, 1e-3], [1, 1]]"), ("sample_time", "1e-3")], "noise", "one unit"),
     ];
     for (keys, at, help) in cases {

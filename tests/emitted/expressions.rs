@@ -80,7 +80,8 @@ fn errors(
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift
-            | Input::Control => f64::NAN,
+            | Input::Control
+            | Input::Wanted(_) => f64::NAN,
         };
         let law =
             |arguments: &[f64]| -vector.k.iter().zip(arguments).map(|(k, xi)| k * xi).sum::<f64>();

@@ -30,7 +30,8 @@ fn goldens_in_rust_are_formatted() {
 fn c_and_cpp_are_formatted() {
     let plain = controllers().into_iter().filter(|spec| FEW.contains(&&*spec.name()));
     let one_law = spec(&[("n", "2"), ("axes", "2"), ("mu", "exp"), ("pi0", "extern")]);
-    let selftests = plain.chain(in_samples::controllers()).chain([one_law]).flat_map(|spec| {
+    let in_samples = [in_samples::controllers(), in_samples::of_inputs()].concat();
+    let selftests = plain.chain(in_samples).chain([one_law]).flat_map(|spec| {
         let files = ptc_codegen::generate_selftest(&spec).expect("a self-test");
         files.into_iter().map(|file| (file.name, file.text))
     });

@@ -169,7 +169,8 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> Outcome {
         | Input::Gain(_)
         | Input::Divisor
         | Input::Drift
-        | Input::Control => f64::NAN,
+        | Input::Control
+        | Input::Wanted(_) => f64::NAN,
     };
     if spec.guard == ptc_codegen::request::Guard::Full && record.x.iter().any(|x| x.is_nan()) {
         return (-2, 0);

@@ -151,7 +151,8 @@ fn gain(program: &Program, vector: &Vector, j: usize, eps: f64) -> f64 {
         | Input::Gain(_)
         | Input::Divisor
         | Input::Drift
-        | Input::Control => f64::NAN,
+        | Input::Control
+        | Input::Wanted(_) => f64::NAN,
     };
     Interpreter::new(program, &input).value(program.step)
 }

@@ -101,7 +101,10 @@ fn kinds() -> Vec<Spec> {
 
 #[test]
 fn self_tests_pass() {
-    let (home, kinds) = (folder("selftest"), [kinds(), in_samples::controllers()].concat());
+    let (home, kinds) = (
+        folder("selftest"),
+        [kinds(), in_samples::controllers(), in_samples::of_inputs()].concat(),
+    );
     let counts = in_pairs(&kinds, |spec| {
         let folder = home.join(spec.name());
         fs::create_dir_all(&folder).expect("a folder");

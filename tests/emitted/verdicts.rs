@@ -87,7 +87,8 @@ impl<'a> Loop<'a> {
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift
-            | Input::Control => f64::NAN,
+            | Input::Control
+            | Input::Wanted(_) => f64::NAN,
         }
     }
 

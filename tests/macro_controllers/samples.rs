@@ -134,3 +134,69 @@ fn a_reference_is_met_and_followed() {
     let missing = given.step(0, &[0.0, 0.0], &[0.0, f64::NAN, 0.0]);
     assert_eq!(missing, Err(Error::Input));
 }
+
+ptc::ptc_controller!(
+    name = Tank,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [[-4], [-3, -4]],
+    limits = [2, 50],
+    tau = 4,
+    sample_time = 0.05,
+    states = [h, c, e],
+    inputs = [q, p],
+    outputs = [h, e],
+    dynamics = [q - h / 10, p - c * (1 + h), (c - e) * (1 + h)]
+);
+
+/// Each output comes to rest within what the plant moves between samples; where it is emptied no input is known.
+#[test]
+fn a_plant_with_several_inputs_is_known_at_the_samples() {
+    let tank = Tank::new(TankParams {}).expect("no parameter is left to run time");
+    let (period, mut x) = (0.05, [0.3, 10.0, 5.0]);
+    let rate = |[h, c, e]: [f64; 3], [q, p]: [f64; 2]| {
+        [q - h / 10.0, p - c * (1.0 + h), (c - e) * (1.0 + h)]
+    };
+    for k in 0..80_u32 {
+        let all = tank.step(k, &x);
+        assert_eq!(all.status, Ok(Status::Ok), "sample {k}");
+        for _ in 0..64 {
+            let (first, s) = (rate(x, all.u), period / 64.0);
+            let middle = rate([0, 1, 2].map(|i| x[i] + s / 2.0 * first[i]), all.u);
+            x = [0, 1, 2].map(|i| x[i] + s * middle[i]);
+        }
+    }
+    assert!(x[0].abs() < 1e-9 && x[2].abs() < 1e-4, "{x:?}");
+    let emptied = tank.step(3, &[-1.0, 10.0, 5.0]);
+    assert_eq!((emptied.status, emptied.u), (Err(Error::Range), [0.0; 2]));
+    let hot = tank.step(3, &[0.3, 1e3, 5.0]);
+    assert_eq!(hot.axes, [Ok(Status::Ok), Ok(Status::Saturated)]);
+    assert_eq!((hot.status, hot.u[1]), (Ok(Status::Saturated), 50.0));
+}
+
+ptc::ptc_controller!(
+    name = Hall,
+    n = 1,
+    axes = 2,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [[-2], [-3]],
+    g = [2, 1 / 2],
+    tau = 1,
+    sample_time = 0.125,
+    u_max = inf
+);
+
+#[test]
+fn axes_are_at_rest_at_their_sample() {
+    let hall = Hall::new(HallParams {}).expect("no parameter is left to run time");
+    let mut x = [[0.5], [-2.0]];
+    for k in 0..8_u32 {
+        let all = hall.step(k, &x);
+        assert_eq!(all.axes, [Ok(Status::Ok); 2], "sample {k}");
+        x = [[x[0][0] + 0.125 * 2.0 * all.u[0]], [x[1][0] + 0.125 * 0.5 * all.u[1]]];
+    }
+    assert!(x[0][0].abs() < 1e-15 && x[1][0].abs() < 1e-15, "{x:?}");
+    assert_eq!(hall.step(8, &x).status, Ok(Status::Hold));
+    assert_eq!(hall.step(0, &[[0.0], [f64::NAN]]).status, Err(Error::Input));
+}

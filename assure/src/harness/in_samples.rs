@@ -202,6 +202,64 @@ const DESIGNS: [Keys; 23] = [
     ],
 ];
 
+/// Plants with several inputs: of different orders with held gains, a mechanical one with all left to run time,
+/// one whose inputs are solved for, one that they do not decouple everywhere; and axes, apart and alike.
+const OF_INPUTS: [Keys; 6] = [
+    &[
+        ("mu", "exp(a=1)"),
+        ("poles", "[[-4],[-3,-4.5]]"),
+        ("limits", "2,3"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+        ("eps", "0.04"),
+        ("states", "h, c, e"),
+        ("inputs", "q, p"),
+        ("outputs", "h, e"),
+        ("dynamics", "q - 0.1*h, p - c*(1 + h), (c - e)*(1 + h)"),
+    ],
+    &[
+        ("mu", "exp"),
+        ("precision", "f32"),
+        ("guard", "none"),
+        ("states", "q1, q2, w1, w2"),
+        ("inputs", "F1, F2"),
+        ("inertia", "[[m + q2^2, q2], [q2, 1]]"),
+        ("bias", "[m*q2*w1*w2, w1^2/2 - q1]"),
+    ],
+    &[
+        ("mu", "exp(a=0.8)"),
+        ("poles", "[[-4],[-3,-4],[-5],[-2.5,-6]]"),
+        ("u_max", "inf"),
+        ("states", "a, b, b1, c, d, d1"),
+        ("inputs", "A, B, C, D"),
+        ("outputs", "a, b, c, d"),
+        (
+            "dynamics",
+            "A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a",
+        ),
+    ],
+    &[
+        ("mu", "exp(a=1)"),
+        ("gains", "[[3],[4.5]]"),
+        ("deadbeat", "9"),
+        ("states", "a, b"),
+        ("inputs", "A, B"),
+        ("outputs", "a, b"),
+        ("dynamics", "A*(b - 1), A + B - k*a"),
+    ],
+    &[
+        ("n", "2"),
+        ("axes", "3"),
+        ("mu", "exp(a=1)"),
+        ("poles", "[[-4,-5],[-3+i,-3-i],[-6,-7.5]]"),
+        ("limits", "1,2,3"),
+        ("g", "[0.5,2,-1]"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+    ],
+    &[("n", "3"), ("axes", "2"), ("mu", "exp"), ("precision", "f32"), ("eps", "0.02"), ("g", "3")],
+];
+
 /// A stage whose position alone is measured, with a delay and a force that is not known.
 pub const STAGE: [(&str, &str); 9] = [
     ("n", "2"),
@@ -235,6 +293,12 @@ pub fn kind(spec: &Spec) -> &'static str {
 /// All of them.
 pub fn controllers() -> Vec<Spec> {
     DESIGNS.iter().enumerate().map(|(index, keys)| named(index, keys)).collect()
+}
+
+/// Those of plants with several inputs and of axes, which not every language and tool takes.
+pub fn of_inputs() -> Vec<Spec> {
+    let first = DESIGNS.len();
+    (first..).zip(OF_INPUTS).map(|(index, keys)| named(index, keys)).collect()
 }
 
 /// A name of its own, long for one of them, so that its signatures are.

@@ -74,7 +74,11 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> [(i32, f64); 
         Input::Reference(order) => record.x[spec.states() + order],
         Input::Gain(j) => gains[j - 1],
         Input::Divisor => gains[spec.n],
-        Input::ReferenceOf(..) | Input::StateAtStart(_) | Input::Drift | Input::Control => f64::NAN,
+        Input::ReferenceOf(..)
+        | Input::StateAtStart(_)
+        | Input::Drift
+        | Input::Control
+        | Input::Wanted(_) => f64::NAN,
     };
     let early = parameter(Parameter::StartTime).is_some_and(|t0| record.t < t0);
     let finite = record.t.is_finite() && record.x.iter().all(|x| x.is_finite());

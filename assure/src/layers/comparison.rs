@@ -209,7 +209,8 @@ impl Reference {
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift
-            | Input::Control => f64::NAN,
+            | Input::Control
+            | Input::Wanted(_) => f64::NAN,
         };
         let mut interpreter = Interpreter::new(&self.program, &input);
         let terms = self.program.gains.iter().zip(&record.x);

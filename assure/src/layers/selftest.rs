@@ -53,6 +53,7 @@ fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("selftest");
     let specs = [
         context.in_samples(),
+        in_samples::of_inputs(),
         context.goldens(),
         of_axes().to_vec(),
         of_two_inputs().to_vec(),

@@ -8,13 +8,26 @@ use super::{Code, Expr, Finish, Statement, Test};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Taken(BTreeSet<(usize, bool)>);
 
+/// What decides between two ways.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Condition {
+    /// A test.
+    Test(Test),
+    /// Whether a divisor is above 0, where it is not below.
+    Positive(Expr),
+    /// Whether no pivot of a system of so many unknowns is 0.
+    Regular(usize),
+    /// Whether an input, from 0, is the first of several that was clipped.
+    Saturated(usize),
+}
+
 /// One way out of a condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// The function in which it is.
     pub function: &'static str,
     /// The condition.
-    pub condition: Test,
+    pub condition: Condition,
     /// Whether it holds on this way.
     pub holds: bool,
     place: usize,
@@ -64,7 +77,13 @@ fn statements(function: &'static str, all: &[Statement], found: &mut Vec<Branch>
                 statements(function, no, found);
             }
             Statement::Require(condition, _) => test(function, condition, found),
-            other => other.visit(&mut |value| expression(function, value, found)),
+            other => {
+                if let Statement::Elimination { right, .. } = other {
+                    let place = std::ptr::from_ref(other).addr();
+                    both(function, Condition::Regular(right.len()), place, found);
+                }
+                other.visit(&mut |value| expression(function, value, found));
+            }
         }
     }
 }
@@ -75,6 +94,20 @@ fn finish(function: &'static str, end: &Finish, found: &mut Vec<Branch>) {
         finish(function, yes, found);
         finish(function, no, found);
     } else {
+        if let Finish::Inputs(inputs) = end {
+            test(function, &inputs.tracks, found);
+            let clips = (0..inputs.values.len()).flat_map(|index| inputs.clips_at(index));
+            let clips = clips.map(|(test, _, place)| (test, place));
+            for (test, place) in inputs.finite_at().into_iter().chain(clips) {
+                both(function, Condition::Test(test), place, found);
+            }
+            for (test, place) in inputs.finite_beside_at() {
+                both(function, Condition::Test(test), place, found);
+            }
+            for (index, place) in inputs.saturated_at() {
+                both(function, Condition::Saturated(index), place, found);
+            }
+        }
         end.visit(&mut |value| expression(function, value, found));
     }
 }
@@ -83,7 +116,8 @@ fn test(function: &'static str, condition: &Test, found: &mut Vec<Branch>) {
     if let Test::All(tests) = condition {
         return tests.iter().for_each(|part| test(function, part, found));
     }
-    both(function, condition.clone(), std::ptr::from_ref(condition).addr(), found);
+    let place = std::ptr::from_ref(condition).addr();
+    both(function, Condition::Test(condition.clone()), place, found);
     condition.visit(&mut |value| expression(function, value, found));
 }
 
@@ -93,7 +127,13 @@ fn expression(function: &'static str, value: &Expr, found: &mut Vec<Branch>) {
         Expr::Choose(condition, ..) => each(function, condition, found),
         Expr::CountLeft(a, b) => {
             let less = Test::CountLess((**b).clone(), (**a).clone());
-            both(function, less, std::ptr::from_ref(value).addr(), found);
+            both(function, Condition::Test(less), std::ptr::from_ref(value).addr(), found);
+        }
+        Expr::Quotient(_, divisor) => {
+            let (place, divisor) = (std::ptr::from_ref(value).addr(), (**divisor).clone());
+            let negative = Test::Less(divisor.clone(), Expr::integer(0));
+            both(function, Condition::Test(negative), place, found);
+            both(function, Condition::Positive(divisor), place + 1, found);
         }
         _ => {}
     }
@@ -103,11 +143,14 @@ fn expression(function: &'static str, value: &Expr, found: &mut Vec<Branch>) {
 fn each(function: &'static str, condition: &Test, found: &mut Vec<Branch>) {
     match condition {
         Test::All(tests) => tests.iter().for_each(|part| each(function, part, found)),
-        one => both(function, one.clone(), std::ptr::from_ref(one).addr(), found),
+        one => {
+            let place = std::ptr::from_ref(one).addr();
+            both(function, Condition::Test(one.clone()), place, found);
+        }
     }
 }
 
-fn both(function: &'static str, condition: Test, place: usize, found: &mut Vec<Branch>) {
+fn both(function: &'static str, condition: Condition, place: usize, found: &mut Vec<Branch>) {
     for holds in [true, false] {
         found.push(Branch { function, condition: condition.clone(), holds, place });
     }

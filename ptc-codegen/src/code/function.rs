@@ -128,6 +128,30 @@ impl Inputs {
         ]
     }
 
+    /// The tests of [`Self::finite`], each with a place in the program by which it is known.
+    pub(super) fn finite_at(&self) -> Vec<(Test, usize)> {
+        let at = |value| (Test::Finite(Expr::clone(value)), std::ptr::from_ref(value).addr());
+        self.values.iter().map(at).collect()
+    }
+
+    /// The same where one is not: the status of each says which.
+    pub(super) fn finite_beside_at(&self) -> Vec<(Test, usize)> {
+        self.finite_at().into_iter().map(|(test, place)| (test, place + 1)).collect()
+    }
+
+    /// The inputs that have a bound, with a place for the question whether each was clipped.
+    pub(super) fn saturated_at(&self) -> Vec<(usize, usize)> {
+        let limits = self.limits.iter().enumerate().filter(|(_, limit)| limit.is_some());
+        limits.map(|(index, limit)| (index, std::ptr::from_ref(limit).addr() + 2)).collect()
+    }
+
+    /// The same of [`Self::clips`].
+    pub(super) fn clips_at(&self, index: usize) -> Vec<(Test, Expr, usize)> {
+        let place = std::ptr::from_ref(&self.limits[index]).addr();
+        let clips = self.clips(index).into_iter().zip(place..);
+        clips.map(|((test, clipped), place)| (test, clipped, place)).collect()
+    }
+
     /// Whether one can be clipped.
     pub fn are_limited(&self) -> bool {
         self.limits.iter().any(Option::is_some)

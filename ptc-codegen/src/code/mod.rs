@@ -13,12 +13,13 @@ mod interpret;
 mod operation;
 mod visit;
 
-pub use branch::{Branch, Taken};
+pub use branch::{Branch, Condition, Taken};
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Axes, Callback, Ending, Finish, Function, Inputs, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};
 
 use crate::expression::Function as Call;
+use crate::internal::fault;
 use crate::parameter::{Parameter, Precision};
 use crate::program::{Root, number};
 
@@ -53,6 +54,21 @@ impl Status {
             Self::Input => "Input",
             Self::Range => "Range",
         }
+    }
+
+    /// The status with a number, as an array of them holds it.
+    pub(crate) fn of_number(number: f64) -> Self {
+        let all = [
+            Self::Ok,
+            Self::Hold,
+            Self::Saturated,
+            Self::After,
+            Self::Param,
+            Self::Input,
+            Self::Range,
+        ];
+        let found = all.into_iter().find(|status| f64::from(status.number()) == number);
+        found.unwrap_or_else(|| fault(format!("no status has the number {number}")))
     }
 
     /// Its number in the languages without names for it: negative where the call failed.

@@ -19,7 +19,8 @@ pub(super) fn in_samples(spec: &Spec, sampled: &Sampled) -> String {
         return format!("x' = A x + B {input}");
     }
     let force = if spec.drift.is_none() { "" } else { "f + " };
-    let gain = if sampled.gain == integer(1) { "" } else { "g " };
+    let own = spec.axes.as_ref().is_some_and(|axes| !axes.input_gains.is_empty());
+    let gain = if sampled.gain == integer(1) && !own { "" } else { "g " };
     chain(spec.n, &format!("{force}{gain}{input}"))
 }
 

@@ -1,11 +1,12 @@
 //! The program of a controller in samples, with its head.
 
-use super::{Language, code, followed, header, observed, plant};
+use super::{Language, axes, code, coupled, followed, header, observed, plant};
 use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::internal::fault;
-use crate::parameter::{Fixed, Parameter};
+use crate::model::Coupled;
+use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{After, Guard, Observer, Sampled, Spec, What};
 use crate::samples;
 
@@ -37,8 +38,12 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     let (name, n) = (spec.name(), spec.n);
     let alone = sampled.observer.as_ref().filter(|_| spec.what == What::Observer);
     let kind = if alone.is_some() { "observer" } else { "controller" };
+    let order = match &spec.coupled {
+        Some(coupled) => coupled.order_text(),
+        None => format!("order n = {n}"),
+    };
     let mut lines = vec![
-        format!("Prescribed-time {kind} {name}: order n = {n}, clock in samples."),
+        format!("Prescribed-time {kind} {name}: {order}, clock in samples."),
         String::new(),
         "DO NOT EDIT. Made by:".to_owned(),
         format!("  ptc-codegen emit --lang {} {}", language.name(), spec.command()),
@@ -53,9 +58,13 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         Some(plant) if !plant.measures_states() => format!("{late}, y = C x"),
         _ => late,
     };
-    let plant = match spec.model_in_samples() {
-        Some(model) => format!("the input {}: {}", model.input, model.lines().join(", ")),
-        None => plant::in_samples(spec, sampled),
+    let plant = match (&spec.coupled, spec.model_in_samples()) {
+        (Some(coupled), _) => {
+            let inputs = Name::listed(&coupled.inputs);
+            format!("the inputs {inputs}: {}", coupled.lines().join(", "))
+        }
+        (None, Some(model)) => format!("the input {}: {}", model.input, model.lines().join(", ")),
+        (None, None) => plant::in_samples(spec, sampled),
     };
     let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
     let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
@@ -71,9 +80,10 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
             rest.extend(followed::lines(spec, sampled));
         }
     }
+    rest.extend(axes::lines(spec));
     rest.push(String::new());
     rest.push("Parameters:".to_owned());
-    for parameter in spec.parameters() {
+    for parameter in spec.parameters().into_iter().filter(|p| !axes::have_own(spec, *p)) {
         let unit = spec.unit(parameter);
         let (symbol, meaning) = (parameter.symbol(), parameter.meaning());
         rest.push(match spec.fixed.get(&parameter) {
@@ -91,11 +101,14 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
 }
 
 /// What becomes of the plant, and by which law.
-fn purpose(spec: &Spec, sampled: &Sampled) -> [String; 2] {
+fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     let (n, order) = (spec.n, spec.loop_order());
+    if let Some(coupled) = &spec.coupled {
+        return of_outputs(coupled);
+    }
     if spec.model_in_samples().is_some() {
         let last = n - 1;
-        return [
+        return vec![
             format!(
                 "Goal: the output and its derivatives up to order {last}, x, are 0 at sample N after the start, from any state, as long as u is not clipped and the plant is the model. f and g are known at the samples alone, which leaves an error of order h^({}-i) in x_i.",
                 n + 2
@@ -116,7 +129,17 @@ fn purpose(spec: &Spec, sampled: &Sampled) -> [String; 2] {
             order - 1
         ),
     };
-    [goal, law]
+    vec![goal, law]
+}
+
+/// The same of a plant with several inputs.
+fn of_outputs(coupled: &Coupled) -> Vec<String> {
+    let mut lines = vec![
+        "Goal: every output with its derivatives is 0 at sample N after the start, from any state, as long as no u is clipped and the plant is the model. The plant is known at the samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order n.".to_owned(),
+        "Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. v_i is law_i in step.".to_owned(),
+    ];
+    lines.extend(coupled::law(coupled));
+    lines
 }
 
 fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> {

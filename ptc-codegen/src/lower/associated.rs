@@ -116,7 +116,8 @@ mod tests {
             | Input::ReferenceOf(..)
             | Input::Gain(_)
             | Input::Divisor
-            | Input::Control => f64::NAN,
+            | Input::Control
+            | Input::Wanted(_) => f64::NAN,
         };
         Interpreter::new(&program, &input).value(program.step)
     }

@@ -45,6 +45,16 @@ pub(super) fn controls<'a>(
         ));
     }
     b.of_all(spec);
+    inputs(b, coupled, wanted)
+}
+
+/// The first input, the others, and the determinant, from what is wanted of the last rate of each output,
+/// less its drift.
+pub(super) fn inputs(
+    b: &mut Builder<'_>,
+    coupled: &Coupled,
+    wanted: Vec<Value>,
+) -> (Value, Vec<Value>, Option<Value>) {
     let mut divisor = None;
     let mut controls: Vec<Value> = match &coupled.inverse {
         Inverse::Adjugate { determinant, adjugate, .. } => {

@@ -1,20 +1,26 @@
-//! A model and a reference at a sample: the chain of a model and its input from what the law wants, and the
+//! A model and a reference at a sample: the chains of a model and its inputs from what the laws want, and the
 //! reference with its derivatives.
 
 use super::builder::Builder;
 use super::closed_loop::no_limits;
+use super::coupled::inputs;
 use super::plant::{Form, cheapest, control};
 use crate::algebra::integer;
 use crate::expression::{Expression, Variable};
+use crate::model::Coupled;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Op, Program};
 use crate::request::{Reference, Sampled, Spec};
 
-/// x_1..x_n of the states of the model of `spec`, all watched; its step is u = (w - f)/g, where
-/// [`Input::Control`] stands for w, the last rate that is wanted, that of the reference included.
+/// x_1..x_n of the states of the model of `spec`, all watched, or of each output in turn; its step is
+/// u = (w - f)/g, or that of each input, where [`Input::Wanted`] stands for w, the last rate that is wanted of
+/// an output, that of the reference included.
 pub fn at_sample(spec: &Spec) -> Program {
     let spec = &Spec { reference: None, ..spec.clone() };
-    cheapest(spec, false, &|form| of_form(spec, form))
+    match spec.decoupled() {
+        Some(coupled) => of_outputs(spec, coupled),
+        None => cheapest(spec, false, &|form| of_form(spec, form)),
+    }
 }
 
 fn of_form(spec: &Spec, form: Form) -> Program {
@@ -22,7 +28,7 @@ fn of_form(spec: &Spec, form: Form) -> Program {
     let mut b = Builder::new(spec);
     b.form = Some(form);
     let watched = coordinates.iter().map(|coordinate| b.scalar(coordinate)).collect();
-    let wanted = b.push(Op::Input(Input::Control));
+    let wanted = b.push(Op::Input(Input::Wanted(1)));
     let step = control(&mut b, wanted);
     let limits = no_limits(&mut b);
     Program { watched, ..b.finish(step, limits) }
@@ -51,4 +57,21 @@ pub fn reference_at_sample(spec: &Spec, sampled: &Sampled) -> Program {
         all.push(at(spec.n, &time));
     }
     super::closed_loop::plant(spec, &all)
+}
+
+fn of_outputs(spec: &Spec, coupled: &Coupled) -> Program {
+    let designs = spec.designs();
+    let mut b = Builder::new(spec);
+    let coordinates = coupled.outputs.iter().flat_map(|output| &output.coordinates);
+    let watched = coordinates.map(|coordinate| b.scalar(coordinate)).collect();
+    let mut wanted = Vec::with_capacity(designs.len());
+    for (index, own) in (1..).zip(&designs) {
+        b.of_axis(own, index);
+        let law = b.push(Op::Input(Input::Wanted(index)));
+        wanted.push(control(&mut b, law));
+    }
+    b.of_all(spec);
+    let (step, others, determinant) = inputs(&mut b, coupled, wanted);
+    let limits = no_limits(&mut b);
+    Program { watched, others, determinant, ..b.finish(step, limits) }
 }

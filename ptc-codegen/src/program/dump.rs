@@ -78,6 +78,7 @@ fn input_text(input: Input) -> String {
         Input::ReferenceOf(output, order) => format!("reference r{order}_{output}"),
         Input::Drift => "drift f".to_owned(),
         Input::Control => "control u".to_owned(),
+        Input::Wanted(output) => format!("wanted w_{output}"),
         Input::Gain(j) => format!("gain {j}"),
         Input::Divisor => "input gain g".to_owned(),
     }

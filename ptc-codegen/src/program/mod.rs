@@ -77,6 +77,9 @@ pub enum Input {
     Drift,
     /// The control u, where the plant is computed.
     Control,
+    /// What the law wants of the last rate of the chain of an output, from 1, where the plant of a
+    /// controller in samples is computed.
+    Wanted(usize),
 }
 
 impl Input {
@@ -92,6 +95,7 @@ impl Input {
             Self::ReferenceOf(output, order) => format!("r{order}_{output}"),
             Self::Drift => "f".to_owned(),
             Self::Control => "u".to_owned(),
+            Self::Wanted(output) => format!("w_{output}"),
             Self::Gain(j) => format!("gain{j}"),
             Self::Divisor => "input_gain".to_owned(),
         }
@@ -109,7 +113,8 @@ impl Input {
             | Self::Gain(_)
             | Self::Divisor
             | Self::Drift
-            | Self::Control => Stage::Step,
+            | Self::Control
+            | Self::Wanted(_) => Stage::Step,
         }
     }
 }

@@ -19,6 +19,7 @@ pub fn inputs(call: &Call<'_>, states: usize) -> impl Fn(Input) -> f64 {
         | Input::Gain(_)
         | Input::Divisor
         | Input::Drift
-        | Input::Control => f64::NAN,
+        | Input::Control
+        | Input::Wanted(_) => f64::NAN,
     }
 }

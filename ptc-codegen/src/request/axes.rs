@@ -2,7 +2,7 @@
 
 use std::iter::repeat_with;
 
-use super::{Feedback, Reference, Spec};
+use super::{Clock, Feedback, Reference, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::model::{Coupled, Model, Output};
@@ -18,6 +18,8 @@ pub struct Axes {
     pub gains: Vec<Vec<Fixed>>,
     /// The poles of each, from which the gains were computed.
     pub poles: Vec<Vec<(BigRational, BigRational)>>,
+    /// Greatest exponent of each in samples, [`Sampled::greatest`](super::Sampled::greatest).
+    pub greatest: Vec<BigRational>,
     /// Bound of |u| of each.
     pub limits: Vec<Fixed>,
     /// Input gain g of each.
@@ -111,6 +113,14 @@ impl Spec {
         }
         if let Some(gain) = axes.input_gains.get(index) {
             spec.input_gain = (*gain != Expression::integer(1)).then(|| gain.clone());
+        }
+        let (gain, chains) = (spec.known_gain(), self.decoupled().is_none());
+        if let Clock::Samples(sampled) = &mut spec.clock {
+            let greatest = axes.greatest.get(index).cloned();
+            sampled.greatest = greatest.or(sampled.greatest.take());
+            if chains {
+                (sampled.measured, sampled.gain) = (spec.n, gain);
+            }
         }
         spec
     }

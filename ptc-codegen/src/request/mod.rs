@@ -242,8 +242,13 @@ impl Spec {
         if self.reference != Some(Reference::Input) {
             return 0;
         }
+        self.highest_order() + 1
+    }
+
+    /// The order of the longest chain: that of the plant, or of an output of several.
+    pub fn highest_order(&self) -> usize {
         let orders = self.coupled.iter().flat_map(|coupled| coupled.orders());
-        orders.max().unwrap_or(self.n) + 1
+        orders.max().unwrap_or(self.n)
     }
 
     /// The references that are known, each with its derivatives: one, or those of several outputs.

@@ -1,7 +1,10 @@
 //! The request for a controller whose clock is in samples.
 
+use num_traits::Zero;
+
 use super::{Clock, Spec};
-use crate::algebra::BigRational;
+use crate::algebra::{BigRational, integer};
+use crate::expression::Expression;
 use crate::linear::{Delay, Linear};
 use crate::model::Model;
 use crate::parameter::{Fixed, Parameter};
@@ -98,6 +101,12 @@ impl Spec {
             Clock::Time => None,
             Clock::Samples(sampled) => Some(sampled),
         }
+    }
+
+    /// The input gain of a chain where it is a number other than 0; else 1.
+    pub(crate) fn known_gain(&self) -> BigRational {
+        let number = self.input_gain.as_ref().and_then(Expression::number);
+        number.filter(|gain| !gain.is_zero()).cloned().unwrap_or_else(|| integer(1))
     }
 
     /// The model whose f and g a controller in samples knows at the samples alone: one that is not linear.

@@ -22,12 +22,25 @@ pub(super) struct Builder<'a> {
     pub(super) values: Vec<(String, Shape, Expr)>,
     /// r^(n) over the time in which the latest input acts, and those under way; empty without a reference.
     pub(super) rates: Vec<Expr>,
+    /// The design of each output or axis, where there are several.
+    pub(super) designs: &'a [Spec],
+    /// The output or axis whose law is put together, from 1, where there are several.
+    pub(super) output: Option<usize>,
 }
 
 /// The controller of a spec whose clock is in samples, or its observer alone.
 pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
-    let (fields, values, rates) = (Vec::new(), Vec::new(), Vec::new());
-    let mut builder = Builder { spec, sampled, fields, values, rates };
+    let count = spec.axes.as_ref().map_or(0, |axes| axes.count);
+    let designs: Vec<_> = (0..count).map(|index| spec.axis(index)).collect();
+    let mut builder = Builder {
+        spec,
+        sampled,
+        fields: Vec::new(),
+        values: Vec::new(),
+        rates: Vec::new(),
+        designs: &designs,
+        output: None,
+    };
     let functions = builder.functions();
     Code {
         name: spec.name(),
@@ -116,7 +129,10 @@ impl Builder<'_> {
             given => self.keep_count("samples", "samples from the start to rest", given),
         };
         let mut functions = vec![self.arm()];
-        functions.push(self.step(&start, &samples));
+        functions.push(match self.designs {
+            [] => self.step(&start, &samples),
+            _ => self.step_of_inputs(&start, &samples),
+        });
         if self.sampled.observes() {
             functions.extend(self.estimates());
         }
@@ -341,7 +357,7 @@ impl Builder<'_> {
     }
 
     /// The bound of |u|; none for no bound.
-    fn limit(&mut self) -> Option<Expr> {
+    pub(super) fn limit(&mut self) -> Option<Expr> {
         if let Some(Fixed::Infinite) = self.spec.fixed.get(&Parameter::UMax) {
             return None;
         }

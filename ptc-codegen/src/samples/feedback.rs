@@ -55,7 +55,7 @@ impl Builder<'_> {
             .collect();
         let weight = |this: &mut Self, name: String, number: Expr, j: usize| {
             let value = number.mul(this.period(-pair.powers[j]));
-            this.keep(&name, "weight of a state in the law", value)
+            this.keep(&this.named(&name), "weight of a state in the law", value)
         };
         let exact = |value: &BigRational| Expr::Number(value.clone());
         let combine = |this: &mut Self, name: &str, numbers: Vec<Expr>| {
@@ -76,7 +76,7 @@ impl Builder<'_> {
             let numbers = (0..order).map(|j| row.clone().mul(exact(s.at(i, j)))).collect();
             let name = format!("w{}", i + 1);
             let value = combine(self, &name, numbers);
-            known.push(Statement::Let(format!("z{}", i + 1), Shape::Real, value));
+            known.push(Statement::Let(self.named(&format!("z{}", i + 1)), Shape::Real, value));
         }
         // Deadbeat: the drift is in its gains.
         let column = |factors: &[BigRational], j: usize| {
@@ -89,20 +89,24 @@ impl Builder<'_> {
         let drifts = (0..order).map(|j| Expr::Number(column(&drifts, j))).collect();
         let drifts = combine(self, "c", drifts);
         let horner = (0..order).fold(Expr::integer(0), |sum, i| {
-            let z = Expr::local(format!("z{}", i + 1));
+            let z = Expr::local(self.named(&format!("z{}", i + 1)));
             let now = Expr::local("m0");
             let below = now.sub(Expr::integer(i64::try_from(i).unwrap_or(0)));
             sum.add(z).div(below)
         });
         // A model takes u from what the law wants.
-        let name = if self.spec.model.is_some() { "w" } else { "v" };
+        let name = match (self.output, &self.spec.model) {
+            (Some(_), _) => self.named("law"),
+            (None, Some(_)) => "w".to_owned(),
+            (None, None) => "v".to_owned(),
+        };
         let rate = self.rate(0);
         let v = |value: Expr| {
             let value = value.sub(offset.clone()).add(rate.clone());
-            Statement::Set(Place::Local(name.to_owned()), value)
+            Statement::Set(Place::Local(name.clone()), value)
         };
         known.push(v(horner.add(drifts)));
-        statements.push(Statement::Variable(name.to_owned(), Shape::Real));
+        statements.push(Statement::Variable(name.clone(), Shape::Real));
         let end = vec![Statement::Note("Deadbeat.".to_owned()), v(dead)];
         match test {
             // So few samples are deadbeat from the first.
@@ -137,7 +141,8 @@ impl Builder<'_> {
             left = left.max(self.keep("hold", "samples to go at which the gains are held", hold));
         }
         first.push(now(left));
-        let from = self.keep("deadbeat", "samples to go at which deadbeat takes over", from);
+        let from =
+            self.keep(&self.named("deadbeat"), "samples to go at which deadbeat takes over", from);
         (first, Test::Less(from, Expr::local("m0")), Vec::new())
     }
 

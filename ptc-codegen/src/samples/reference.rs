@@ -10,7 +10,7 @@
 use std::ops::{Mul, Sub};
 
 use super::controller::Builder;
-use super::staged::Staged;
+use super::staged::{Names, Staged};
 use crate::algebra::integer;
 use crate::code::{Expr, Place, Shape, Statement, Variable};
 use crate::lower::reference_at_sample;
@@ -36,7 +36,8 @@ impl Builder<'_> {
 
     /// State j, from 1, of the chain that the law brings to 0.
     pub(super) fn coordinate(&self, j: usize) -> Expr {
-        Expr::local(format!("{}{j}", if self.spec.reference.is_some() { "e" } else { "x" }))
+        let letter = if self.spec.reference.is_some() { "e" } else { "x" };
+        Expr::local(self.named(&format!("{letter}{j}")))
     }
 
     /// rho of the input of `age` samples ago, 0 for that of now, as an input.
@@ -81,8 +82,9 @@ impl Builder<'_> {
         let of_time = (0..self.spec.n).map(|order| format!("reference{order}"));
         let names = of_time.chain((0..=self.sampled.delay.inputs()).map(|age| format!("rho{age}")));
         let program = reference_at_sample(self.spec, self.sampled);
-        let mut staged = Staged::new(program, names.collect(), ["c_r", "v_r"]);
-        let (mut body, mut values) = staged.watched(self);
+        let names = Names { watched: names.collect(), wanted: Vec::new(), letters: ["c_r", "v_r"] };
+        let (mut body, values) = Staged::new(program, names).watched(self);
+        let mut values: Vec<_> = values.into_iter().map(|(_, value)| value).collect();
         if values.iter().any(|value| !value.is_constant()) {
             body.insert(0, Statement::Let("t".to_owned(), Shape::Real, time));
         }

@@ -8,13 +8,20 @@ use crate::code::{Expr, Shape, Statement, parameter_name};
 use crate::internal::fault;
 use crate::program::{Input, Op, Program, Stage, Value, passes};
 
+/// The names of what a program computes, and is given.
+pub(super) struct Names {
+    /// Of the values that it watches.
+    pub(super) watched: Vec<String>,
+    /// Of the local values that stand for what is wanted of each output.
+    pub(super) wanted: Vec<String>,
+    /// What stands before the numbers of other values: of fields, and of local values.
+    pub(super) letters: [&'static str; 2],
+}
+
 /// What is computed of a program so far.
 pub(super) struct Staged {
     program: Program,
-    /// The names of the values that it watches.
-    names: Vec<String>,
-    /// What stands before the numbers of other values: of fields, and of local values.
-    letters: [&'static str; 2],
+    names: Names,
     /// Users of each value.
     uses: BTreeMap<Value, usize>,
     known: BTreeMap<Value, Expr>,
@@ -25,33 +32,44 @@ pub(super) struct Staged {
 }
 
 impl Staged {
-    /// Of a program whose time is the local value t, and whose control is w.
-    pub(super) fn new(program: Program, names: Vec<String>, letters: [&'static str; 2]) -> Self {
+    /// Of a program whose time is the local value t.
+    pub(super) fn new(program: Program, names: Names) -> Self {
         let program = passes::optimise(program, &mut |_, _| {});
         let mut uses: BTreeMap<_, usize> = BTreeMap::new();
-        let roots = || program.watched.iter().chain([&program.step]);
-        roots().for_each(|root| *uses.entry(*root).or_default() += 1);
-        for value in program.needed(&roots().copied().collect::<Vec<_>>()) {
+        let roots = [program.watched.clone(), program.controls()].concat();
+        roots.iter().for_each(|root| *uses.entry(*root).or_default() += 1);
+        for value in program.needed(&roots) {
             let op = &program.get(value).op;
             for operand in op.operands() {
                 *uses.entry(operand).or_default() += Expr::writes(op);
             }
         }
         let (known, done) = (BTreeMap::new(), BTreeSet::new());
-        Self { program, names, letters, uses, known, done, named: 0 }
+        Self { program, names, uses, known, done, named: 0 }
     }
 
-    /// Statements before the values that it watches, and these.
-    pub(super) fn watched(&mut self, builder: &mut Builder<'_>) -> (Vec<Statement>, Vec<Expr>) {
+    /// Statements before the values that it watches, and these with their names.
+    pub(super) fn watched(
+        &mut self,
+        builder: &mut Builder<'_>,
+    ) -> (Vec<Statement>, Vec<(String, Expr)>) {
         let roots = self.program.watched.clone();
-        let body = self.body(builder, &roots);
-        (body, roots.into_iter().map(|root| self.expression(root)).collect())
+        let (body, values) = self.values(builder, &roots);
+        (body, self.names.watched.iter().cloned().zip(values).collect())
     }
 
-    /// Statements before its step, and this.
-    pub(super) fn step(&mut self, builder: &mut Builder<'_>) -> (Vec<Statement>, Expr) {
-        let root = self.program.step;
-        (self.body(builder, &[root]), self.expression(root))
+    /// Statements before its step and the other inputs, and these.
+    pub(super) fn controls(&mut self, builder: &mut Builder<'_>) -> (Vec<Statement>, Vec<Expr>) {
+        self.values(builder, &self.program.controls())
+    }
+
+    fn values(
+        &mut self,
+        builder: &mut Builder<'_>,
+        roots: &[Value],
+    ) -> (Vec<Statement>, Vec<Expr>) {
+        let body = self.body(builder, roots);
+        (body, roots.iter().map(|root| self.expression(*root)).collect())
     }
 
     /// What stands for a value. That of the only user is given away: the terms of a sum would be copied
@@ -84,10 +102,12 @@ impl Staged {
     ) -> Expr {
         let definition = self.program.get(value);
         let (op, stage) = (definition.op.clone(), definition.stage);
-        let [field, local] = self.letters;
+        let [field, local] = self.names.letters;
         let expression = match &op {
             Op::Input(Input::State(j)) => Expr::Element("x".to_owned(), j - 1),
-            Op::Input(Input::Control) => return Expr::local("w"),
+            Op::Input(Input::Wanted(output)) => {
+                return Expr::local(self.names.wanted[output - 1].clone());
+            }
             Op::Input(Input::Time) => Expr::local("t"),
             Op::Input(Input::Parameter(parameter)) => {
                 let given = builder.parameter(*parameter);
@@ -95,6 +115,11 @@ impl Staged {
                 return builder.keep(&name, parameter.meaning(), given);
             }
             Op::Number(number) => return Expr::Number(number.clone()),
+            Op::Elimination { matrix, right } => return self.eliminated(matrix, right, body),
+            Op::Element(array, index) => match self.expression(*array) {
+                Expr::Local(array) => return Expr::Element(array, *index),
+                other => fault(format!("{other:?} is no array")),
+            },
             op => Expr::of(op, &mut |operand| self.expression(*operand))
                 .unwrap_or_else(|| fault(format!("{op:?} at a sample"))),
         };
@@ -104,7 +129,7 @@ impl Staged {
             return builder.keep(&name, "derived from the parameters", expression);
         }
         let name = match self.program.watched.iter().position(|watched| *watched == value) {
-            Some(place) => self.names[place].clone(),
+            Some(place) => self.names.watched[place].clone(),
             None if self.uses.get(&value).is_some_and(|uses| *uses > 1)
                 && !matches!(op, Op::Input(_)) =>
             {
@@ -114,6 +139,16 @@ impl Staged {
             None => return expression,
         };
         body.push(Statement::Let(name.clone(), Shape::Real, expression));
+        Expr::local(name)
+    }
+
+    /// The local array that solves a system.
+    fn eliminated(&mut self, matrix: &[Value], right: &[Value], body: &mut Vec<Statement>) -> Expr {
+        let [matrix, right] =
+            [matrix, right].map(|all| all.iter().map(|value| self.expression(*value)).collect());
+        self.named += 1;
+        let name = format!("{}{}", self.names.letters[1], self.named);
+        body.push(Statement::Elimination { name: name.clone(), matrix, right });
         Expr::local(name)
     }
 }

@@ -14,7 +14,7 @@ impl Builder<'_> {
         for parameter in self.spec.run_time_parameters() {
             let domain = match parameter {
                 Parameter::Samples => {
-                    format!("at least {}", self.sampled.least_samples(self.spec.n))
+                    format!("at least {}", self.sampled.least_samples(self.spec.highest_order()))
                 }
                 parameter => self.spec.legal(parameter),
             };
@@ -40,7 +40,7 @@ impl Builder<'_> {
             let value = self.parameter(parameter);
             match parameter {
                 Parameter::Samples => {
-                    let least = self.sampled.least_samples(self.spec.n);
+                    let least = self.sampled.least_samples(self.spec.highest_order());
                     tests.push(Test::CountLess(Expr::Count(least - 1), value));
                 }
                 Parameter::SampleTime | Parameter::A => {
@@ -81,7 +81,7 @@ impl Builder<'_> {
         // The weights hold the period in powers up to the order, of either sign: one that is too large
         // is not finite, one that is too small shows by its power alone.
         if self.fixed(Parameter::SampleTime).is_none() {
-            let order = i64::try_from(self.spec.n).unwrap_or(i64::MAX);
+            let order = i64::try_from(self.spec.highest_order()).unwrap_or(i64::MAX);
             for power in [order, -order] {
                 finite.push(Test::AtMost(number(least(self.spec.precision)), self.period(power)));
             }

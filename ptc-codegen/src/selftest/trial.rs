@@ -62,7 +62,7 @@ impl Trial<'_> {
                 let spec = self.spec();
                 self.x[spec.states() + (output - 1) * spec.references() + order]
             }
-            Input::Drift | Input::Control => f64::NAN,
+            Input::Drift | Input::Control | Input::Wanted(_) => f64::NAN,
         }
     }
 

@@ -40,7 +40,8 @@ enum Kind {
 /// A controller on its way.
 enum Running<'a> {
     Time(&'a mut Controller),
-    Samples(Instance<'a>),
+    /// With the number of its inputs.
+    Samples(Instance<'a>, usize),
 }
 
 impl Running<'_> {
@@ -48,7 +49,7 @@ impl Running<'_> {
     fn arm(&mut self, index: u32, t: f64, measured: &[f64]) -> bool {
         match self {
             Self::Time(controller) => controller.arm(t, measured),
-            Self::Samples(controller) => {
+            Self::Samples(controller, _) => {
                 controller.call("arm", &[("k", &[f64::from(index)])]).status.number() >= 0
             }
         }
@@ -61,11 +62,12 @@ impl Running<'_> {
                 let (u, status) = controller.step(t, measured);
                 (u.to_vec(), status)
             }
-            Self::Samples(controller) => {
+            Self::Samples(controller, inputs) => {
                 let given = [("k", &[f64::from(index)][..]), ("x", measured), ("y", measured)];
                 let outcome = controller.call("step", &given);
-                let u = outcome.results.get("u").and_then(|u| u.first());
-                (vec![u.copied().unwrap_or(0.0)], outcome.status.into())
+                // One that fails gives none.
+                let u = outcome.results.get("u").cloned();
+                (u.unwrap_or_else(|| vec![0.0; *inputs]), outcome.status.into())
             }
         }
     }
@@ -107,7 +109,8 @@ impl Sampled {
         let own = Plant { f, ..Plant::default() };
         let plant = if *plant == Plant::default() { &own } else { plant };
         let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-        Ok(Self { n: spec.states(), inputs: 1, controller, moved, integrals: None })
+        let inputs = spec.input_names().len();
+        Ok(Self { n: spec.states(), inputs, controller, moved, integrals: None })
     }
 
     /// The same with integrals over the run beside it.
@@ -168,7 +171,9 @@ impl Sampled {
                 controller.init(values, x0)?;
                 Running::Time(controller)
             }
-            Kind::Samples(code, open) => Running::Samples(started(code, open, values)?),
+            Kind::Samples(code, open) => {
+                Running::Samples(started(code, open, values)?, self.inputs)
+            }
         };
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let mut frame = Frame::new(around, tau);

@@ -19,9 +19,9 @@ def show(value):
     value = float(value)
     return "nan" if math.isnan(value) else struct.pack(">d", value).hex()
 designs = []
-for folder, name, kind, real, layout, given, measured in DESIGNS:
+for folder, name, kind, real, layout, given, measured, columns in DESIGNS:
     sys.path.insert(0, folder)
-    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given, measured))
+    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given, measured, columns))
 held = [None] * len(designs)
 count = 0
 for line in sys.stdin:
@@ -29,7 +29,7 @@ for line in sys.stdin:
     count += 1
     if word == "D":
         at = int(rest[0])
-        module, kind, real, layout, given, measured = designs[at]
+        module, kind, real, layout, given, measured, columns = designs[at]
     elif word == "I":
         values, params = [number(one) for one in rest], {}
         for name, length in layout:
@@ -57,7 +57,14 @@ for line in sys.stdin:
             assert type(status) is module.Status, (module, type(status))
         else:
             x, r = given_now[:measured], given_now[measured:]
-            u, status = held[at].step(k, x, *([r] if r else []))
+            if columns:
+                x = np.reshape(x, (-1, columns))
+            u, *axes, status = held[at].step(k, x, *([r] if r else []))
+            if axes:
+                [axes] = axes
+                assert (u.dtype, axes.dtype, status.dtype) == (real, np.int8, np.int8), module
+                print("S", int(status), *map(show, u), *map(int, axes))
+                continue
             assert type(u) is real, (module, type(u))
             values = [u]
         for name in given:
@@ -99,10 +106,10 @@ fn in_interpreter(
         let given: Vec<_> = design.given().map(|(f, _)| format!("\"{}\"", f.name)).collect();
         let (home, name, kind) = (design.folder.display(), &design.code.name, design.kind());
         let (layout, given) = (layout.join(", "), given.join(", "));
-        let measured = design.measured();
+        let (measured, columns) = (design.measured(), design.columns().unwrap_or(0));
         writeln!(
             table,
-            "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}], {measured}),"
+            "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}], {measured}, {columns}),"
         )
         .expect("a string");
     }
@@ -130,7 +137,7 @@ def called(at, **inputs):
     unit.execute(memory)
     return memory
 units, held, layouts, givens, reals, inputs, observes, counts = [], [], [], [], [], [], [], []
-for folder, name, kind, real, layout, given, measured in DESIGNS:
+for folder, name, kind, real, layout, given, measured, _ in DESIGNS:
     with open(f"{folder}/{name}.st") as file:
         unit = Library(file.read()).units[name]
     units.append(unit)
@@ -225,8 +232,12 @@ function drive(designs)
                 self{at} = arm(self{at}, k);
             else
                 x = cellfun(@hex2num, words(3:end));
+                if d.columns x = reshape(x, d.columns, [])'; end
                 if strcmp(d.call, 'update')
                     [status, self{at}] = step(self{at}, k, x(1:end - 1), x(end));
+                elseif d.inputs
+                    [u, axes, status] = step(self{at}, k, x);
+                    if ~isa(axes, 'int32') error('types'); end
                 else
                     given_now = {x(1:d.measured)};
                     if numel(x) > d.measured given_now{2} = x(d.measured + 1:end); end
@@ -240,7 +251,10 @@ function drive(designs)
                 text = sprintf('S %d', status);
                 if ~strcmp(d.call, 'update')
                     if ~isa(u, d.real) error('types'); end
-                    text = [text show(u)];
+                    for value = u(:)'
+                        text = [text show(value)];
+                    end
+                    if d.inputs text = [text sprintf(' %d', axes)]; end
                 end
                 for j = 1:numel(given)
                     values = given{j}(self{at});
@@ -272,7 +286,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
         writeln!(
             table,
             "designs{{{}}} = struct('folder', '{}', 'name', '{}', 'real', '{real}', 'names', {{{{{}}}}}, \
-             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'call', '{}', 'measured', {});",
+             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'inputs', {}, 'columns', {}, 'call', '{}', 'measured', {});",
             i + 1,
             design.folder.display(),
             design.code.name,
@@ -280,6 +294,8 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
             lengths.join(", "),
             given.join(", "),
             u8::from(changes),
+            u8::from(design.code.axes().is_some()),
+            design.columns().unwrap_or(0),
             step.name,
             design.measured()
         )

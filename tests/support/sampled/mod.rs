@@ -3,7 +3,7 @@
 //! A driver reads words: `D i` chooses a design, `I` and its parameters initialise it, `A k` arms it,
 //! `S k` and its measurements step it. Numbers are the bits of doubles in hexadecimal. It writes a
 //! line for each `I` (the status) and for each `S`: the status, u, and all that the controller gives
-//! beside it.
+//! beside it; of several inputs every u, and then the status of each.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -78,6 +78,24 @@ impl Design {
         found.and_then(|a| a.shape.length()).unwrap_or(0)
     }
 
+    /// How many of them stand in a row, where a step is given those of each axis in one.
+    fn columns(&self) -> Option<usize> {
+        self.called().arguments.iter().find_map(|a| match a.shape {
+            Shape::Lists(_, columns) => Some(columns),
+            _ => None,
+        })
+    }
+
+    /// Statements of C that read what is measured into `x`.
+    fn read_in_c(&self) -> String {
+        let place = |j: usize| match self.columns() {
+            Some(columns) => format!("[{}][{}]", j / columns, j % columns),
+            None => format!("[{j}]"),
+        };
+        let read = |j| format!("x{} = ({})number(); ", place(j), self.real());
+        (0..self.measured()).map(read).collect()
+    }
+
     /// What it gives beside u, with the lengths of arrays.
     fn given(&self) -> impl Iterator<Item = (&Function, Option<usize>)> {
         let others =
@@ -125,9 +143,14 @@ impl Design {
                     let given = [("k", &k[..]), ("x", y), ("y", y), ("r", behind), ("u", behind)];
                     let outcome = instance.call(self.called().name, &given);
                     let mut line = format!("S {}", outcome.status.number());
+                    let of = |name: &str| outcome.results.get(name).cloned();
                     if !self.observes() {
-                        let u = outcome.results.get("u").map_or(0.0, |u| u[0]);
-                        write!(line, " {}", word(u)).expect("a string");
+                        for u in of("u").unwrap_or_else(|| vec![0.0]) {
+                            write!(line, " {}", word(u)).expect("a string");
+                        }
+                    }
+                    for status in of("axes").into_iter().flatten() {
+                        write!(line, " {status}").expect("a string");
                     }
                     for (function, _) in self.given() {
                         for value in instance.call(function.name, &[]).results.values().flatten() {

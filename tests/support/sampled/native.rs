@@ -75,7 +75,11 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 ),
             })
             .collect();
-        let mut read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let mut read = design.read_in_c();
+        let shape = match design.columns() {
+            Some(columns) => format!("[{}][{columns}]", m / columns),
+            None => format!("[{m}]"),
+        };
         let r = match design.references() {
             0 => "",
             count => {
@@ -84,11 +88,15 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 "r, "
             }
         };
-        let step = match design.observes() {
-            true => format!(
+        let step = match (design.observes(), design.code.axes()) {
+            (true, _) => format!(
                 "{real} u = ({real})number(); printf(\"S %d\", (int){name}_update(&self{i}, k, x, u));"
             ),
-            false => format!(
+            (false, Some(m)) => format!(
+                "{real} u[{m}]; ptc_status axes[{m}]; printf(\"S %d\", (int){name}_step(&self{i}, k, x, u, axes)); \
+                 for (int j = 0; j < {m}; j++) show((double)u[j]); for (int j = 0; j < {m}; j++) printf(\" %d\", (int)axes[j]);"
+            ),
+            (false, None) => format!(
                 "{real} u = 77; printf(\"S %d\", (int){name}_step(&self{i}, k, x, {r}&u)); show((double)u);"
             ),
         };
@@ -97,7 +105,7 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             "static {name} self{i};\n\
              static int init{i}(void) {{ {name}_params p; memset(&p, 0, sizeof p); {}return (int){name}_init(&self{i}, &p); }}\n\
              static void arm{i}(uint32_t k) {{ (void){name}_arm(&self{i}, k); }}\n\
-             static void step{i}(uint32_t k) {{ {real} x[{m}]; {read}{step} {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ {real} x{shape}; {read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");
@@ -139,7 +147,13 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 None => format!("show(double(self{i}.{}())); ", function.name),
             })
             .collect();
-        let mut read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let mut read = design.read_in_c();
+        let array = match design.columns() {
+            Some(columns) => {
+                format!("std::array<std::array<{real}, {columns}>, {}>", m / columns)
+            }
+            None => format!("std::array<{real}, {m}>"),
+        };
         let r = match design.references() {
             0 => "",
             count => {
@@ -148,11 +162,15 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 ", r"
             }
         };
-        let step = match design.observes() {
-            true => format!(
+        let step = match (design.observes(), design.code.axes()) {
+            (true, _) => format!(
                 "const auto u = static_cast<{real}>(number()); printf(\"S %d\", static_cast<int>(self{i}.update(k, x, u)));"
             ),
-            false => format!(
+            (false, Some(_)) => format!(
+                "const auto c = self{i}.step(k, x); printf(\"S %d\", static_cast<int>(c.status)); \
+                 for (const auto e : c.u) show(double(e)); for (const auto e : c.axes) printf(\" %d\", static_cast<int>(e));"
+            ),
+            (false, None) => format!(
                 "const auto c = self{i}.step(k, x{r}); printf(\"S %d\", static_cast<int>(c.status)); show(double(c.u));"
             ),
         };
@@ -161,7 +179,7 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             "static ptc::{kind} self{i};\n\
              static int init{i}() {{ ptc::{kind}Params p{{}}; {}return static_cast<int>(self{i}.init(p)); }}\n\
              static void arm{i}(uint32_t k) {{ self{i}.arm(k); }}\n\
-             static void step{i}(uint32_t k) {{ std::array<{real}, {m}> x{{}}; {read}{step} {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ {array} x{{}}; {read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");

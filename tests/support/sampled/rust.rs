@@ -85,15 +85,31 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
                 None => format!("show(f64::from(this.{}())); ", function.name),
             })
             .collect();
-        let list = |count| (0..count).map(value).collect::<Vec<_>>().join(", ");
-        let (x, r) = (list(m), design.references());
-        let r = if r > 0 { format!(", &[{}]", list(r)) } else { String::new() };
-        let step = match design.observes() {
-            true => format!(
+        let all = |count| (0..count).map(value).collect::<Vec<_>>();
+        let x = match design.columns() {
+            Some(columns) => {
+                let rows = all(m)
+                    .chunks(columns)
+                    .map(|row| format!("[{}]", row.join(", ")))
+                    .collect::<Vec<_>>();
+                rows.join(", ")
+            }
+            None => all(m).join(", "),
+        };
+        let r = match design.references() {
+            0 => String::new(),
+            count => format!(", &[{}]", all(count).join(", ")),
+        };
+        let step = match (design.observes(), design.code.axes()) {
+            (true, _) => format!(
                 "let y = [{x}]; let u = {}; let status = outcome!({name}, this.update(k, &y, u)).map_or_else(|e| e, |s| status!({name}, s)); print!(\"S {{status}}\");",
                 value(0)
             ),
-            false => format!(
+            (false, Some(_)) => format!(
+                "let c = this.step(k, &[{x}]); let number = |s| outcome!({name}, s).map_or_else(|e| e, |s| status!({name}, s)); \
+                 print!(\"S {{}}\", number(c.status)); for u in c.u {{ show(f64::from(u)); }} for s in c.axes {{ print!(\" {{}}\", number(s)); }}"
+            ),
+            (false, None) => format!(
                 "let (status, u) = outcome!({name}, this.step(k, &[{x}]{r})).map_or_else(|e| (e, 0.0), |c| (status!({name}, c.status), f64::from(c.u))); print!(\"S {{status}}\"); show(u);"
             ),
         };

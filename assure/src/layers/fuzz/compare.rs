@@ -192,7 +192,8 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift
-            | Input::Control => f64::NAN,
+            | Input::Control
+            | Input::Wanted(_) => f64::NAN,
         };
         let mut own = Interpreter::new(&program, &input).with_law(&law);
         let u = own.value(program.step);

@@ -123,6 +123,23 @@ pub fn scan(
     }
 }
 
+/// Shows that every control of a program that time does not enter stays in range.
+///
+/// # Errors
+/// What is not shown.
+pub(crate) fn covered(program: &Program, input: &dyn Fn(Input) -> Computed) -> Result<(), String> {
+    let mut bounds = Bounds::new(program, input);
+    let singular = settle_divisors(program, input, &mut bounds);
+    let Some(value) = bounds.first_excess(&program.controls()) else { return Ok(()) };
+    Err(match singular.filter(|_| is_solution(program, value)) {
+        Some(cell) => {
+            let cell = report::all_given(&named(&cell));
+            format!("the decoupling matrix is not shown to be regular for {cell}")
+        }
+        None => format!("{} is not shown to be a number", describe(program, value)),
+    })
+}
+
 /// Sets the bounds of what operations divide by, take roots or logarithms of, and of matrices, where one interval of
 /// each input leaves their domain and smaller cells do not. Gives a cell in which a matrix may be singular.
 fn settle_divisors(

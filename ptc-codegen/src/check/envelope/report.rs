@@ -117,7 +117,7 @@ fn stretch((low, high): (f64, f64)) -> String {
     format!("[{}, {}] s", digits(low), digits(high))
 }
 
-fn all_given(inputs: &[(String, Computed)]) -> String {
+pub(super) fn all_given(inputs: &[(String, Computed)]) -> String {
     let inputs: Vec<_> = inputs.iter().map(|(name, bound)| given(name, bound)).collect();
     inputs.join(", ")
 }

@@ -37,7 +37,8 @@ fn inputs(eps: f64, state: f64, gain: Computed) -> impl Fn(Input) -> Computed {
         | Input::Gain(_)
         | Input::Divisor
         | Input::Drift
-        | Input::Control => {
+        | Input::Control
+        | Input::Wanted(_) => {
             panic!("{input:?} is not asked for")
         }
     }

@@ -41,7 +41,10 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     if let Some(coupled) = spec.decoupled() {
         // These are of the whole plant.
         outcomes.retain(|outcome| outcome.name != "envelope");
-        outcomes.push(envelope::outcome(&spec, expanded));
+        outcomes.push(match spec.sampled() {
+            Some(_) => envelope::in_samples(&spec),
+            None => envelope::outcome(&spec, expanded),
+        });
         outcomes.push(zeros::of_coupled(&spec, coupled));
     }
     let by_value = |(_, value): &(Parameter, Fixed)| value.number().cloned();

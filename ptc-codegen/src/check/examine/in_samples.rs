@@ -29,20 +29,22 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
         };
     }
     let (growth, _) = check_growth(&continuous);
-    let held = spec.model_in_samples().is_some();
-    let exact = |name| {
-        let moves = spec.reference.as_ref().is_some_and(Reference::moves);
-        let reason = match (held, moves) {
-            (true, _) => "`loop` bounds what the period leaves of a model that is not linear",
-            (false, true) => "`loop` bounds what the period leaves of a reference that moves",
-            (false, false) => "the law is exact in samples, at any period",
-        };
-        Outcome::not_checked(name, reason)
+    let model = spec.model_in_samples();
+    // One output of several has no dynamics of its own.
+    let of_several = model.is_some_and(|model| model.dynamics.is_empty());
+    let moves = spec.reference.as_ref().is_some_and(Reference::moves);
+    let reason = match (model, of_several) {
+        (None, _) if moves => "`loop` bounds what the period leaves of a reference that moves",
+        (None, _) => "the law is exact in samples, at any period",
+        (Some(_), false) => "`loop` bounds what the period leaves of a model that is not linear",
+        (Some(_), true) => "what the period leaves of a plant with several inputs is not examined",
     };
+    let exact = |name| Outcome::not_checked(name, reason);
     let mut spec = spec.clone();
     let known = |spec: &Spec, p: &Parameter| spec.fixed.contains_key(p);
     let open = spec.parameters().into_iter().find(|p| *p != Parameter::UMax && !known(&spec, p));
     let (looped, worst) = match open {
+        _ if of_several => (exact(sampled::NAME), None),
         Some(open) => {
             let reason = format!("`{}` is left to run time", open.spelling());
             (Outcome::not_checked(sampled::NAME, reason), None)

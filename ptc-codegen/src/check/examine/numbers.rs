@@ -57,7 +57,8 @@ impl<'a> Numbers<'a> {
             | Input::Gain(_)
             | Input::Divisor
             | Input::Drift
-            | Input::Control => f64::NAN,
+            | Input::Control
+            | Input::Wanted(_) => f64::NAN,
         }
     }
 

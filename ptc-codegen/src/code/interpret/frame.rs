@@ -110,6 +110,10 @@ impl<'b> Frame<'_, 'b> {
                     let [matrix, right]: [Vec<f64>; 2] =
                         [matrix, right].map(|list| list.iter().map(|v| self.real(v)).collect());
                     let values = eliminate(&matrix, &right, self.precision);
+                    // The determinant stands last, and may be 0 by underflow alone.
+                    let lost = values.iter().any(|value| value.is_nan());
+                    let singular = values.last() == Some(&0.0) && lost;
+                    self.note(std::ptr::from_ref(statement).addr(), !singular);
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
                 Statement::Call { name, callback, array, times, count } => {
@@ -194,7 +198,14 @@ impl<'b> Frame<'_, 'b> {
                 let operands = operands.each_ref().map(|operand| self.real(operand));
                 apply(&Op::Fused(a, b, c), &operands, self.precision).unwrap_or(f64::NAN)
             }
-            Expr::Quotient(a, b) => self.apply(Op::Quotient, a, b),
+            Expr::Quotient(a, b) => {
+                let (place, divisor) = (std::ptr::from_ref(value).addr(), self.real(b));
+                self.note(place, divisor < 0.0);
+                if !matches!(divisor.partial_cmp(&0.0), Some(std::cmp::Ordering::Less)) {
+                    self.note(place + 1, divisor > 0.0);
+                }
+                self.apply(Op::Quotient, a, b)
+            }
             Expr::Pow(a, b) => self.apply(Op::Pow, a, b),
             Expr::Call(function, a) => {
                 let result = apply(&Op::Call(*function, Value(0)), &[self.real(a)], self.precision);
@@ -274,6 +285,11 @@ impl<'b> Frame<'_, 'b> {
     }
 
     pub(super) fn test(&self, test: &Test) -> bool {
+        self.test_at(test, std::ptr::from_ref(test).addr())
+    }
+
+    /// The same of a test that is known by another place in the program than its own.
+    pub(super) fn test_at(&self, test: &Test, place: usize) -> bool {
         let holds = match test {
             Test::Less(a, b) => self.real(a) < self.real(b),
             Test::AtMost(a, b) => self.real(a) <= self.real(b),
@@ -283,11 +299,11 @@ impl<'b> Frame<'_, 'b> {
             Test::NotNumber(a) => self.real(a).is_nan(),
             Test::All(tests) => return tests.iter().all(|test| self.test(test)),
         };
-        self.note(std::ptr::from_ref(test).addr(), holds);
+        self.note(place, holds);
         holds
     }
 
-    fn note(&self, place: usize, holds: bool) {
+    pub(super) fn note(&self, place: usize, holds: bool) {
         if let Some(taken) = &self.taken {
             taken.borrow_mut().insert(place, holds);
         }

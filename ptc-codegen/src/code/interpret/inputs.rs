@@ -25,19 +25,28 @@ impl<'b> Frame<'_, 'b> {
         let now = if self.test(&inputs.tracks) { Status::Ok } else { Status::Hold };
         let mut u: Vec<_> = inputs.values.iter().map(|value| self.real(value)).collect();
         let mut each = vec![now; m];
-        if !self.test(&inputs.finite()) {
+        let finite = inputs.finite_at();
+        if !finite.iter().all(|(test, place)| self.test_at(test, *place)) {
+            for (test, place) in inputs.finite_beside_at() {
+                self.test_at(&test, place);
+            }
             for (status, _) in each.iter_mut().zip(&u).filter(|(_, u)| !u.is_finite()) {
                 *status = Status::Range;
             }
             return given(Status::Range, vec![0.0; m], each);
         }
         for index in 0..m {
-            let clips = inputs.clips(index);
-            if let Some((_, clipped)) = clips.iter().find(|(test, _)| self.test(test)) {
+            let clips = inputs.clips_at(index);
+            let clip = clips.iter().find(|(test, _, place)| self.test_at(test, *place));
+            if let Some((_, clipped, _)) = clip {
                 (u[index], each[index]) = (self.real(clipped), Status::Saturated);
             }
         }
-        let clipped = each.contains(&Status::Saturated);
+        let mut asked = inputs.saturated_at().into_iter();
+        let clipped = asked.any(|(index, place)| {
+            self.note(place, each[index] == Status::Saturated);
+            each[index] == Status::Saturated
+        });
         let status = if clipped { Status::Saturated } else { now };
         given(status, u, each)
     }

@@ -219,7 +219,7 @@ impl Writer<'_> {
                 _ => fault("an input gain of each axis that is not read first"),
             },
             Input::Drift => Expr::local("f"),
-            Input::Control => fault("a controller does not take u"),
+            Input::Control | Input::Wanted(_) => fault("a controller does not take u"),
         }
     }
 

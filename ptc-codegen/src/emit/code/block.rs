@@ -101,7 +101,7 @@ pub(super) trait Block: Text {
                 self.out().line(set(index, &clipped));
             }
             if inputs.limits[index].is_some() {
-                self.out().close(end);
+                close(self.out(), end);
             }
         }
     }

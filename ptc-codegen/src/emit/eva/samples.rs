@@ -108,7 +108,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
 
 /// What each parameter that is open is drawn from in finite mode.
 fn ranges(spec: &Spec, prefix: &str) -> Vec<Range> {
-    let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.n));
+    let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.highest_order()));
     let range = |p: Parameter| {
         let number = |value: f64| literal(value, spec.precision);
         let (least, greatest) = match p {

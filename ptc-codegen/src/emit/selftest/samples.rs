@@ -52,13 +52,18 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         noun: code.noun(),
         abs: format!("fabs{}", suffix(spec)),
         poison: numbers.number(12345.0),
-        measured,
+        dimension: spec.axes.as_ref().map(|axes| format!("[{}]", axes.count)).unwrap_or_default(),
+        result: if spec.axes.is_some() { "u" } else { "&u" },
+        shape: match spec.rows_of_axes() {
+            Some((count, n)) => format!("[{count}][{n}]"),
+            None => format!("[{measured}]"),
+        },
         alone: code.function("update").is_some(),
         states,
         disturbance: estimate("disturbance").is_some(),
         sessions: &sessions,
         calls: &calls
-            .map(|call| numbers.sample(call, measured, states.unwrap_or(0)))
+            .map(|call| numbers.sample(call, measured, states.unwrap_or(0), spec.rows_of_axes()))
             .collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
         has_parameters: !code.parameters.is_empty(),
@@ -68,22 +73,39 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
 }
 
 impl Numbers<'_> {
-    /// A call that is given so many measured values, and then the reference, and whose estimates are those of
-    /// `states` states, and then that of the disturbance.
-    fn sample(&self, call: &Call, measured: usize, states: usize) -> String {
+    /// A call that is given so many measured values, of axes with so many `rows` of states, and then the
+    /// reference, and whose estimates are those of `states` states, and then that of the disturbance.
+    fn sample(
+        &self,
+        call: &Call,
+        measured: usize,
+        states: usize,
+        rows: Option<(usize, usize)>,
+    ) -> String {
         let (y, r) = call.y.split_at(measured);
+        let row = |row: &[f64]| format!("{{{}}}", self.list(row));
+        let y = match rows {
+            Some((_, n)) => y.chunks(n).map(row).collect::<Vec<_>>().join(", "),
+            None => self.list(y),
+        };
         let mut fields = vec![
             format!(".is_armed = {}U", u8::from(call.start.is_some())),
             format!(".start = {}U", call.start.unwrap_or(0)),
             format!(".k = {}U", call.k),
-            format!(".y = {{{}}}", self.list(y)),
+            format!(".y = {{{y}}}"),
         ];
         if !r.is_empty() {
             fields.push(format!(".r = {{{}}}", self.list(r)));
         }
         fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
         fields.push(format!(".status = {}", printed::word(call.status)));
-        fields.extend(call.u.map(|u| format!(".u = {}", self.number(u))));
+        fields.extend(match call.axes.as_slice() {
+            [] => call.u.first().map(|u| format!(".u = {}", self.number(*u))),
+            axes => {
+                let axes: Vec<_> = axes.iter().map(|status| printed::word(*status)).collect();
+                Some(format!(".u = {{{}}}, .axes = {{{}}}", self.list(&call.u), axes.join(", ")))
+            }
+        });
         let (xhat, d) = call.estimates.split_at(states.min(call.estimates.len()));
         if !xhat.is_empty() {
             fields.push(format!(".xhat = {{{}}}", self.list(xhat)));
@@ -101,8 +123,11 @@ struct Source<'a> {
     abs: String,
     /// What a result is before a call, which must overwrite it.
     poison: String,
-    /// Values that are measured.
-    measured: usize,
+    /// What stands behind u where there are several, and u as an argument.
+    dimension: String,
+    result: &'static str,
+    /// The shape of what is measured.
+    shape: String,
     /// Whether it is an observer alone.
     alone: bool,
     /// States that are estimated; `None` without an observer.

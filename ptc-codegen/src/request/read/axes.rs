@@ -68,6 +68,7 @@ impl<'a> Reader<'a> {
             count: number,
             gains,
             poles: Vec::new(),
+            greatest: Vec::new(),
             limits: Vec::new(),
             input_gains: Vec::new(),
             laws,
@@ -129,13 +130,30 @@ impl<'a> Reader<'a> {
         };
         let moves = |g: &Expression| g.any(&|e| matches!(e.node(), expression::Node::Variable(_)));
         let curved = spec.input_gain.iter().chain(&axes.input_gains).any(moves);
+        let late = spec.promises.delay.as_ref().is_some_and(|delay| delay.samples() > 0.0);
+        let observes = self
+            .keys
+            .get("disturbance")
+            .is_some_and(|node| !matches!(&node.value, Value::Word(word) if word == "none"));
         let alone = "make a controller for each axis, armed at the same t0 with the same tau";
         let beside = [
             (
-                "clock",
+                "delay",
+                samples && late,
+                "axes in samples keep no inputs under way",
+                "leave `delay` out, or make a controller for each axis and call all with the same k",
+            ),
+            (
+                "disturbance",
+                samples && observes,
+                "axes in samples have no observers",
+                "leave `disturbance` out, or make a controller for each axis and call all with the same k",
+            ),
+            (
+                "A",
                 samples,
-                "axes need a clock in time",
-                "leave `clock` out, or make a controller for each axis and call all with the same k",
+                "the axes are chains, and A is of one plant",
+                "leave A, B and C out, or make a controller for each axis and call all with the same k",
             ),
             (
                 "what",

@@ -180,8 +180,9 @@ impl<'a> Reader<'a> {
             (None, None) => n,
         };
         let promises = self.promises(n, states);
-        // A sample of delay is a state more.
-        let keeps = samples && (whole || model.is_none());
+        // A sample of delay is a state more of a chain, or of a plant that is linear.
+        let one = !self.has_model() && !self.keys.contains_key("axes");
+        let keeps = samples && (whole || one);
         let late = promises.delay.as_ref().filter(|_| keeps).map_or(0, Delay::inputs);
         let orders = (n.map(|n| n + late), order + late);
         let of_model = model.as_ref().map(|read| &read.model);
@@ -249,7 +250,7 @@ impl<'a> Reader<'a> {
         self.parameters(&mut spec, complete);
         self.reference_exists(&spec, samples);
         match samples {
-            true if whole || spec.coupled.is_some() => {}
+            true if whole => {}
             true => self.sampled(&mut spec),
             false => self.not_sampled(&spec),
         }

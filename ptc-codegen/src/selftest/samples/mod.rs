@@ -8,7 +8,7 @@ mod inputs;
 mod parameters;
 mod search;
 
-use crate::code::{Branch, Code, Expr, Status, Test};
+use crate::code::{Branch, Code, Condition, Expr, Status};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Function, Node};
 use crate::request::Spec;
@@ -26,8 +26,10 @@ pub struct Call {
     pub applied: Option<f64>,
     /// The status that it must give.
     pub status: Status,
-    /// The u that it must give; `None` of an observer alone.
-    pub u: Option<f64>,
+    /// Every u that it must give; none of an observer alone.
+    pub u: Vec<f64>,
+    /// The status of each input, where there are several.
+    pub axes: Vec<Status>,
     /// The estimates that it must leave, the disturbance last; empty without an observer.
     pub estimates: Vec<f64>,
 }
@@ -45,7 +47,7 @@ pub struct Session {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Untaken {
     /// The condition.
-    pub condition: Test,
+    pub condition: Condition,
     /// What is known of it.
     pub reason: String,
 }

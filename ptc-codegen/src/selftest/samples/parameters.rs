@@ -20,7 +20,7 @@ pub(super) struct Sets<'a> {
 
 impl<'a> Sets<'a> {
     pub(super) fn new(spec: &'a Spec) -> Self {
-        let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.n));
+        let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.highest_order()));
         Self { spec, open: spec.run_time_parameters().collect(), least, order: spec.loop_order() }
     }
 

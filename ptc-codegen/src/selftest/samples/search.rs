@@ -167,7 +167,26 @@ impl<'a> Search<'a> {
                     life = next;
                 }
             }
+            if self.spec.axes.is_some() {
+                self.scattered(&mut life, &ticks, &sizes);
+            }
             self.end(life);
+        }
+    }
+
+    /// Calls of several inputs with states of different sizes, 0 and small whole numbers among them: one input
+    /// alone is clipped or no number, and what is divided by may be 0.
+    fn scattered(&mut self, life: &mut Life<'a>, ticks: &[u32], sizes: &[f64]) {
+        for _ in 0..CALLS {
+            let mut input = self.any_input(life, ticks, 1.0);
+            for y in &mut input.y {
+                let size = self.draw.of(sizes);
+                let whole = self.draw.of(&[0.0, 0.5, 1.0, 2.0]);
+                let of_size = self.draw.of(&[-1.0, 1.0]) * self.draw.between(0.25, 1.0) * size;
+                let sign = self.draw.of(&[-1.0, 1.0]);
+                *y = settle(self.draw.of(&[sign * whole, of_size]), self.spec.precision);
+            }
+            self.ask(life, input, false);
         }
     }
 
@@ -251,7 +270,8 @@ impl<'a> Search<'a> {
         given.extend((self.references > 0).then_some(("r", reference)));
         given.extend(alone.then_some(("u", &last[..])));
         let outcome = trial.call(if alone { "update" } else { "step" }, &given);
-        let of = |name: &str| outcome.results.get(name).and_then(|value| value.first()).copied();
+        let inputs = self.spec.axes.as_ref().map(|axes| axes.count);
+        let of = |name: &str| outcome.results.get(name).cloned();
         let mut estimates = Vec::new();
         for function in ["estimate", "disturbance"] {
             if self.code.function(function).is_some() {
@@ -265,7 +285,11 @@ impl<'a> Search<'a> {
             applied: alone.then_some(applied),
             status: outcome.status,
             // A call that fails gives 0.
-            u: (!alone).then(|| of("u").unwrap_or(0.0)),
+            u: match alone {
+                true => Vec::new(),
+                false => of("u").unwrap_or_else(|| vec![0.0; inputs.unwrap_or(1)]),
+            },
+            axes: of("axes").into_iter().flatten().map(Status::of_number).collect(),
             estimates,
         };
         call.estimates.iter().chain(&call.u).all(|value| value.is_finite()).then_some(call)

@@ -47,7 +47,9 @@ impl<'a> OnCells<'a> {
                 let exact = *cell.get(j - 1)? + around;
                 Some(Rounded { exact, error: (unit * exact.size().high()).next_up() })
             }
-            Input::Control => Some(Rounded::of(Range::from(control).both_signs())),
+            Input::Control | Input::Wanted(_) => {
+                Some(Rounded::of(Range::from(control).both_signs()))
+            }
             _ => None,
         });
         self.values.iter().map(|value| self.enclosure.get(*value)).collect()

@@ -3,7 +3,7 @@
 use super::super::legal::{checks, copies};
 use super::super::text::{Text, bare};
 use super::{C, Notes};
-use crate::code::{Code, Expr, Statement, Test};
+use crate::code::{Code, Condition as Decision, Expr, Statement, Test};
 
 /// What a parameter has to be.
 pub(in crate::emit) struct Condition {
@@ -15,9 +15,20 @@ pub(in crate::emit) struct Condition {
     pub(in crate::emit) legal: String,
 }
 
-/// A test as it is written where it stands alone; within others it has brackets.
-pub(in crate::emit) fn written(code: &Code, test: &Test) -> String {
-    bare(C::new(code, &Notes::default()).test(test))
+/// A condition as it is written where it stands alone; within others it has brackets.
+pub(in crate::emit) fn written(code: &Code, condition: &Decision) -> String {
+    let notes = Notes::default();
+    let printer = C::new(code, &notes);
+    match condition {
+        Decision::Test(test) => bare(printer.test(test)),
+        Decision::Positive(value) => {
+            format!("{} > {}", printer.alone(value), printer.literal("0.0"))
+        }
+        Decision::Regular(unknowns) => {
+            format!("a[({unknowns}U * k) + k] > {}", printer.literal("0.0"))
+        }
+        Decision::Saturated(index) => format!("axes[{index}] == PTC_SATURATED"),
+    }
 }
 
 /// The conditions on the parameters.

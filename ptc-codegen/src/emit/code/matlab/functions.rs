@@ -83,8 +83,7 @@ impl Matlab<'_> {
         }
         if let Finish::Inputs(inputs) = &function.finish {
             self.inputs(function, inputs);
-            self.out.line("end");
-            return self.out.text();
+            return self.with_helpers(function);
         }
         let (real, zero) = (self.real_type(), self.literal("0.0"));
         match result.map(|result| result.shape) {
@@ -119,6 +118,11 @@ impl Matlab<'_> {
         if self.gives == Gives::Gains {
             self.out.line("gains.status = status;");
         }
+        self.with_helpers(function)
+    }
+
+    /// The text of a function, and of those that it calls.
+    fn with_helpers(mut self, function: &Function) -> String {
         self.out.line("end");
         let mut text = self.out.text();
         if let Some((weights, _)) = function.rows() {
@@ -193,7 +197,7 @@ impl Matlab<'_> {
     }
 
     /// A tick of any numeric type, modulo 2^32.
-    fn tick(&mut self, name: &str, has_status: bool) {
+    pub(super) fn tick(&mut self, name: &str, has_status: bool) {
         self.out.line(format!("{name} = double({name});"));
         self.out.open(format!("if ~(isfinite({name}) && ({name} == floor({name})))"));
         match has_status {

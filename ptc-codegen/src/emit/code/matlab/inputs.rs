@@ -3,7 +3,7 @@
 use super::super::block::Block;
 use super::super::text::{Text, bare};
 use super::Matlab;
-use crate::code::{Function, Inputs, Status};
+use crate::code::{Function, Inputs, Shape, Status};
 
 impl Matlab<'_> {
     /// The statements, and every u within its bound with the status of each.
@@ -14,7 +14,10 @@ impl Matlab<'_> {
         self.out.line(format!("axes = repmat(int32({refused}), {count}, 1);"));
         for argument in &function.arguments {
             let name = &argument.name;
-            self.out.line(format!("{name} = {real}({name});"));
+            match argument.shape {
+                Shape::Count => self.tick(name, true),
+                _ => self.out.line(format!("{name} = {real}({name});")),
+            }
         }
         self.block(&function.body);
         let tracks = bare(self.test(&inputs.tracks));

@@ -86,14 +86,15 @@ impl Python<'_> {
             Gives::Progress => "Status".to_owned(),
             Gives::Array => "Array".to_owned(),
             Gives::Number => format!("np.{real}"),
-            Gives::Rate | Gives::Value | Gives::Values | Gives::Gains | Gives::Axes => {
+            Gives::Axes => "Axes".to_owned(),
+            Gives::Rate | Gives::Value | Gives::Values | Gives::Gains => {
                 crate::internal::fault("one of a batch")
             }
         };
         let mut list = vec!["self".to_owned()];
         for argument in &function.arguments {
             let kind = match argument.shape {
-                Shape::Reals(_) => "ArrayLike",
+                Shape::Reals(_) | Shape::Lists(..) => "ArrayLike",
                 // A float64 is a float, a float32 is none.
                 Shape::Real if self.code.precision == Precision::F32 => "float | np.float32",
                 shape => annotation(shape),
@@ -126,6 +127,10 @@ impl Python<'_> {
                 Shape::Reals(length) => {
                     self.out.line(format!("{name} = _numbers({name}, {length}, \"{name}\")"));
                 }
+                Shape::Lists(count, length) => {
+                    let given = format!("{name}, {count}, {length}, \"{name}\"");
+                    self.out.line(format!("{name} = _of_axes({given})"));
+                }
                 _ => self.out.line(format!("{name} = _R({name})")),
             }
         }
@@ -135,7 +140,10 @@ impl Python<'_> {
         }
         self.block(&function.body);
         self.raises = None;
-        self.finish(&function.finish);
+        match &function.finish {
+            Finish::Inputs(inputs) => self.inputs_of_call(inputs),
+            finish => self.finish(finish),
+        }
         if computes {
             self.out.leave();
         }

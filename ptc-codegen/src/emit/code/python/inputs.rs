@@ -1,5 +1,6 @@
 //! The inputs of one plant.
 
+use super::super::block::Block;
 use super::super::text::Text;
 use super::{Python, word};
 use crate::code::{Inputs, Status, Test};
@@ -44,5 +45,32 @@ impl Python<'_> {
             "u = np.where((status < 0)[..., np.newaxis], _R(0.0), u)
 return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
         );
+    }
+    /// The same for one call.
+    pub(super) fn inputs_of_call(&mut self, inputs: &Inputs) {
+        let values: Vec<_> = inputs.values.iter().map(|value| self.alone(value)).collect();
+        let (count, tracks) = (values.len(), self.test(&inputs.tracks));
+        self.out.line(format!("status = Status.OK if {tracks} else Status.HOLD"));
+        self.out.line(format!("u = np.array([{}], dtype=_R)", values.join(", ")));
+        self.out.line(format!("axes = np.full({count}, status, dtype=np.int8)"));
+        self.out.line("usable = np.isfinite(u)");
+        self.out.open("if not usable.all():");
+        self.out.line("axes[~usable] = Status.RANGE");
+        self.out.line(format!("u = np.zeros({count}, dtype=_R)"));
+        self.out.line("return Axes(u, axes, np.asarray(Status.RANGE, dtype=np.int8))");
+        self.out.leave();
+        self.clip(inputs, &|index, bound| {
+            let saturated = "Status.SATURATED";
+            format!("u[{index}] = {bound}\naxes[{index}] = {saturated}\nstatus = {saturated}")
+        });
+        self.out.line("return Axes(u, axes, np.asarray(status, dtype=np.int8))");
+    }
+
+    /// What such a call gives where it fails before it has computed them.
+    pub(super) fn no_inputs(&self, word: &str) -> String {
+        let count = self.code.axes().unwrap_or_default();
+        format!(
+            "refused = np.full({count}, Status.{word}, dtype=np.int8)\nreturn Axes(np.zeros({count}, dtype=_R), refused, np.asarray(Status.{word}, dtype=np.int8))"
+        )
     }
 }

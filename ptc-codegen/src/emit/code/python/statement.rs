@@ -154,6 +154,7 @@ impl Block for Python<'_> {
         let word = word(status);
         self.out.line(match self.gives {
             Gives::Progress => format!("return Status.{word}"),
+            Gives::Axes => self.no_inputs(&word),
             _ => format!("return Control(_R(0.0), Status.{word})"),
         });
     }

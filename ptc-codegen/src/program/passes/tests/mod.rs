@@ -26,6 +26,7 @@ fn sample(precision: Precision, seed: u64) -> impl Fn(Input) -> f64 {
             Input::Reference(order) => (12, order as u64),
             Input::ReferenceOf(output, order) => (14, (17 * output + order) as u64),
             Input::Control => (11, 0),
+            Input::Wanted(output) => (15, output as u64),
             Input::StartTime => return 0.75,
             Input::Time => (2, 0),
             Input::State(j) => (3, j as u64),

@@ -162,15 +162,13 @@ impl Reader<'_> {
     /// Refuses what has no meaning beside such a plant.
     pub(in super::super) fn fits_coupled(&mut self, spec: &Spec, samples: bool) {
         let Some(coupled) = &spec.coupled else { return };
+        if samples {
+            let why = "a linear plant of one input";
+            self.is_measured_whole(spec, &coupled.states, why);
+        }
         let orders = coupled.orders();
         let differ = orders.iter().any(|order| *order != orders[0]);
         let beside = [
-            (
-                "clock",
-                samples,
-                "a plant of several inputs needs a clock in time",
-                "leave `clock` out",
-            ),
             (
                 "what",
                 spec.what != What::Controller,

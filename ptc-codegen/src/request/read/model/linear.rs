@@ -110,7 +110,7 @@ impl Reader<'_> {
     }
 
     /// What of a model is not linear, with a slope that shows it.
-    fn curved(&self, model: &Model) -> Option<String> {
+    pub(super) fn curved(&self, model: &Model) -> Option<String> {
         let values = self.fixed_names();
         let moves = Expression::varies;
         let of_states = (1..=model.states.len()).map(Variable::State);
@@ -134,10 +134,9 @@ impl Reader<'_> {
         }
     }
 
-    /// Refuses what is sampled exactly in a linear model alone.
-    pub(super) fn is_measured_whole(&mut self, spec: &Spec, model: &Model) {
-        let why = self.curved(model).unwrap_or_default();
-        let names: Vec<_> = model.states.iter().map(|state| state.text()).collect();
+    /// Refuses what is sampled exactly in a linear model alone, and says `wanted` in place of it.
+    pub(super) fn is_measured_whole(&mut self, spec: &Spec, states: &[Name], wanted: &str) {
+        let names: Vec<_> = states.iter().map(|state| state.text()).collect();
         let all = self.keys.get("measured").is_none_or(|node| {
             items(node).iter().map(|item| word(item).unwrap_or_default()).eq(names.iter().copied())
         });
@@ -150,7 +149,7 @@ impl Reader<'_> {
             ("delay", late, "the prediction over a delay"),
         ] {
             if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
-                let message = format!("{what} needs a linear model: {why}");
+                let message = format!("{what} needs {wanted}");
                 let help =
                     format!("leave `{key}` out: `step` takes all states, {}", names.join(", "));
                 self.found.push("conflict", key, Some(node.place), message, help);

@@ -80,7 +80,11 @@ impl Reader<'_> {
         let Some(model) = &spec.model else { return };
         match samples {
             true if self.is_linear(model) => self.not_sampled_exactly(model),
-            true => self.is_measured_whole(spec, model),
+            true => {
+                let why = self.curved(model).unwrap_or_default();
+                let wanted = format!("a linear model: {why}");
+                self.is_measured_whole(spec, &model.states, &wanted);
+            }
             false => {}
         }
         let of_state = |e: &Expression| matches!(e.variable(), Some(Variable::State(_)));

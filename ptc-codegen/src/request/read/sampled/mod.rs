@@ -75,8 +75,11 @@ impl Reader<'_> {
         self.period(spec);
         self.reference_in_samples(spec);
         let a = spec.fixed.get(&Parameter::A).and_then(Fixed::number).cloned();
-        // That of a model is refused.
-        let late = spec.promises.delay.clone().filter(|_| spec.model.is_none()).unwrap_or_default();
+        // Any other model is known at the samples alone.
+        let has_model = spec.model.is_some() || spec.coupled.is_some();
+        // That of a model, or of axes, is refused.
+        let one = !has_model && spec.axes.is_none();
+        let late = spec.promises.delay.clone().filter(|_| one).unwrap_or_default();
         let delay = late.inputs();
         if delay > MAX_KEPT || spec.n + delay > MAX_ORDER {
             let place = self.keys.get("delay").map(|node| node.place);
@@ -94,11 +97,11 @@ impl Reader<'_> {
         if linear.is_none() && self.keys.contains_key("A") {
             return;
         }
-        let gain = match linear.is_some() || spec.model.is_some() {
+        let gain = match linear.is_some() || has_model {
             true => integer(1),
             false => self.gain(spec),
         };
-        if spec.model.is_none() {
+        if !has_model {
             self.force_is_constant(spec);
         }
         let (measured, estimates, blocks) = match linear {
@@ -106,7 +109,8 @@ impl Reader<'_> {
                 let estimates: usize = blocks.iter().sum();
                 (plant.c.len(), (estimates > 0).then_some(estimates), blocks.clone())
             }
-            None if spec.model.is_some() => (spec.states(), None, Vec::new()),
+            None if has_model => (spec.states(), None, Vec::new()),
+            None if spec.axes.is_some() => (self.measured_axes(spec), None, Vec::new()),
             None => {
                 let measured = self.measured(spec.n);
                 let estimates = spec.n + 1 - measured + usize::from(disturbance);
@@ -120,11 +124,11 @@ impl Reader<'_> {
             gain,
             measured,
             disturbance,
-            greatest: a.as_ref().and_then(|a| greatest(spec, spec.n + delay, a)),
+            greatest: a.as_ref().and_then(|a| greatest_of_all(spec, delay, a)),
             observer: self.observer(spec, estimates, &blocks, a.as_ref()),
             leaves_eps: !self.keys.contains_key("eps"),
         };
-        let least = sampled.least_samples(spec.n);
+        let least = sampled.least_samples(spec.highest_order());
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
         let samples = samples.filter(|_| spec.what != What::Observer);
         if let Some(samples) = samples.filter(|samples| **samples < integer(i64::from(least))) {
@@ -140,22 +144,22 @@ impl Reader<'_> {
         // Those of this clock have names of their own.
         let used = crate::collect::set(spec.expressions().flat_map(Expression::parameters));
         self.names_are_distinct(spec, &used);
-        self.deadbeat(spec, spec.n + delay);
+        self.deadbeat(spec, spec.highest_order() + delay);
         if spec.what == What::Observer {
             self.observer_alone(spec);
         }
     }
 
+    /// g, that of the first of several axes.
     fn gain(&mut self, spec: &Spec) -> BigRational {
-        let Some(gain) = &spec.input_gain else { return integer(1) };
-        let number = gain.number().cloned().unwrap_or_else(|| {
+        let own = spec.axes.iter().flat_map(|axes| &axes.input_gains);
+        if own.chain(&spec.input_gain).any(|gain| gain.number().is_none()) {
             let place = self.keys.get("g").map(|node| node.place);
             let message = "g is not a number".to_owned();
             let help = "a clock in samples takes a constant input gain";
             self.wrong("g", place, message, help.to_owned());
-            integer(1)
-        });
-        if number.is_zero() { integer(1) } else { number }
+        }
+        spec.known_gain()
     }
 
     /// What needs a clock in time.
@@ -264,6 +268,18 @@ impl Reader<'_> {
         }
     }
 
+    /// The states of all axes, which a call is given in rows.
+    fn measured_axes(&mut self, spec: &Spec) -> usize {
+        let measured = self.measured(spec.n);
+        if measured < spec.n {
+            let place = self.keys.get("measured").map(|node| node.place);
+            let message = "axes in samples have no observers".to_owned();
+            let help = "leave `measured` out, or make a controller for each axis and call all with the same k";
+            self.wrong("measured", place, message, help.to_owned());
+        }
+        spec.n * spec.axes.as_ref().map_or(1, |axes| axes.count)
+    }
+
     /// How many of x1, x2, ... are measured.
     fn measured(&mut self, n: usize) -> usize {
         let Some(node) = self.keys.get("measured").copied() else { return n };
@@ -324,6 +340,19 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// The greatest exponent of the laws of all outputs, where they are fixed; those of each are kept where they
+/// differ.
+fn greatest_of_all(spec: &mut Spec, delay: usize, a: &BigRational) -> Option<BigRational> {
+    let designs = spec.designs();
+    let each = designs.iter().map(|own| greatest(own, own.n + delay, a));
+    let each = each.collect::<Option<Vec<_>>>()?;
+    let most = each.iter().max().cloned();
+    if let Some(axes) = spec.axes.as_mut().filter(|axes| !axes.gains.is_empty()) {
+        axes.greatest = each;
+    }
+    most
 }
 
 /// The greatest real part of the exponents p = -pole/a, where the gains are fixed; where no poles

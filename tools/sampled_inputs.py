@@ -1,0 +1,158 @@
+"""Inputs of plants with several outputs in samples, at 50 digits: tests/data/sampled_inputs.json.
+
+    python3 tools/sampled_inputs.py > tests/data/sampled_inputs.json
+
+needs mpmath. For each output the law is the input w of its sampled chain for which the flat output y,
+the combination of the chain that the input moves last, goes on as y(k+n) + sum c_j y(k+j) = 0 with
+c_j = (-1)^(n-j) pi[M, M-1, ..., M-j]/(M-j)^(n-j), or with c_j = 0 at the end; pi has the zeros -pole.
+The matrices and derivatives of the plants are written down by hand.
+"""
+
+import json
+import random
+
+from mpmath import cos, factorial, ff, lu_solve, matrix, mp, mpf, sin
+
+mp.dps = 60
+
+
+def pair(n, h):
+    """What a sample of the chain makes of its state and of its input."""
+    phi = matrix(n, n)
+    gamma = matrix(n, 1)
+    for i in range(n):
+        gamma[i] = h ** (n - i) / factorial(n - i)
+        for j in range(i, n):
+            phi[i, j] = h ** (j - i) / factorial(j - i)
+    return phi, gamma
+
+
+def flat(phi, gamma, h):
+    """The row c with c D^i Gamma = 0 for i < n - 1 and c D^(n-1) Gamma = h, D = (Phi - I)/h."""
+    n = phi.rows
+    d = (phi - mp.eye(n)) / h
+    columns, now = [], gamma
+    for _ in range(n):
+        columns.append(now)
+        now = d * now
+    rows = matrix(n, n)
+    for i, column in enumerate(columns):
+        for j in range(n):
+            rows[i, j] = column[j]
+    wanted = matrix(n, 1)
+    wanted[n - 1] = h
+    return lu_solve(rows, wanted).T
+
+
+def divided(f, points):
+    """The divided difference of f at the points."""
+    table = [f(point) for point in points]
+    for step in range(1, len(points)):
+        for i in range(len(points) - step):
+            table[i] = (table[i + 1] - table[i]) / (points[i + step] - points[i])
+    return table[0]
+
+
+def law(poles, left, h, x, ends):
+    """w of a chain with so many samples left; `ends` says whether it is deadbeat."""
+    n = len(poles)
+    phi, gamma = pair(n, h)
+    c = flat(phi, gamma, h)
+    x = matrix(x)
+
+    def pi(p):
+        product = mpf(1)
+        for pole in poles:
+            product *= p + pole
+        return product
+
+    # y(k+n) holds w, and no y before it does.
+    sum_, row = mpf(0), c
+    for j in range(n):
+        if not ends:
+            points = [mpf(left - i) for i in range(j + 1)]
+            coefficient = (-1) ** (n - j) * divided(pi, points) / ff(left - j, n - j)
+            sum_ += coefficient * (row * x)[0]
+        row = row * phi
+    moved = mpf(0)
+    power = c
+    for _ in range(n - 1):
+        power = power * phi
+    moved = (power * gamma)[0]
+    return -(sum_ + (row * x)[0]) / moved
+
+
+def tank(x, wanted):
+    """h' = q - h/10, c' = p - c (1 + h), e' = (c - e)(1 + h): the second output is e, of order 2."""
+    h, c, e = x
+    v = wanted([[h], [e, (c - e) * (1 + h)]])
+    free = (-c * (1 + h) - (c - e) * (1 + h)) * (1 + h) + (c - e) * (-h / 10)
+    q = v[0] + h / 10
+    p = (v[1] - free - (c - e) * q) / (1 + h)
+    return [q, p]
+
+
+def two_link(x, wanted):
+    """An arm of two links, M(q) q'' + bias = u."""
+    m1, m2, l1, l2, grav = mpf(2), mpf("1.5"), mpf("0.6"), mpf("0.5"), mpf("9.81")
+    q1, q2, w1, w2 = x
+    v = wanted([[q1, w1], [q2, w2]])
+    a, b, d = (m1 + m2) * l1**2, m2 * l2**2, m2 * l1 * l2
+    weight = m2 * grav * l2 * cos(q1 + q2)
+    return [
+        (a + b + 2 * d * cos(q2)) * v[0] + (b + d * cos(q2)) * v[1]
+        - d * sin(q2) * (2 * w1 * w2 + w2**2) + (m1 + m2) * grav * l1 * cos(q1) + weight,
+        (b + d * cos(q2)) * v[0] + b * v[1] + d * sin(q2) * w1**2 + weight,
+    ]
+
+
+def four(x, wanted):
+    """Four outputs, whose inputs are solved for: see tests/lab/samples/several_inputs.rs."""
+    a, b, b1, c, d, d1 = x
+    v = wanted([[a], [b, b1], [c], [d, d1]])
+    rows = matrix([[2 + b**2, 1, 0, 0], [0, 3 + a, d, 0], [0, 0, 1, a], [c, 0, 0, 2 - b]])
+    free = matrix([-a * c, -b * d1, -(c**2), a])
+    return list(lu_solve(rows, matrix(v) - free))
+
+
+# The plant, its poles, samples and period, and how large the states are.
+CASES = [
+    (tank, [[-4], [-3, -4]], 40, mpf("0.25"), [0.5, 20, 20]),
+    (tank, [[mpf("-1.25")], [mpf("-3.5"), mpf("-4.25")]], 100, mpf("0.05"), [0.5, 20, 20]),
+    (two_link, [[-3, -4], [-3, -4]], 50, mpf("0.04"), [2, 2, 3, 3]),
+    (two_link, [[-3, -4], [-6, mpf("-7.5")]], 200, mpf("0.01"), [2, 2, 3, 3]),
+    (four, [[-4], [-3, -4], [-5], [mpf("-2.5"), -6]], 60, mpf("0.02"), [1, 1, 2, 1, 1, 2]),
+]
+
+
+def main():
+    source = random.Random(1)
+    cases = []
+    for plant, poles, samples, h, scale in CASES:
+        calls = []
+        for k in [0, 1, samples // 3, samples // 2, samples - 8, samples - 4, samples - 2, samples - 1, samples + 3]:
+            x = [source.uniform(-size, size) for size in scale]
+            left = max(samples - k, 0)
+
+            def wanted(chains):
+                all_ = []
+                for own, chain in zip(poles, chains):
+                    n = len(own)
+                    # Deadbeat takes over here.
+                    end = max(int(mp.ceil(max(-p for p in own))) + n - 1, 2 * n)
+                    all_.append(law(own, left, h, chain, left <= end))
+                return all_
+
+            u = plant([mpf(value) for value in x], wanted)
+            calls.append({"k": k, "x": [repr(value) for value in x], "u": [mp.nstr(value, 50) for value in u]})
+        cases.append({
+            "plant": plant.__name__,
+            "poles": [[mp.nstr(mpf(pole), 10) for pole in own] for own in poles],
+            "samples": samples,
+            "h": mp.nstr(h, 10),
+            "calls": calls,
+        })
+    print(json.dumps(cases, indent=1))
+
+
+main()
