@@ -40,8 +40,13 @@ const WIDER: f64 = 0.02;
 
 /// The check of a design with such a model.
 pub(super) fn outcome(spec: &Spec, model: &Model) -> Outcome {
-    match bounded(spec, model) {
-        Ok(found) => judged(spec, model, &found),
+    let found = Envelope::new(spec, model).and_then(|envelope| {
+        let found = envelope.bounded(After::Zero, 0.0)?;
+        let afterwards = envelope.afterwards(found.force);
+        Ok((found, afterwards))
+    });
+    match found {
+        Ok((found, afterwards)) => judged(spec, model, &found, afterwards.as_ref()),
         Err(Lacking::Value(reason)) => Outcome::not_checked(NAME, reason),
         Err(Lacking::Proof(reason)) => {
             Outcome { verdict: Verdict::Undecided, ..Outcome::not_checked(NAME, reason) }
@@ -64,67 +69,109 @@ struct Bounded {
     force: f64,
 }
 
-fn bounded(spec: &Spec, model: &Model) -> Result<Bounded, Lacking> {
-    let promises = &spec.promises;
-    let lacks = |key: &str, why: &str| Err(Lacking::Value(format!("`{key}` is not given{why}")));
-    if promises.sample_time.is_none() {
-        return lacks("sample_time", "");
-    }
-    if promises.x0_max.is_empty() {
-        return lacks("x0_max", "");
-    }
-    if promises.x_max.is_empty() {
-        return lacks("x_max", ", within which the rate of f + g u is bounded");
-    }
-    if promises.jitter.is_some() {
-        let why = "what jitter leaves of a model that is not linear is not examined";
-        return Err(Lacking::Proof(why.to_owned()));
-    }
-    if promises.plant.is_some() {
-        let why =
-            "the plant of [plant] may differ from the model, and what that leaves is not examined";
-        return Err(Lacking::Proof(why.to_owned()));
-    }
-    if spec.reference == Some(Reference::Input) {
-        return Err(Lacking::Proof(UNKNOWN.to_owned()));
-    }
-    let own = spec.sampled().unwrap_or_else(|| fault("a model in samples without samples"));
-    let followed = Followed::new(spec, own).map_err(Lacking::Proof)?;
-    let rates = Rates::new(spec, model).map_err(Lacking::Proof)?;
-    let mut sensors = rates.sensors().map_err(Lacking::Proof)?;
-    let followed = followed.map(|followed| Beside::new(spec, &followed));
-    if let Some(beside) = &followed {
-        sensors.iter_mut().zip(&beside.off).for_each(|(sensor, off)| *sensor += off);
-    }
-    let mut force = 0.0;
-    for _ in 0..ROUNDS {
-        let chain = chain(spec, &sensors, force);
-        let closed = Loop::new(&chain, None).map_err(Lacking::Value)?;
-        let worst = closed.worst(true).map_err(Lacking::Proof)?;
-        let way = worst.way.as_ref().filter(|way| way.between);
-        let way = way.ok_or_else(|| {
-            Lacking::Proof("there are too many samples to bound the way to the deadline".to_owned())
-        })?;
-        let (wanted, x) = match &followed {
-            Some(beside) => beside.of_plant(way.u, &way.x),
-            None => (way.u, way.x.clone()),
-        };
-        let mut sizes = rates.sizes(wanted, &x).map_err(Lacking::Proof)?;
+/// Of |x_i| and |u| from the deadline on.
+type Afterwards = (Vec<f64>, f64);
+
+/// What bounds the force on the envelope.
+struct Envelope<'a> {
+    spec: &'a Spec,
+    model: &'a Model,
+    rates: Rates<'a>,
+    /// What is measured of the chain may be off by.
+    sensors: Vec<f64>,
+    followed: Option<Beside>,
+}
+
+impl<'a> Envelope<'a> {
+    fn new(spec: &'a Spec, model: &'a Model) -> Result<Self, Lacking> {
+        let promises = &spec.promises;
+        let lacks =
+            |key: &str, why: &str| Err(Lacking::Value(format!("`{key}` is not given{why}")));
+        if promises.sample_time.is_none() {
+            return lacks("sample_time", "");
+        }
+        if promises.x0_max.is_empty() {
+            return lacks("x0_max", "");
+        }
+        if promises.x_max.is_empty() {
+            return lacks("x_max", ", within which the rate of f + g u is bounded");
+        }
+        if promises.jitter.is_some() {
+            let why = "what jitter leaves of a model that is not linear is not examined";
+            return Err(Lacking::Proof(why.to_owned()));
+        }
+        if promises.plant.is_some() {
+            let why = "the plant of [plant] may differ from the model, and what that leaves is not examined";
+            return Err(Lacking::Proof(why.to_owned()));
+        }
+        if spec.reference == Some(Reference::Input) {
+            return Err(Lacking::Proof(UNKNOWN.to_owned()));
+        }
+        let own = spec.sampled().unwrap_or_else(|| fault("a model in samples without samples"));
+        let followed = Followed::new(spec, own).map_err(Lacking::Proof)?;
+        let rates = Rates::new(spec, model).map_err(Lacking::Proof)?;
+        let mut sensors = rates.sensors().map_err(Lacking::Proof)?;
+        let followed = followed.map(|followed| Beside::new(spec, &followed));
         if let Some(beside) = &followed {
-            sizes.force += beside.force(wanted);
+            sensors.iter_mut().zip(&beside.off).for_each(|(sensor, off)| *sensor += off);
         }
-        if sizes.force <= force {
-            faces::stays(spec, model, &x).map_err(Lacking::Proof)?;
-            return Ok(Bounded { worst, sizes, force });
-        }
-        force = (1.0 + WIDER) * sizes.force;
-        if force > FAR {
-            break;
-        }
+        Ok(Self { spec, model, rates, sensors, followed })
     }
-    Err(Lacking::Proof(
-        "what f + g u may change by between samples grows with the u that it takes: a shorter sample_time, or closer x_max and x0_max, may bound it".to_owned(),
-    ))
+
+    /// The bounds under a force that is consistent with itself, `from` or a larger one: to the deadline, or for
+    /// as long as the law goes on.
+    fn bounded(&self, after: After, from: f64) -> Result<Bounded, Lacking> {
+        let mut force = from;
+        for _ in 0..ROUNDS {
+            let chain = Spec { after, ..chain(self.spec, &self.sensors, force) };
+            let closed = Loop::new(&chain, None).map_err(Lacking::Value)?;
+            let worst = closed.worst(true).map_err(Lacking::Proof)?;
+            let (wanted, x) = reached(&worst, after).map_err(Lacking::Proof)?;
+            let (wanted, x) = match &self.followed {
+                Some(beside) => beside.of_plant(wanted, &x),
+                None => (wanted, x),
+            };
+            let mut sizes = self.rates.sizes(wanted, &x).map_err(Lacking::Proof)?;
+            if let Some(beside) = &self.followed {
+                sizes.force += beside.force(wanted);
+            }
+            if sizes.force <= force {
+                faces::stays(self.spec, self.model, &x).map_err(Lacking::Proof)?;
+                return Ok(Bounded { worst, sizes, force });
+            }
+            force = (1.0 + WIDER) * sizes.force;
+            if force > FAR {
+                break;
+            }
+        }
+        Err(Lacking::Proof(
+            "what f + g u may change by between samples grows with the u that it takes: a shorter sample_time, or closer x_max and x0_max, may bound it".to_owned(),
+        ))
+    }
+
+    /// What holds from the deadline on, where it is known; of a reference what it does before the deadline
+    /// alone is.
+    fn afterwards(&self, from: f64) -> Option<Afterwards> {
+        if self.spec.after != After::Hold || self.spec.reference.is_some() {
+            return None;
+        }
+        let after = self.bounded(After::Hold, from).ok()?.worst.after?;
+        let u = self.rates.sizes(after.u, &after.x).ok()?.u;
+        Some((after.x, u))
+    }
+}
+
+/// Bounds of w and of the chain, to the deadline or for as long as the law goes on, between the samples too.
+fn reached(worst: &Worst, after: After) -> Result<(f64, Vec<f64>), String> {
+    let way = worst.way.as_ref().filter(|way| way.between);
+    let way = way.ok_or("there are too many samples to bound the way to the deadline")?;
+    if after != After::Hold {
+        return Ok((way.u, way.x.clone()));
+    }
+    let after = worst.after.as_ref().filter(|after| after.between);
+    let after = after.ok_or("no bounds are known to hold for ever")?;
+    let both = way.x.iter().zip(&after.x);
+    Ok((way.u.max(after.u), both.map(|(a, b)| a.max(*b)).collect()))
 }
 
 /// The chain that w moves, under a force that is any signal within a bound.
@@ -140,8 +187,6 @@ fn chain(spec: &Spec, sensors: &[f64], force: f64) -> Spec {
         drift: None,
         input_gain: None,
         reference: None,
-        // What follows the deadline is not looked at.
-        after: After::Zero,
         promises: Promises {
             noise: sensors.iter().copied().map(fixed).collect(),
             noise_rms: Vec::new(),
@@ -167,7 +212,7 @@ fn chain(spec: &Spec, sensors: &[f64], force: f64) -> Spec {
     chain
 }
 
-fn judged(spec: &Spec, model: &Model, found: &Bounded) -> Outcome {
+fn judged(spec: &Spec, model: &Model, found: &Bounded, afterwards: Option<&Afterwards>) -> Outcome {
     let Bounded { worst, sizes, force } = found;
     let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
     let errors = &spec.promises.error;
@@ -214,6 +259,16 @@ fn judged(spec: &Spec, model: &Model, found: &Bounded) -> Outcome {
             "on the way, between samples too, |x| <= {x}, |{}| <= {}, and {states} stay within x_max",
             model.input,
             digits(sizes.u)
+        ));
+    }
+    if let Some((x, u)) =
+        afterwards.filter(|(_, u)| !clipped && limit.is_none_or(|limit| *u < limit))
+    {
+        let x = list(x.iter().copied());
+        details.push(format!(
+            "from the deadline on |x| <= {x}, |{}| <= {}",
+            model.input,
+            digits(*u)
         ));
     }
     Outcome { name: NAME, verdict, summary, details, fix: None }
