@@ -44,6 +44,7 @@ pub(crate) fn measure() -> Result<Vec<Step>> {
                 count,
                 gains: Vec::new(),
                 poles: Vec::new(),
+                greatest: Vec::new(),
                 limits: Vec::new(),
                 input_gains: Vec::new(),
                 laws: Vec::new(),

@@ -7,10 +7,9 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use num_traits::ToPrimitive;
-
 use super::chain::{Chain, Near, Row, Step, Unit, centre};
 use super::followed::Followed;
+use super::lost::{lost, shifts};
 use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
 use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
 use crate::expression::enclosure::Range;
@@ -51,7 +50,7 @@ pub(super) fn steps(
         let state = name.strip_prefix('x').and_then(|name| name.split('_').next()?.parse().ok());
         state.map_or(Unit::Power(0), |j: usize| chain.unit(j))
     };
-    let terms = followed.map(|followed| moved(followed, &kept, sampled, &chain.shares));
+    let terms = followed.map(|followed| shifts(followed, &kept, sampled, &chain.shares));
     let start = |at: usize| terms.as_ref().map_or(0.0, |terms| terms[at].0);
     let units = kept.iter().enumerate().map(|(at, name)| (unit(name), start(at))).collect();
     let mut steps = Vec::with_capacity(samples.clone().count());
@@ -70,10 +69,14 @@ pub(super) fn steps(
             .collect();
         let mut step = chain.step(&u, &rows?, acting);
         if let Some(terms) = &terms {
-            step.lost_of_u = lost(&control, terms);
+            let lost = |held: &Held| match held {
+                Held::Linear(sum) => lost(sum, terms),
+                Held::Known(_) | Held::Count(_) => 0.0,
+            };
+            step.lost_of_u = lost(&control);
             let of_u = if acting.is_none() { step.lost_of_u } else { 0.0 };
             let plant = chain.input.iter().map(|(b, error)| (b.abs() + error) * of_u);
-            let rows = kept.iter().map(|name| lost(&sample.fields[*name], terms));
+            let rows = kept.iter().map(|name| lost(&sample.fields[*name]));
             step.lost = plant.chain(rows).map(|own| (own, 0.0)).collect();
         }
         steps.push(step);
@@ -94,32 +97,6 @@ fn kept(code: &Code) -> impl Iterator<Item = &str> {
 /// Whether a field is rho of an input under way.
 fn is_rate(name: &str) -> bool {
     name.starts_with("rho")
-}
-
-/// How far each term of a sum is from what it is in e, with inputs that count less rho; for a number of the
-/// reference, how large it is, and how far it may be off.
-fn moved(followed: &Followed, kept: &[&str], own: &Sampled, shares: &[f64]) -> Vec<Near> {
-    let n = followed.numbers.len() - 1;
-    let gain = own.gain.to_f64().unwrap_or(0.0).abs();
-    let of_kept = |name: &&str| match name.strip_prefix('x').and_then(|rest| rest.split_once('_')) {
-        Some((j, _)) => (followed.of_estimate(j.parse().unwrap_or(1), shares), 0.0),
-        None if name.starts_with('u') => (followed.size(n) / gain * (1.0 + 1e-14), 0.0),
-        None => (0.0, 0.0),
-    };
-    let measured = (0..own.measured).map(|order| (followed.size(order), 0.0));
-    let under_way = vec![followed.numbers[n]; own.delay.inputs()];
-    let reference = followed.numbers.iter().copied().chain(under_way);
-    kept.iter().map(of_kept).chain(measured).chain(reference).collect()
-}
-
-/// What rounding makes of the terms of a sum that are not 0 in e, and what is off in them. The terms themselves
-/// cancel: the program is linear, and the law one of e.
-fn lost(value: &Held, moved: &[Near]) -> f64 {
-    let Held::Linear(sum) = value else { return 0.0 };
-    let part = |(term, (size, off)): (&Rounded, &Near)| {
-        term.error * (size + off) + (term.exact.size().high() + term.error) * off
-    };
-    sum.iter().zip(moved).map(part).sum::<f64>() * (1.0 + 1e-12)
 }
 
 /// One call of `step`.

@@ -16,6 +16,7 @@ mod force;
 mod gain;
 mod gains;
 mod judge;
+mod lost;
 mod margins;
 mod model;
 mod moved;

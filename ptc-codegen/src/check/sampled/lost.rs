@@ -1,0 +1,46 @@
+//! What rounding makes of a reference: in a loop of e the numbers of a reference cancel, and their rounding does not.
+//!
+//! A program is linear in what it keeps, what is measured and the reference. Each of these is what it is in e, or an
+//! input less rho, and a part of the reference beside it; the exact coefficients of those parts add up to 0, as the
+//! law is one of e. What is left of them is the error of each coefficient, and what the numbers of the reference
+//! themselves are off by.
+
+use num_traits::ToPrimitive;
+
+use super::chain::Near;
+use super::followed::Followed;
+use super::rounded::Rounded;
+use crate::request::Sampled;
+
+/// More than a few sums and products in doubles lose.
+const ROUNDED: f64 = 1.0 + 1e-12;
+
+/// How far each term of a sum is at most from what it is in e: what is kept, by its names, what is measured, the
+/// numbers of the reference and rho of the inputs under way, of which it is also known what they may be off by.
+pub(super) fn shifts(
+    followed: &Followed,
+    kept: &[&str],
+    own: &Sampled,
+    shares: &[f64],
+) -> Vec<Near> {
+    let n = followed.numbers.len() - 1;
+    let gain = own.gain.to_f64().unwrap_or(0.0).abs();
+    let of_kept = |name: &&str| match name.strip_prefix('x').and_then(|rest| rest.split_once('_')) {
+        Some((j, _)) => (followed.of_estimate(j.parse().unwrap_or(1), shares), 0.0),
+        None if name.starts_with('u') => (followed.size(n) / gain * ROUNDED, 0.0),
+        // An estimated constant does not know the reference.
+        None => (0.0, 0.0),
+    };
+    let measured = (0..own.measured).map(|order| (followed.size(order), 0.0));
+    let under_way = vec![followed.numbers[n]; own.delay.inputs()];
+    let reference = followed.numbers.iter().copied().chain(under_way);
+    kept.iter().map(of_kept).chain(measured).chain(reference).collect()
+}
+
+/// What rounding makes of a sum of terms with such shifts.
+pub(super) fn lost(sum: &[Rounded], shifts: &[Near]) -> f64 {
+    let part = |(term, (size, off)): (&Rounded, &Near)| {
+        term.error * (size + off) + (term.exact.size().high() + term.error) * off
+    };
+    sum.iter().zip(shifts).map(part).sum::<f64>() * ROUNDED
+}
