@@ -107,7 +107,7 @@ def two_link(x, wanted):
 
 
 def four(x, wanted):
-    """Four outputs, whose inputs are solved for: see tests/lab/samples/several_inputs.rs."""
+    """Four outputs, whose inputs are solved for: see tests/lab/samples/several_inputs."""
     a, b, b1, c, d, d1 = x
     v = wanted([[a], [b, b1], [c], [d, d1]])
     rows = matrix([[2 + b**2, 1, 0, 0], [0, 3 + a, d, 0], [0, 0, 1, a], [c, 0, 0, 2 - b]])

@@ -85,20 +85,20 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
                 None => format!("show(f64::from(this.{}())); ", function.name),
             })
             .collect();
-        let all = |count| (0..count).map(value).collect::<Vec<_>>();
+        let values = |count| (0..count).map(value).collect::<Vec<_>>();
         let x = match design.columns() {
             Some(columns) => {
-                let rows = all(m)
+                let rows = values(m)
                     .chunks(columns)
                     .map(|row| format!("[{}]", row.join(", ")))
                     .collect::<Vec<_>>();
                 rows.join(", ")
             }
-            None => all(m).join(", "),
+            None => values(m).join(", "),
         };
         let r = match design.references() {
             0 => String::new(),
-            count => format!(", &[{}]", all(count).join(", ")),
+            count => format!(", &[{}]", values(count).join(", ")),
         };
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(

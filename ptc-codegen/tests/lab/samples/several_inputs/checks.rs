@@ -1,0 +1,79 @@
+//! What the checks say of them.
+
+use ptc_codegen::check::Verdict;
+use ptc_codegen::check::examine::examine;
+
+use super::{FOUR, changed};
+use crate::support::{example, spec};
+
+/// What is not proved is not called sound.
+#[test]
+fn the_checks_say_what_they_do_not_know() {
+    let report = |text: &str| examine(&spec(text));
+    let of = |text: &str, name: &str| {
+        let outcome = report(text).outcomes.into_iter().find(|outcome| outcome.name == name);
+        outcome.expect("a check")
+    };
+    let tank = |x_max: &str, limit: &str| {
+        let top = format!("sample_time = 0.05\nx_max = {x_max}\nnoise = [1e-3, 0.1, 0.1]");
+        changed(&example("tank.toml"), &top, limit)
+    };
+    for name in ["sampling", "deadline", "loop"] {
+        let found = of(&tank("[0.9, 50, 50]", ""), name);
+        assert_eq!(found.verdict, Verdict::NotChecked, "{name}: {}", found.summary);
+        assert!(found.summary.contains("several inputs"), "{name}: {}", found.summary);
+    }
+    let arm = |mass: &str| {
+        let top = "mu = \"exp(a=1)\"\npoles = [-3, -4]\nsample_time = 0.05\nx0_max = [1, 1]\nerror = 0.1\nx_max = [3, 3, 9, 9]";
+        changed(&example("two_link.toml"), top, mass)
+    };
+    for (text, verdict, summary) in [
+        (tank("[0.9, 50, 50]", ""), Verdict::NotChecked, "within `x_max` it divides by no 0"),
+        (tank("[1, 50, 50]", ""), Verdict::Refuted, "1 + h, is 0 at h = -1: the law divides by it"),
+        (arm("m2 = 1.5"), Verdict::NotChecked, "within `x_max` it divides by no 0"),
+        (
+            changed(
+                FOUR,
+                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nsample_time = 0.01\nx_max = [1, 1, 9, 1, 1, 9]",
+                "tau = 1",
+            ),
+            Verdict::NotChecked,
+            "within `x_max` it divides by no 0",
+        ),
+        (
+            changed(
+                FOUR,
+                "poles = [[-4], [-3, -4], [-5], [-2.5, -6]]\nsample_time = 0.01\nx_max = [4, 3, 9, 1, 1, 9]",
+                "tau = 1",
+            ),
+            Verdict::Refuted,
+            "the law divides by it",
+        ),
+    ] {
+        let found = of(&text, "envelope");
+        assert_eq!(found.verdict, verdict, "{text}: {}", found.summary);
+        assert!(found.summary.contains(summary), "{}", found.summary);
+    }
+    let looped = of(&arm("m2 = 1.5"), "loop");
+    assert_eq!(looped.verdict, Verdict::NotChecked, "{}", looped.summary);
+    // What is left to run time may be anything, unless it has bounds.
+    let open =
+        tank("[0.5, 50, 50]", "").replace("e = \"(c - e)*(1 + h)\"", "e = \"(c - e)*(k + h)\"");
+    for (text, verdict, summary) in [
+        (open.clone(), Verdict::NotChecked, "`k` is left to run time without bounds"),
+        (
+            open.replace("[params]", "[params]\nk = [0.6, 2]"),
+            Verdict::NotChecked,
+            "divides by no 0",
+        ),
+        (
+            open.replace("[params]", "[params]\nk = [0.4, 2]"),
+            Verdict::Refuted,
+            "the law divides by it",
+        ),
+    ] {
+        let found = of(&text, "envelope");
+        assert_eq!(found.verdict, verdict, "{text}: {}", found.summary);
+        assert!(found.summary.contains(summary), "{}", found.summary);
+    }
+}
