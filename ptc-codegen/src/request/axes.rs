@@ -3,7 +3,7 @@
 use std::iter::repeat_with;
 
 use super::{Clock, Feedback, Reference, Spec};
-use crate::algebra::BigRational;
+use crate::algebra::{BigRational, integer};
 use crate::expression::Expression;
 use crate::model::{Coupled, Model, Output};
 use crate::parameter::{Fixed, Parameter};
@@ -114,7 +114,8 @@ impl Spec {
         if let Some(gain) = axes.input_gains.get(index) {
             spec.input_gain = (*gain != Expression::integer(1)).then(|| gain.clone());
         }
-        let (gain, chains) = (spec.known_gain(), self.decoupled().is_none());
+        let gain = spec.known_gain().unwrap_or_else(|| integer(1));
+        let chains = self.decoupled().is_none();
         if let Clock::Samples(sampled) = &mut spec.clock {
             let greatest = axes.greatest.get(index).cloned();
             sampled.greatest = greatest.or(sampled.greatest.take());

@@ -3,8 +3,9 @@
 use num_traits::Zero;
 
 use super::{Clock, Spec};
-use crate::algebra::{BigRational, integer};
+use crate::algebra::BigRational;
 use crate::expression::Expression;
+use crate::expression::normal::normal;
 use crate::linear::{Delay, Linear};
 use crate::model::Model;
 use crate::parameter::{Fixed, Parameter};
@@ -103,10 +104,11 @@ impl Spec {
         }
     }
 
-    /// The input gain of a chain where it is a number other than 0; else 1.
-    pub(crate) fn known_gain(&self) -> BigRational {
-        let number = self.input_gain.as_ref().and_then(Expression::number);
-        number.filter(|gain| !gain.is_zero()).cloned().unwrap_or_else(|| integer(1))
+    /// The input gain of a chain, where the fixed parameters make a number other than 0 of it; 1 without one.
+    pub(crate) fn known_gain(&self) -> Option<BigRational> {
+        let gain = self.input_gain.as_ref().unwrap_or(&Expression::integer(1)).clone();
+        let known = gain.known(&|p| self.fixed.get(&p).and_then(Fixed::number).cloned());
+        normal(&known).number().filter(|gain| !gain.is_zero()).cloned()
     }
 
     /// The model whose f and g a controller in samples knows at the samples alone: one that is not linear.

@@ -336,6 +336,29 @@ fn margins_end_where_the_loop_is_not_sound() {
     }
 }
 
+/// Of axes that differ it is what all of them tolerate; with a clock in samples too.
+#[test]
+fn margins_of_axes_are_the_least() {
+    for clock in ["eps = 0.05", "clock = \"samples\"\nu_max = inf"] {
+        let text = |axes: &str| {
+            format!(
+                "n = 2\nmu = \"exp(a=1)\"\n{clock}\nsample_time = 2e-3\n{axes}\nx0_max = [1, 1]\nerror = [1e-3, 0.1]\n\
+                 noise = 1e-5\n[params]\ntau = 1\nm = 4\n"
+            )
+        };
+        let of = |axes: &str| {
+            let (spec, _) = read_design(&entries(&text(axes))).expect("a design");
+            margins(&spec, None).expect("a sound loop")
+        };
+        let [slow, fast] = ["poles = [-4, -5]\ng = \"1/m\"", "poles = [-7, -9]\ng = \"2/m\""].map(of);
+        let all = of("axes = 2\npoles = [[-4, -5], [-7, -9]]\ng = [\"1/m\", \"2/m\"]");
+        assert_ne!(slow, fast);
+        assert_eq!(all.gain, [slow.gain[0].max(fast.gain[0]), slow.gain[1].min(fast.gain[1])]);
+        assert_eq!(all.delay, slow.delay.min(fast.delay));
+        assert_eq!(all.jitter[0], slow.jitter[0].min(fast.jitter[0]));
+    }
+}
+
 /// The jitter is sound, and a little more of it is not.
 fn jitter_ends(text: &str, [time, periods]: [f64; 2]) {
     assert!(0.0 < periods && periods < 0.49, "{text}{time} {periods}");

@@ -34,10 +34,7 @@ impl Gain {
 
 /// The input gain by which the law divides.
 pub(super) fn known_gain(spec: &Spec) -> Result<BigRational, String> {
-    match &spec.input_gain {
-        None => Ok(BigRational::from_integer(1.into())),
-        Some(g) => g.number().cloned().ok_or_else(|| "the input gain g is not a number".to_owned()),
-    }
+    spec.known_gain().ok_or_else(|| "the input gain g is not a number".to_owned())
 }
 
 /// Between which numbers the true input gain is.

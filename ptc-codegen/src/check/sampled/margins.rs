@@ -59,12 +59,21 @@ impl fmt::Display for Margins {
     }
 }
 
-/// The margins of a design, with the closed forms of another engine where they are given; `None` if
-/// its check `loop` is not sound.
+/// The margins of a design, with the closed forms of another engine where they are given, of several axes
+/// what all of them tolerate; `None` if its check `loop` is not sound.
 pub fn margins(spec: &Spec, expanded: Option<&Expanded>) -> Option<Margins> {
-    let is_sound = |spec: &Spec| outcome_of(spec, expanded, false).0.verdict == Verdict::Sound;
+    // The chain of one output says nothing of the plant.
+    if spec.decoupled().is_some() {
+        return None;
+    }
+    let is_alone = |spec: &Spec| outcome_of(spec, expanded, false).0.verdict == Verdict::Sound;
+    let is_sound = |spec: &Spec| spec.designs().iter().all(is_alone);
     is_sound(spec).then_some(())?;
-    let with = |factor: f64| scaled(spec, factor).is_some_and(|spec| is_sound(&spec));
+    let designs = spec.designs();
+    let with = |factor: f64| {
+        let scaled = |own: &Spec| scaled(own, factor).is_some_and(|own| is_alone(&own));
+        designs.iter().all(scaled)
+    };
     // The last factor on the way to `end` that is sound.
     let last = |end: f64| {
         let (mut good, mut bad) = (1.0, None);

@@ -152,14 +152,14 @@ impl Reader<'_> {
 
     /// g, that of the first of several axes.
     fn gain(&mut self, spec: &Spec) -> BigRational {
-        let own = spec.axes.iter().flat_map(|axes| &axes.input_gains);
-        if own.chain(&spec.input_gain).any(|gain| gain.number().is_none()) {
+        let known: Vec<_> = spec.designs().iter().map(Spec::known_gain).collect();
+        if known.contains(&None) {
             let place = self.keys.get("g").map(|node| node.place);
             let message = "g is not a number".to_owned();
-            let help = "a clock in samples takes a constant input gain";
+            let help = "a clock in samples takes a constant input gain: give its parameters one value each, under [params]";
             self.wrong("g", place, message, help.to_owned());
         }
-        spec.known_gain()
+        known.into_iter().next().flatten().unwrap_or_else(|| integer(1))
     }
 
     /// What needs a clock in time.

@@ -50,6 +50,24 @@ fn chains_apart_have_the_bits_of_a_controller_each() {
     }
 }
 
+/// A parameter of one value is a number, also in g of each axis.
+#[test]
+fn a_gain_of_parameters_with_one_value_is_a_number() {
+    let time = [("tau", "0.5"), ("sample_time", "1/128"), ("poles", "-3,-4")];
+    let with = |gain: &'static str, m: &'static str| {
+        code(&[&time[..], &[("n", "2"), ("g", gain), ("params.m", m)]].concat())
+    };
+    let number = code(&[&time[..], &[("n", "2"), ("g", "1/4")]].concat());
+    let [named, _] = [with("1/m", "4"), with("2/m", "8")].map(|own| {
+        assert_eq!(own.functions, number.functions);
+        own
+    });
+    assert_eq!(named.init, number.init);
+    let own = axes(&[&time[..], &[("g", "[1/m, 3]"), ("params.m", "4")]].concat());
+    let other = axes(&[&time[..], &[("g", "[1/4, 3]")]].concat());
+    assert_eq!(own.functions, other.functions);
+}
+
 /// Two rounds of deadbeat leave the square of a rounding.
 #[test]
 fn chains_apart_are_at_rest_at_the_last_sample() {

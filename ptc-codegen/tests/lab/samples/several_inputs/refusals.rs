@@ -34,7 +34,7 @@ fn what_needs_one_input_is_refused() {
         ),
         ("disturbance", "constant", "an observer needs a linear plant of one input"),
         ("observer_poles", "-3,-4", "`observer_poles` without an observer"),
-        ("reference", "input", "a reference needs a clock in time"),
+        ("reference", "input", "references of several inputs need a clock in time"),
         ("pi0", "extern", "a clock in samples needs a linear law"),
         ("mu", "tanh(a=1)", "an exact law for the mapping exp alone"),
         ("t0", "1", "arm the controller at the tick"),
@@ -73,7 +73,7 @@ fn what_axes_lack_is_refused() {
         ("pi0", "extern", "a clock in samples needs a linear law"),
         ("after", "zero", "axes hold their gains after the deadline"),
         ("what", "observer", "axes are of a controller"),
-        ("reference", "input", "a reference needs a clock in time"),
+        ("reference", "input", "references of several inputs need a clock in time"),
     ] {
         let found = read(&[&keys[..], &[(key, value)]].concat()).expect_err(key);
         assert!(found.contains(wanted), "{key} = {value}: {found}");
