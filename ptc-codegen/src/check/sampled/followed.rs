@@ -17,7 +17,7 @@ use crate::program::{Input, Program, Stage, passes};
 use crate::request::{Reference, Sampled, Spec, derivatives};
 
 /// Cells into which the time of a run is divided.
-const CELLS: usize = 400;
+const CELLS: usize = 100;
 
 /// Roundings of the time of a call: of a count as a number, of h, and of their product, and more.
 const OF_TIME: f64 = 4.0;
