@@ -350,7 +350,8 @@ fn margins_of_axes_are_the_least() {
             let (spec, _) = read_design(&entries(&text(axes))).expect("a design");
             margins(&spec, None).expect("a sound loop")
         };
-        let [slow, fast] = ["poles = [-4, -5]\ng = \"1/m\"", "poles = [-7, -9]\ng = \"2/m\""].map(of);
+        let [slow, fast] =
+            ["poles = [-4, -5]\ng = \"1/m\"", "poles = [-7, -9]\ng = \"2/m\""].map(of);
         let all = of("axes = 2\npoles = [[-4, -5], [-7, -9]]\ng = [\"1/m\", \"2/m\"]");
         assert_ne!(slow, fast);
         assert_eq!(all.gain, [slow.gain[0].max(fast.gain[0]), slow.gain[1].min(fast.gain[1])]);
