@@ -1,5 +1,6 @@
 //! Several axes: how many, and what each has of its own.
 
+use super::reference::OF_AXES;
 use super::{Reader, count, items, shown};
 use crate::diagnostic::counted;
 use crate::expression::{self, Expression};
@@ -189,7 +190,7 @@ impl<'a> Reader<'a> {
                 "reference",
                 matches!(spec.reference, Some(Reference::Known(_))),
                 "each axis has a reference of its own",
-                "give `reference` = input: each call is given those of all axes; a plant with `inputs` and `outputs` takes an expression for each output",
+                OF_AXES,
             ),
             (
                 "g",

@@ -12,6 +12,9 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
 use crate::syntax::{Node, Value};
 
+/// How axes have references of their own.
+pub(super) const OF_AXES: &str = "with a clock in time give `reference` = input: each call is given those of all axes; a plant with `inputs` and `outputs` takes an expression for each output";
+
 impl Reader<'_> {
     /// The reference of a chain of order `n`; 0 is none at all.
     pub(super) fn reference(&mut self, n: Option<usize>, known: &[Parameter]) -> Option<Reference> {
@@ -22,9 +25,7 @@ impl Reader<'_> {
         if matches!(node.value, Value::List(_)) {
             let message = "a list of references, where there is one output".to_owned();
             let help = match self.keys.contains_key("axes") {
-                true => {
-                    "give `reference` = input: each call is given those of all axes; a plant with `inputs` and `outputs` takes an expression for each output"
-                }
+                true => OF_AXES,
                 false => "give one expression in t; several outputs have one for each",
             };
             self.wrong("reference", Some(node.place), message, help.to_owned());

@@ -243,7 +243,7 @@ fn mistakes_are_shown_at_their_lines() {
             "mu =",
             "reference = \"input\"\nclock = \"samples\"\nmu =",
             3,
-            "needs a clock in time",
+            "need a clock in time",
             "leave `clock` out",
         ),
         (
