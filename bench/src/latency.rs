@@ -160,11 +160,11 @@ fn driver(cases: &[Case], contestants: &[Contestant]) -> String {
     for case in cases {
         let _ = writeln!(text, "#include \"{}.h\"", case.name());
     }
-    for Contestant { symbol, .. } in &contestants[cases.len()..] {
-        let _ = writeln!(
-            text,
-            "void {symbol}(const double *, double, const double *, double, double, double, double *);"
-        );
+    let arguments = "const double *, double, const double *, double, double, double";
+    for pair in contestants[cases.len()..].chunks(2) {
+        let [given, returned] = [0, 1].map(|place| &pair[place].symbol);
+        let _ = writeln!(text, "void {given}({arguments}, double *);");
+        let _ = writeln!(text, "double {returned}({arguments});");
     }
     let _ = writeln!(
         text,
