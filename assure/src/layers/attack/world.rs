@@ -95,12 +95,12 @@ impl World {
         child.context("the command starts")
     }
 
-    /// Starts a campaign too long to end by itself and waits until it has kept rows.
+    /// Starts a campaign too long to end by itself and waits until it has kept several records of rows.
     pub(super) fn under_way(&self, folder: &Path) -> Result<Child> {
         let mut child = self.start(folder, &LONG)?;
         let size = || fs::metadata(folder.join(JOURNAL)).map_or(0, |there| there.len());
         let began = Instant::now();
-        while size() < 6000 {
+        while size() < 100_000 {
             ensure!(began.elapsed() < PATIENCE, "no row is kept");
             ensure!(child.try_wait()?.is_none(), "the campaign ended early");
             std::thread::sleep(Duration::from_millis(1));

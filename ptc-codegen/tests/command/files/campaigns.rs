@@ -37,14 +37,15 @@ fn an_interrupt_of_the_search_runs_no_scenario_again() {
     assert_eq!(names(&folder), ["rows.parquet", "stage.toml"]);
 }
 
-/// Starts a campaign and waits until some of its rows are kept.
+/// Starts a campaign and waits until several records of its rows are kept, 14 kB each: a last one may be half
+/// there.
 fn interrupted(folder: &Path, out: &str, signal: &str) {
-    let arguments = ["verify", "stage.toml", "--scenarios=20000", "--out", out];
+    let arguments = ["verify", "stage.toml", "--scenarios=500000", "--out", out];
     let mut child = command_in(folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
     let journal = folder.join(format!("{out}.chunks"));
     let began = Instant::now();
     let size = || fs::metadata(&journal).map_or(0, |there| there.len());
-    while size() < 6000 && began.elapsed() < Duration::from_secs(120) {
+    while size() < 100_000 && began.elapsed() < Duration::from_secs(120) {
         std::thread::sleep(Duration::from_millis(1));
     }
     let kill = Command::new("kill").args([signal, &child.id().to_string()]).status();
@@ -116,7 +117,7 @@ fn damage_is_told_by_name() {
     interrupted(&folder, "rows.parquet", "-KILL");
     let journal = folder.join("rows.parquet.chunks");
     let whole = fs::read(&journal).expect("rows");
-    let resume = ["verify", "stage.toml", "--scenarios=20000", "--out", "rows.parquet"];
+    let resume = ["verify", "stage.toml", "--scenarios=500000", "--out", "rows.parquet"];
     let small = ["verify", "stage.toml", "--out", "part.parquet"];
     assert_eq!(run_in(&folder, &small).0, Some(0));
     let part = fs::read(folder.join("part.parquet")).expect("rows");
