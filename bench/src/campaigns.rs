@@ -101,7 +101,8 @@ pub(crate) fn measure() -> Result<Vec<Campaign>> {
 
 fn of_design(command: &Path, design: &Path, what: String) -> Result<Campaign> {
     let few = few_and(1, command, design, FEW)?;
-    let all = scenarios(few.processor);
+    let more = few_and(1, command, design, 8 * FEW)?;
+    let all = scenarios((more.processor - few.processor) / f64::from(7 * FEW));
     let many = few_and(1, command, design, all)?;
     let two = [few_and(2, command, design, FEW)?, few_and(2, command, design, all)?];
     let count = f64::from(all - FEW);
@@ -116,10 +117,10 @@ fn of_design(command: &Path, design: &Path, what: String) -> Result<Campaign> {
     })
 }
 
-/// How many scenarios a run has, where the run of a few takes so many seconds.
+/// How many scenarios a run has, where each takes so many seconds beside what all runs do once.
 fn scenarios(seconds: f64) -> u32 {
     let mut count = SCENARIOS;
-    while count > 8 * FEW && seconds * f64::from(count / FEW) > LONG {
+    while count > 8 * FEW && seconds * f64::from(count) > LONG {
         count /= 2;
     }
     count

@@ -15,8 +15,8 @@ pub(super) const LAYER: Layer = Layer {
     name: "samples",
     claim: "Emitted C with a clock in samples, in the loop with the exact chain in 120 digits, is at \
             rest at sample N, and an observer alone has the state at sample N_o: orders 1 to 4, \
-            delays, N = n + 2 too, observers, unknown forces. The figures of \
-            README.md and docs/samples.md are those of this machine.",
+            delays, N = n + 2 too, observers, unknown forces, references. The figures of \
+            README.md, docs/samples.md and docs/references.md are those of this machine.",
     tools: &[PYTHON],
     run,
 };
@@ -24,6 +24,8 @@ pub(super) const LAYER: Layer = Layer {
 const README: &str = include_str!("../../../README.md");
 
 const PAGE: &str = include_str!("../../../docs/samples.md");
+
+const REFERENCES: &str = include_str!("../../../docs/references.md");
 
 fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("samples"), &["mpmath>=1.3"])?;
@@ -33,6 +35,7 @@ fn run(context: &Context) -> Result<Finding> {
     let all = vec![
         ("rest", PAGE, Some("a plant with an input gain off by 1e-6")),
         ("alone", PAGE, Some("an observer of a plant with an input gain off by 1e-6")),
+        ("follow", REFERENCES, Some("a plant that follows with an input gain off by 1e-6")),
         ("stage", PAGE, None),
         ("table", README, None),
     ];

@@ -6,7 +6,40 @@ use super::{Code, Expr, Finish, Statement, Test};
 
 /// The branches that calls took; a condition is known by its place in the program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Taken(BTreeSet<(usize, bool)>);
+pub struct Taken(BTreeSet<(At, bool)>);
+
+/// Which condition it is of those that one part of a program, or what begins where it does, may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Asked {
+    /// A test that is a part of its own.
+    Test,
+    /// Whether a count is left.
+    Left,
+    /// Whether a divisor is below 0.
+    Negative,
+    /// Whether it is above 0, where it is not below.
+    Positive,
+    /// Whether no pivot is 0.
+    Regular,
+    /// Whether one of several inputs is finite, until one is not.
+    Finite,
+    /// Whether it is finite where one is not, for its status.
+    Beside,
+    /// Whether it is above its bound.
+    Above,
+    /// Whether it is below it.
+    Below,
+    /// Whether it is the first that was clipped.
+    Saturated,
+}
+
+/// Where a condition is: at this very part of the program.
+pub(super) type At = (usize, Asked);
+
+/// The place of a condition of a part.
+pub(super) fn at<T>(of: &T, asked: Asked) -> At {
+    (std::ptr::from_ref(of).addr(), asked)
+}
 
 /// What decides between two ways.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,11 +63,11 @@ pub struct Branch {
     pub condition: Condition,
     /// Whether it holds on this way.
     pub holds: bool,
-    place: usize,
+    place: At,
 }
 
 impl Taken {
-    pub(super) fn insert(&mut self, place: usize, holds: bool) {
+    pub(super) fn insert(&mut self, place: At, holds: bool) {
         self.0.insert((place, holds));
     }
 
@@ -79,8 +112,12 @@ fn statements(function: &'static str, all: &[Statement], found: &mut Vec<Branch>
             Statement::Require(condition, _) => test(function, condition, found),
             other => {
                 if let Statement::Elimination { right, .. } = other {
-                    let place = std::ptr::from_ref(other).addr();
-                    both(function, Condition::Regular(right.len()), place, found);
+                    both(
+                        function,
+                        Condition::Regular(right.len()),
+                        at(other, Asked::Regular),
+                        found,
+                    );
                 }
                 other.visit(&mut |value| expression(function, value, found));
             }
@@ -96,16 +133,19 @@ fn finish(function: &'static str, end: &Finish, found: &mut Vec<Branch>) {
     } else {
         if let Finish::Inputs(inputs) = end {
             test(function, &inputs.tracks, found);
-            let clips = (0..inputs.values.len()).flat_map(|index| inputs.clips_at(index));
-            let clips = clips.map(|(test, _, place)| (test, place));
-            for (test, place) in inputs.finite_at().into_iter().chain(clips) {
-                both(function, Condition::Test(test), place, found);
+            let indices = || 0..inputs.values.len();
+            let mut one =
+                |test: &Test, place| both(function, Condition::Test(test.clone()), place, found);
+            indices().for_each(|i| one(&inputs.is_finite(i), inputs.place(i, Asked::Finite)));
+            for i in indices() {
+                let clips = inputs.clips(i);
+                let asked = clips.iter().zip([Asked::Above, Asked::Below]);
+                asked.for_each(|((test, _), asked)| one(test, inputs.place(i, asked)));
             }
-            for (test, place) in inputs.finite_beside_at() {
-                both(function, Condition::Test(test), place, found);
-            }
-            for (index, place) in inputs.saturated_at() {
-                both(function, Condition::Saturated(index), place, found);
+            indices().for_each(|i| one(&inputs.is_finite(i), inputs.place(i, Asked::Beside)));
+            for i in indices().filter(|i| inputs.limits[*i].is_some()) {
+                let place = inputs.place(i, Asked::Saturated);
+                both(function, Condition::Saturated(i), place, found);
             }
         }
         end.visit(&mut |value| expression(function, value, found));
@@ -116,8 +156,7 @@ fn test(function: &'static str, condition: &Test, found: &mut Vec<Branch>) {
     if let Test::All(tests) = condition {
         return tests.iter().for_each(|part| test(function, part, found));
     }
-    let place = std::ptr::from_ref(condition).addr();
-    both(function, Condition::Test(condition.clone()), place, found);
+    both(function, Condition::Test(condition.clone()), at(condition, Asked::Test), found);
     condition.visit(&mut |value| expression(function, value, found));
 }
 
@@ -127,13 +166,13 @@ fn expression(function: &'static str, value: &Expr, found: &mut Vec<Branch>) {
         Expr::Choose(condition, ..) => each(function, condition, found),
         Expr::CountLeft(a, b) => {
             let less = Test::CountLess((**b).clone(), (**a).clone());
-            both(function, Condition::Test(less), std::ptr::from_ref(value).addr(), found);
+            both(function, Condition::Test(less), at(value, Asked::Left), found);
         }
         Expr::Quotient(_, divisor) => {
-            let (place, divisor) = (std::ptr::from_ref(value).addr(), (**divisor).clone());
+            let divisor = (**divisor).clone();
             let negative = Test::Less(divisor.clone(), Expr::integer(0));
-            both(function, Condition::Test(negative), place, found);
-            both(function, Condition::Positive(divisor), place + 1, found);
+            both(function, Condition::Test(negative), at(value, Asked::Negative), found);
+            both(function, Condition::Positive(divisor), at(value, Asked::Positive), found);
         }
         _ => {}
     }
@@ -143,14 +182,11 @@ fn expression(function: &'static str, value: &Expr, found: &mut Vec<Branch>) {
 fn each(function: &'static str, condition: &Test, found: &mut Vec<Branch>) {
     match condition {
         Test::All(tests) => tests.iter().for_each(|part| each(function, part, found)),
-        one => {
-            let place = std::ptr::from_ref(one).addr();
-            both(function, Condition::Test(one.clone()), place, found);
-        }
+        one => both(function, Condition::Test(one.clone()), at(one, Asked::Test), found),
     }
 }
 
-fn both(function: &'static str, condition: Condition, place: usize, found: &mut Vec<Branch>) {
+fn both(function: &'static str, condition: Condition, place: At, found: &mut Vec<Branch>) {
     for holds in [true, false] {
         found.push(Branch { function, condition: condition.clone(), holds, place });
     }

@@ -1,5 +1,6 @@
 //! A function of the controller: what it is given, does and gives.
 
+use super::branch::{Asked, At, at};
 use super::{Expr, Statement, Status, Test, Variable};
 use crate::internal::fault;
 
@@ -113,9 +114,12 @@ pub struct Inputs {
 }
 
 impl Inputs {
+    /// How such a call ends, in words.
+    pub const ENDS: &'static str = "Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.";
+
     /// That every u is finite.
     pub fn finite(&self) -> Test {
-        Test::All(self.values.iter().cloned().map(Test::Finite).collect())
+        Test::All((0..self.values.len()).map(|index| self.is_finite(index)).collect())
     }
 
     /// The ways in which an input, from 0, is clipped: the test, and what it is then.
@@ -128,28 +132,14 @@ impl Inputs {
         ]
     }
 
-    /// The tests of [`Self::finite`], each with a place in the program by which it is known.
-    pub(super) fn finite_at(&self) -> Vec<(Test, usize)> {
-        let at = |value| (Test::Finite(Expr::clone(value)), std::ptr::from_ref(value).addr());
-        self.values.iter().map(at).collect()
+    /// That one u, from 0, is finite.
+    pub(super) fn is_finite(&self, index: usize) -> Test {
+        Test::Finite(self.values[index].clone())
     }
 
-    /// The same where one is not: the status of each says which.
-    pub(super) fn finite_beside_at(&self) -> Vec<(Test, usize)> {
-        self.finite_at().into_iter().map(|(test, place)| (test, place + 1)).collect()
-    }
-
-    /// The inputs that have a bound, with a place for the question whether each was clipped.
-    pub(super) fn saturated_at(&self) -> Vec<(usize, usize)> {
-        let limits = self.limits.iter().enumerate().filter(|(_, limit)| limit.is_some());
-        limits.map(|(index, limit)| (index, std::ptr::from_ref(limit).addr() + 2)).collect()
-    }
-
-    /// The same of [`Self::clips`].
-    pub(super) fn clips_at(&self, index: usize) -> Vec<(Test, Expr, usize)> {
-        let place = std::ptr::from_ref(&self.limits[index]).addr();
-        let clips = self.clips(index).into_iter().zip(place..);
-        clips.map(|((test, clipped), place)| (test, clipped, place)).collect()
+    /// The place of what is asked of an input, from 0.
+    pub(super) fn place(&self, index: usize, asked: Asked) -> At {
+        at(&self.values[index], asked)
     }
 
     /// Whether one can be clipped.

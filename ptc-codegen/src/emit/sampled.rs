@@ -25,10 +25,7 @@ pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
 pub(super) fn formulas(report: &Report) -> Vec<String> {
     let spec = &report.spec;
     match spec.sampled() {
-        Some(sampled) if spec.what != What::Observer => {
-            let followed = followed::lines(spec, sampled);
-            purpose(spec, sampled).into_iter().chain(followed).collect()
-        }
+        Some(sampled) if spec.what != What::Observer => purpose(spec, sampled),
         _ => Vec::new(),
     }
 }
@@ -75,10 +72,7 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     }));
     match alone {
         Some(observer) => rest.extend(observed::purpose(sampled, observer)),
-        None => {
-            rest.extend(purpose(spec, sampled));
-            rest.extend(followed::lines(spec, sampled));
-        }
+        None => rest.extend(purpose(spec, sampled)),
     }
     rest.extend(axes::lines(spec));
     rest.push(String::new());
@@ -100,15 +94,19 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     lines
 }
 
-/// What becomes of the plant, and by which law.
+/// What becomes of the plant, by which law, and of what with a reference.
 fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
-    let (n, order) = (spec.n, spec.loop_order());
-    if let Some(coupled) = &spec.coupled {
-        return of_outputs(coupled);
+    match &spec.coupled {
+        Some(coupled) => of_outputs(coupled),
+        None => [of_chain(spec, sampled).to_vec(), followed::lines(spec, sampled)].concat(),
     }
+}
+
+fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
+    let (n, order) = (spec.n, spec.loop_order());
     if spec.model_in_samples().is_some() {
         let last = n - 1;
-        return vec![
+        return [
             format!(
                 "Goal: the output and its derivatives up to order {last}, x, are 0 at sample N after the start, from any state, as long as u is not clipped and the plant is the model. f and g are known at the samples alone, which leaves an error of order h^({}-i) in x_i.",
                 n + 2
@@ -129,7 +127,7 @@ fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
             order - 1
         ),
     };
-    vec![goal, law]
+    [goal, law]
 }
 
 /// The same of a plant with several inputs.

@@ -82,6 +82,11 @@ impl Spec {
         self.coupled.as_deref().filter(|_| !self.joins_axes())
     }
 
+    /// The bound of one of several inputs, from 0, where it is its own; else `u_max` bounds all.
+    pub fn limit(&self, index: usize) -> Option<&BigRational> {
+        self.axes.as_ref()?.limits.get(index)?.number()
+    }
+
     /// Whether it is [`Self::as_one_plant`] of axes whose laws know nothing of one another.
     pub fn joins_axes(&self) -> bool {
         let of_axes = self.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);

@@ -5,7 +5,7 @@ use super::model::AtSample;
 use crate::code::{
     Access, Cell, Expr, Finish, Function, Inputs, Owner, Shape, Statement, Status, Test, Variable,
 };
-use crate::parameter::{Fixed, Name};
+use crate::parameter::Name;
 
 impl Builder<'_> {
     /// Every u at a tick.
@@ -96,7 +96,8 @@ impl Builder<'_> {
         let [states, inputs] = [&coupled.states, &coupled.inputs].map(|all| Name::listed(all));
         [
             format!(
-                "u = ({inputs}) from tick `k`, which may wrap, and state x = ({states}). Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped."
+                "u = ({inputs}) from tick `k`, which may wrap, and state x = ({states}). {}",
+                Inputs::ENDS
             ),
             format!("state: {states}"),
             format!("inputs of the plant: {inputs}"),
@@ -117,8 +118,7 @@ impl Builder<'_> {
 
     /// The bound of one input, from 0.
     fn limit_of(&mut self, index: usize) -> Option<Expr> {
-        let own = self.spec.axes.as_ref().and_then(|axes| axes.limits.get(index));
-        match own.and_then(Fixed::number) {
+        match self.spec.limit(index) {
             Some(limit) => Some(Expr::Number(limit.clone())),
             None => self.limit(),
         }

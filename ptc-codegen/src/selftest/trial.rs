@@ -123,7 +123,7 @@ impl Trial<'_> {
         // All of them are 0 where one that follows from all outputs is not finite.
         let bounded = !several || controls.iter().all(|u| u.is_finite());
         let own = |k: usize| {
-            let limit = self.spec().axes.as_ref()?.limits.get(k)?.number();
+            let limit = self.spec().limit(k);
             Some(limit.map_or(f64::INFINITY, |limit| round(limit, self.spec().precision)))
         };
         let limit = |k: usize| if bounded { own(k).unwrap_or(u_max) } else { f64::INFINITY };

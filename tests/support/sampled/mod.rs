@@ -86,14 +86,15 @@ impl Design {
         })
     }
 
-    /// Statements of C that read what is measured into `x`.
+    /// Statements of C that read what is measured into `x`, and the reference into `r`.
     fn read_in_c(&self) -> String {
         let place = |j: usize| match self.columns() {
             Some(columns) => format!("[{}][{}]", j / columns, j % columns),
             None => format!("[{j}]"),
         };
-        let read = |j| format!("x{} = ({})number(); ", place(j), self.real());
-        (0..self.measured()).map(read).collect()
+        let x = (0..self.measured()).map(|j| format!("x{}", place(j)));
+        let r = (0..self.references()).map(|j| format!("r[{j}]"));
+        x.chain(r).map(|to| format!("{to} = ({})number(); ", self.real())).collect()
     }
 
     /// What it gives beside u, with the lengths of arrays.

@@ -75,18 +75,14 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 ),
             })
             .collect();
-        let mut read = design.read_in_c();
+        let read = design.read_in_c();
         let shape = match design.columns() {
             Some(columns) => format!("[{}][{columns}]", m / columns),
             None => format!("[{m}]"),
         };
-        let r = match design.references() {
-            0 => "",
-            count => {
-                write!(read, "{real} r[{count}]; ").expect("a string");
-                read.extend((0..count).map(|j| format!("r[{j}] = ({real})number(); ")));
-                "r, "
-            }
+        let (r, of_r) = match design.references() {
+            0 => ("", String::new()),
+            count => ("r, ", format!("{real} r[{count}]; ")),
         };
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
@@ -105,7 +101,7 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             "static {name} self{i};\n\
              static int init{i}(void) {{ {name}_params p; memset(&p, 0, sizeof p); {}return (int){name}_init(&self{i}, &p); }}\n\
              static void arm{i}(uint32_t k) {{ (void){name}_arm(&self{i}, k); }}\n\
-             static void step{i}(uint32_t k) {{ {real} x{shape}; {read}{step} {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ {real} x{shape}; {of_r}{read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");
@@ -147,20 +143,16 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
                 None => format!("show(double(self{i}.{}())); ", function.name),
             })
             .collect();
-        let mut read = design.read_in_c();
+        let read = design.read_in_c();
         let array = match design.columns() {
             Some(columns) => {
                 format!("std::array<std::array<{real}, {columns}>, {}>", m / columns)
             }
             None => format!("std::array<{real}, {m}>"),
         };
-        let r = match design.references() {
-            0 => "",
-            count => {
-                write!(read, "std::array<{real}, {count}> r{{}}; ").expect("a string");
-                read.extend((0..count).map(|j| format!("r[{j}] = ({real})number(); ")));
-                ", r"
-            }
+        let (r, of_r) = match design.references() {
+            0 => ("", String::new()),
+            count => (", r", format!("std::array<{real}, {count}> r{{}}; ")),
         };
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
@@ -179,7 +171,7 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             "static ptc::{kind} self{i};\n\
              static int init{i}() {{ ptc::{kind}Params p{{}}; {}return static_cast<int>(self{i}.init(p)); }}\n\
              static void arm{i}(uint32_t k) {{ self{i}.arm(k); }}\n\
-             static void step{i}(uint32_t k) {{ {array} x{{}}; {read}{step} {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ {array} x{{}}; {of_r}{read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");

@@ -35,7 +35,7 @@ impl Gains {
 }
 
 /// A number in a range, and a bound of its distance from what is within `error` of the range.
-pub(super) fn centre(range: Range, error: f64) -> (f64, f64) {
+pub(super) fn centre(range: Range, error: f64) -> Near {
     let middle = 0.5 * (range.low() + range.high());
     let radius = (range - Range::from(middle)).size().high();
     (middle, (radius + error).next_up())

@@ -6,9 +6,10 @@
 
 use num_traits::Zero;
 
+use super::chain::Near;
 use super::judge::exact;
 use super::model::divided;
-use super::rounded::{Rounded, StagedValues, unit_roundoff};
+use super::rounded::{ROUNDED, Rounded, StagedValues, unit_roundoff};
 use crate::algebra::BigRational;
 use crate::expression::enclosure::{Interval, Range};
 use crate::lower::{plant, reference_at_sample};
@@ -22,9 +23,6 @@ const CELLS: usize = 100;
 /// Roundings of the time of a call: of a count as a number, of h, and of their product, and more.
 const OF_TIME: f64 = 4.0;
 
-/// More than a few products and sums in doubles lose.
-const ROUNDED: f64 = 1.0 + 1e-14;
-
 /// Bounds over a run.
 #[derive(Clone, Debug)]
 pub(super) struct Followed {
@@ -37,9 +35,6 @@ pub(super) struct Followed {
     /// Of all of |r^(n) - rho|.
     pub(super) most: f64,
 }
-
-/// A bound, and what it may be off by.
-type Near = (f64, f64);
 
 impl Followed {
     /// The reference of a design whose numbers are known; `None` without one. One that each call is given counts

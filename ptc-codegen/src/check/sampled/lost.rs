@@ -9,11 +9,8 @@ use num_traits::ToPrimitive;
 
 use super::chain::Near;
 use super::followed::Followed;
-use super::rounded::Rounded;
+use super::rounded::{ROUNDED, Rounded};
 use crate::request::Sampled;
-
-/// More than a few sums and products in doubles lose.
-const ROUNDED: f64 = 1.0 + 1e-12;
 
 /// How far each term of a sum is at most from what it is in e: what is kept, by its names, what is measured, the
 /// numbers of the reference and rho of the inputs under way, of which it is also known what they may be off by.

@@ -9,6 +9,7 @@ use super::chain::{Chain, Near, Unit, along};
 use super::followed::Followed;
 use super::force;
 use super::gain::Gain;
+use super::rounded::ROUNDED;
 use super::worst::Sampled;
 use crate::expression::enclosure::Range;
 
@@ -82,8 +83,8 @@ impl Moved {
             rest: followed.rest,
             wrong,
             input: (Range::from(rate) / known.size()).high(),
-            acting: (rate + wrong) * (1.0 + 1e-14),
-            between: (1..=n).map(|state| beside * share(n - state) * (1.0 + 1e-14)).collect(),
+            acting: (rate + wrong) * ROUNDED,
+            between: (1..=n).map(|state| beside * share(n - state) * ROUNDED).collect(),
         }
     }
 

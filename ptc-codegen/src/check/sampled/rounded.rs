@@ -51,6 +51,9 @@ impl Rounded {
     }
 }
 
+/// More than some thousand sums and products in doubles lose of a bound.
+pub(super) const ROUNDED: f64 = 1.0 + 1e-12;
+
 /// Rounds a bound up, after an operation that may have rounded it down.
 fn up(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { value.next_up() }

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use super::{Called, Held, Outcome};
-use crate::code::branch::Taken;
+use crate::code::branch::{Asked, At, Taken, at};
 use crate::code::{
     AXIS, Cell, Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status,
     Test, Variable,
@@ -113,7 +113,7 @@ impl<'b> Frame<'_, 'b> {
                     // The determinant stands last, and may be 0 by underflow alone.
                     let lost = values.iter().any(|value| value.is_nan());
                     let singular = values.last() == Some(&0.0) && lost;
-                    self.note(std::ptr::from_ref(statement).addr(), !singular);
+                    self.note(at(statement, Asked::Regular), !singular);
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
                 Statement::Call { name, callback, array, times, count } => {
@@ -199,10 +199,10 @@ impl<'b> Frame<'_, 'b> {
                 apply(&Op::Fused(a, b, c), &operands, self.precision).unwrap_or(f64::NAN)
             }
             Expr::Quotient(a, b) => {
-                let (place, divisor) = (std::ptr::from_ref(value).addr(), self.real(b));
-                self.note(place, divisor < 0.0);
+                let divisor = self.real(b);
+                self.note(at(value, Asked::Negative), divisor < 0.0);
                 if !matches!(divisor.partial_cmp(&0.0), Some(std::cmp::Ordering::Less)) {
-                    self.note(place + 1, divisor > 0.0);
+                    self.note(at(value, Asked::Positive), divisor > 0.0);
                 }
                 self.apply(Op::Quotient, a, b)
             }
@@ -254,7 +254,7 @@ impl<'b> Frame<'_, 'b> {
             Expr::CountSub(a, b) => self.count(a).wrapping_sub(self.count(b)),
             Expr::CountLeft(a, b) => {
                 let (a, b) = (self.count(a), self.count(b));
-                self.note(std::ptr::from_ref(value).addr(), b < a);
+                self.note(at(value, Asked::Left), b < a);
                 a.saturating_sub(b)
             }
             Expr::CountHalf(a) => self.count(a) / 2,
@@ -285,11 +285,11 @@ impl<'b> Frame<'_, 'b> {
     }
 
     pub(super) fn test(&self, test: &Test) -> bool {
-        self.test_at(test, std::ptr::from_ref(test).addr())
+        self.test_at(test, at(test, Asked::Test))
     }
 
     /// The same of a test that is known by another place in the program than its own.
-    pub(super) fn test_at(&self, test: &Test, place: usize) -> bool {
+    pub(super) fn test_at(&self, test: &Test, place: At) -> bool {
         let holds = match test {
             Test::Less(a, b) => self.real(a) < self.real(b),
             Test::AtMost(a, b) => self.real(a) <= self.real(b),
@@ -303,7 +303,7 @@ impl<'b> Frame<'_, 'b> {
         holds
     }
 
-    pub(super) fn note(&self, place: usize, holds: bool) {
+    pub(super) fn note(&self, place: At, holds: bool) {
         if let Some(taken) = &self.taken {
             taken.borrow_mut().insert(place, holds);
         }

@@ -2,6 +2,7 @@
 
 use super::Outcome;
 use super::frame::Frame;
+use crate::code::branch::Asked;
 use crate::code::{Function, Inputs, Status};
 use crate::collect::map;
 
@@ -25,10 +26,12 @@ impl<'b> Frame<'_, 'b> {
         let now = if self.test(&inputs.tracks) { Status::Ok } else { Status::Hold };
         let mut u: Vec<_> = inputs.values.iter().map(|value| self.real(value)).collect();
         let mut each = vec![now; m];
-        let finite = inputs.finite_at();
-        if !finite.iter().all(|(test, place)| self.test_at(test, *place)) {
-            for (test, place) in inputs.finite_beside_at() {
-                self.test_at(&test, place);
+        let finite = |index: usize, asked| {
+            self.test_at(&inputs.is_finite(index), inputs.place(index, asked))
+        };
+        if !(0..m).all(|index| finite(index, Asked::Finite)) {
+            for index in 0..m {
+                finite(index, Asked::Beside);
             }
             for (status, _) in each.iter_mut().zip(&u).filter(|(_, u)| !u.is_finite()) {
                 *status = Status::Range;
@@ -36,16 +39,18 @@ impl<'b> Frame<'_, 'b> {
             return given(Status::Range, vec![0.0; m], each);
         }
         for index in 0..m {
-            let clips = inputs.clips_at(index);
-            let clip = clips.iter().find(|(test, _, place)| self.test_at(test, *place));
-            if let Some((_, clipped, _)) = clip {
+            let mut clips = inputs.clips(index).into_iter().zip([Asked::Above, Asked::Below]);
+            let clip =
+                clips.find(|((test, _), asked)| self.test_at(test, inputs.place(index, *asked)));
+            if let Some(((_, clipped), _)) = &clip {
                 (u[index], each[index]) = (self.real(clipped), Status::Saturated);
             }
         }
-        let mut asked = inputs.saturated_at().into_iter();
-        let clipped = asked.any(|(index, place)| {
-            self.note(place, each[index] == Status::Saturated);
-            each[index] == Status::Saturated
+        let mut limited = (0..m).filter(|index| inputs.limits[*index].is_some());
+        let clipped = limited.any(|index| {
+            let saturated = each[index] == Status::Saturated;
+            self.note(inputs.place(index, Asked::Saturated), saturated);
+            saturated
         });
         let status = if clipped { Status::Saturated } else { now };
         given(status, u, each)

@@ -45,13 +45,14 @@ impl Builder<'_> {
         Function {
             name: "step",
             about: format!(
-                "u = ({inputs}) at time t [s]{}state x = ({}){}. Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.",
+                "u = ({inputs}) at time t [s]{}state x = ({}){}. {}",
                 if reference.is_some() { ", " } else { " and " },
                 Name::listed(&coupled.states),
                 match reference.is_some() {
                     true => " and reference r = (r, r', ...) of each output",
                     false => "",
-                }
+                },
+                Inputs::ENDS
             ),
             owner: Owner::Controller,
             access: Access::Read,
@@ -76,8 +77,7 @@ impl Builder<'_> {
 
     /// The bound of one input.
     fn limit_of(&self, index: usize) -> Option<Expr> {
-        let own = self.spec.axes.as_ref().and_then(|axes| axes.limits.get(index));
-        match own.and_then(Fixed::number) {
+        match self.spec.limit(index) {
             Some(limit) => Some(Expr::Number(limit.clone())),
             None => {
                 let open = self.spec.fixed.get(&Parameter::UMax) != Some(&Fixed::Infinite);

@@ -1,11 +1,8 @@
 //! What a reference makes of the bounds of a loop of e: those of the chain of the plant, of w, and the force.
 
 use super::super::followed::Followed;
-use super::super::rounded::unit_roundoff;
+use super::super::rounded::{ROUNDED, unit_roundoff};
 use crate::request::Spec;
-
-/// More than a few sums in doubles lose.
-const ROUNDED: f64 = 1.0 + 1e-12;
 
 /// Bounds of a reference, for a model whose loop is one of e.
 pub(super) struct Beside {
