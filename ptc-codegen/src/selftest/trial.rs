@@ -122,11 +122,9 @@ impl Trial<'_> {
         };
         // All of them are 0 where one that follows from all outputs is not finite.
         let bounded = !several || controls.iter().all(|u| u.is_finite());
-        let own = |k: usize| {
-            let limit = self.spec().limit(k);
-            Some(limit.map_or(f64::INFINITY, |limit| round(limit, self.spec().precision)))
-        };
-        let limit = |k: usize| if bounded { own(k).unwrap_or(u_max) } else { f64::INFINITY };
+        let rounded = |limit| round(limit, self.spec().precision);
+        let own = |k: usize| self.spec().limit(k).map_or(u_max, rounded);
+        let limit = |k: usize| if bounded { own(k) } else { f64::INFINITY };
         let each = controls.iter().enumerate();
         let each: Vec<_> = each.map(|(k, u)| (status(*u, limit(k)), *u)).collect();
         let first = |wanted: Status| each.iter().find(|(status, _)| *status == wanted);
