@@ -21,6 +21,8 @@ pub(super) struct Frame<'a> {
     now: f64,
     /// Part of a sample after which the next input takes over.
     part: f64,
+    /// Whether sensors give the state as it is.
+    exact: bool,
 }
 
 /// A time in which the plant is moved, after t0: from a sample to where the next input takes over, and to the
@@ -43,7 +45,9 @@ impl<'a> Frame<'a> {
         };
         let part = around.delay.part().to_f64().unwrap_or(1.0);
         let end = around.until.unwrap_or(tau);
-        Self { around, random, gain, end, index: 0, now: 0.0, part }
+        let sensors = [&around.noise, &around.noise_rms, &around.sensor_step];
+        let exact = sensors.into_iter().flatten().all(|own| *own == 0.0);
+        Self { around, random, gain, end, index: 0, now: 0.0, part, exact }
     }
 
     /// The time of the next sample after t0, as the controller has it, and whether it is the last one.
@@ -54,9 +58,12 @@ impl<'a> Frame<'a> {
     }
 
     /// Adds noise to the measured values and quantises them.
-    pub(super) fn measure(&mut self, measured: &mut [f64]) {
-        let Self { around, random, .. } = self;
-        for (j, own) in measured.iter_mut().enumerate() {
+    pub(super) fn measure<'m>(&mut self, measured: impl IntoIterator<Item = &'m mut f64>) {
+        let Self { around, random, exact, .. } = self;
+        if *exact {
+            return;
+        }
+        for (j, own) in measured.into_iter().enumerate() {
             let bound = around.noise.get(j).copied().unwrap_or(0.0);
             let mut noisy = *own + if bound == 0.0 { 0.0 } else { bound * even(random) };
             let rms = around.noise_rms.get(j).copied().unwrap_or(0.0);

@@ -1,8 +1,8 @@
 //! A plant that is linear while its input is held, beside sines of time: from sample to sample by the matrix
 //! exponential.
 //!
-//! x' = A x + v with a constant v = B u + c has x(s) = E x + F v, E = exp(A s) and F the integral of E. A sine of
-//! time is S of S' = w C, C' = -w S, so that it is two states more of such a plant.
+//! x' = A x + B u + c has x(s) = E x + (F B u + F c), E = exp(A s) and F the integral of E. A sine of time is S of
+//! S' = w C, C' = -w S, so that it is two states more of such a plant.
 
 use super::Along;
 use super::linear::SAME;
@@ -44,14 +44,18 @@ struct Wave {
     column: Vec<f64>,
 }
 
-/// What a length of time makes of a state, of a constant in the rates, and of the sine and the cosine of each
-/// wave at its beginning.
+/// What a length of time makes of a state, of a constant in the rates, of the inputs, and of the sine and the cosine
+/// of each wave at its beginning.
 #[derive(Clone, Debug)]
 struct Over {
     whole: Rows,
     integral: Rows,
+    of_inputs: Rows,
     waves: Vec<[Vec<f64>; 2]>,
 }
+
+/// What a row of a plant without waves comes to: a row of E, one of F B, and a number of F c.
+pub(super) type Row<'a> = (&'a [f64], &'a [f64], f64);
 
 /// Lengths that are kept: a sample, its parts and those beside a delay.
 const KEPT: usize = 8;
@@ -197,31 +201,12 @@ impl Held {
         (x, u): (&State, &[f64]),
         (t, length): (f64, f64),
     ) -> Option<State> {
-        let near = |own: f64| (own - length).abs() <= SAME * length;
-        let known = self.over.iter().position(|(own, _)| near(*own));
-        let place = match known {
-            Some(place) => place,
-            None => {
-                let over = self.plant.over(length)?;
-                if self.over.len() == KEPT {
-                    self.over.clear();
-                }
-                self.over.push((length, over));
-                self.over.len() - 1
-            }
-        };
-        let (_, Over { whole, integral, waves }) = &self.over[place];
-        let n = self.rates.len();
-        let dot = |row: &[f64], v: &[f64]| row.iter().zip(v).map(|(a, b)| a * b).sum::<f64>();
-        let mut pushed = State::zeros();
-        let rows = self.plant.rates.iter().zip(&self.plant.constant);
-        for (pushed, (row, own)) in pushed.iter_mut().zip(rows) {
-            *pushed = own + dot(&row[n..], u);
-        }
+        let place = self.place(length)?;
         let mut next = State::zeros();
-        for ((next, row), of_input) in next.iter_mut().zip(whole).zip(integral) {
-            *next = dot(row, x.as_slice()) + dot(of_input, pushed.as_slice());
+        for (next, (whole, of_inputs, constant)) in next.iter_mut().zip(self.rows_at(place)) {
+            *next = dot(whole, x.as_slice()) + (dot(of_inputs, u) + constant);
         }
+        let Over { waves, .. } = &self.over[place].1;
         if !waves.is_empty() {
             along.at(t, x.as_slice(), u);
         }
@@ -234,6 +219,44 @@ impl Held {
         }
         Some(next)
     }
+
+    /// What its rows come to over `length` s, and over which length that is, where one that [`is_same`] was kept;
+    /// `None` where there are waves, or the exponential is beyond its numbers.
+    pub(super) fn rows(&mut self, length: f64) -> Option<(f64, impl Iterator<Item = Row<'_>>)> {
+        let place = self.place(length)?;
+        let is_whole = self.plant.waves.is_empty();
+        is_whole.then(|| (self.over[place].0, self.rows_at(place)))
+    }
+
+    fn rows_at(&self, place: usize) -> impl Iterator<Item = Row<'_>> {
+        let Over { whole, integral, of_inputs, .. } = &self.over[place].1;
+        let constants = integral.iter().map(|row| dot(row, &self.plant.constant));
+        let rows = whole.iter().zip(of_inputs).zip(constants);
+        rows.map(|((whole, of_inputs), constant)| (&**whole, &**of_inputs, constant))
+    }
+
+    /// Where what a length comes to is kept.
+    fn place(&mut self, length: f64) -> Option<usize> {
+        if let Some(place) = self.over.iter().position(|(own, _)| is_same(*own, length)) {
+            return Some(place);
+        }
+        let over = self.plant.over(length)?;
+        if self.over.len() == KEPT {
+            self.over.clear();
+        }
+        self.over.push((length, over));
+        Some(self.over.len() - 1)
+    }
+}
+
+/// Whether a length is another one but for the rounding of the times between which it is.
+pub(super) fn is_same(own: f64, length: f64) -> bool {
+    (own - length).abs() <= SAME * length
+}
+
+/// Summed from the first one on, as lanes do.
+fn dot(row: &[f64], v: &[f64]) -> f64 {
+    row.iter().zip(v).map(|(a, b)| a * b).sum()
 }
 
 impl Terms {
@@ -259,11 +282,8 @@ impl Terms {
 impl Numbers {
     /// Whether any length comes to the same as of another plant.
     fn moves_as(&self, other: &Self) -> bool {
-        let n = self.rates.len();
-        let own =
-            |plant: &Self| plant.rates.iter().map(|row| row[..n].to_vec()).collect::<Vec<_>>();
         let moves = |(a, b): (&Wave, &Wave)| a.rate == b.rate && a.column == b.column;
-        own(self) == own(other)
+        self.rates == other.rates
             && self.waves.len() == other.waves.len()
             && self.waves.iter().zip(&other.waves).all(moves)
     }
@@ -281,6 +301,10 @@ impl Numbers {
             Some([n, n + 1].map(|column| (0..n).map(|i| whole[i][column]).collect()))
         };
         let waves = self.waves.iter().map(of_wave).collect::<Option<_>>()?;
-        Some(Over { whole, integral, waves })
+        let column = |input: usize| self.rates.iter().map(|row| row[input]).collect::<Vec<_>>();
+        let columns: Vec<_> = (n..self.rates.first().map_or(n, Vec::len)).map(column).collect();
+        let of_inputs = |row: &Vec<f64>| columns.iter().map(|column| dot(row, column)).collect();
+        let of_inputs = integral.iter().map(of_inputs).collect();
+        Some(Over { whole, integral, of_inputs, waves })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::held::Held;
+use super::held::{Held, Row};
 use super::mechanics::Mechanics;
 use super::solver::State;
 use super::{Along, Failure, Values};
@@ -80,6 +80,11 @@ impl Motion {
     /// The state at the end of a time in which the inputs are held; `None` where only an integration gives it.
     pub(super) fn after(&mut self, x: &State, u: &[f64], (from, to): (f64, f64)) -> Option<State> {
         self.held.as_mut()?.after(&mut self.along, (x, u), (from, to - from))
+    }
+
+    /// What its rows come to over a time in which the inputs are held; `None` where only [`Self::after`] gives it.
+    pub(super) fn rows(&mut self, length: f64) -> Option<(f64, impl Iterator<Item = Row<'_>>)> {
+        self.held.as_mut()?.rows(length)
     }
 
     /// Number of its kinks, and of what no run crosses behind them.

@@ -107,6 +107,7 @@ fn running<'a>(
     };
     let Some(jobs) = settings.iter().map(job).collect::<Option<Vec<_>>>() else { return unknown() };
     let all: Vec<_> = settings.iter().collect();
+    let taus: Vec<_> = settings.iter().map(|own| own.values.get(Parameter::Tau)).collect();
     let mut changes: Vec<_> = settings.iter().map(Changes::of).collect();
     let mut known = vec![true; settings.len()];
     let mut excess = vec![vec![f64::NEG_INFINITY; observer.objectives()]; settings.len()];
@@ -115,9 +116,7 @@ fn running<'a>(
         if let Some(job) = observer.meet(&all, &instants.jobs) {
             known[job] = false;
         }
-        let tau = |lane: usize| {
-            instants.jobs[lane].map_or(1.0, |job| settings[job].values.get(Parameter::Tau))
-        };
+        let tau = |lane: usize| instants.jobs[lane].map_or(1.0, |job| taus[job]);
         let time_to_go = Pack::of(|lane| of_sample(instants.time_to_go.0[lane], tau(lane)));
         let last = time_to_go.0.map(|time_to_go| time_to_go <= 0.0);
         let instants = Instants { last, time_to_go: &time_to_go, ..*instants };

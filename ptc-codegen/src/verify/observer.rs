@@ -209,25 +209,26 @@ impl LaneObserver {
         settings: &[&Setting],
         jobs: &[Option<usize>; LANES],
     ) -> Option<usize> {
-        let (mut met, mut failed) = (Vec::new(), None);
+        let begun = |(lane, job): (usize, &Option<usize>)| {
+            let job = (*job)?;
+            self.jobs[lane].is_none_or(|(own, _)| own != job).then_some((lane, job))
+        };
+        let met: Vec<_> = jobs.iter().enumerate().filter_map(begun).collect();
+        if met.is_empty() {
+            return None;
+        }
+        let mut failed = None;
         let mut start = (Pack::all(0.0), vec![Pack::all(0.0); MAX_ORDER]);
-        for (lane, job) in jobs.iter().enumerate() {
-            let Some(job) = *job else { continue };
-            if self.jobs[lane].is_some_and(|(own, _)| own == job) {
-                continue;
-            }
+        for (lane, job) in met.iter().copied() {
             let Setting { values, x0, .. } = settings[job];
             if self.along.start(lane, values, x0).is_err() {
                 failed = Some(job);
             }
             start.0.0[lane] = values.get(Parameter::Tau);
             start.1.iter_mut().zip(x0).for_each(|(start, x)| start.0[lane] = *x);
-            met.push((lane, job));
         }
-        if !met.is_empty() {
-            self.along.settle();
-            self.along.at(&start.0, &start.1);
-        }
+        self.along.settle();
+        self.along.at(&start.0, &start.1);
         for (lane, job) in met {
             self.jobs[lane] = Some((job, self.size(lane, &start.1)));
         }

@@ -13,6 +13,7 @@ mod direct;
 mod explicit;
 mod flow;
 mod nodes;
+mod plants;
 mod running;
 mod stretched;
 mod system;

@@ -4,6 +4,8 @@
 use std::collections::VecDeque;
 
 use super::along::Abreast;
+use super::flow::Which;
+use super::plants::{Plants, Times};
 use super::{Instants, See};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
@@ -11,7 +13,6 @@ use crate::program::{Limits, Value};
 use crate::request::After;
 use crate::simulate::frame::{Frame, Span};
 use crate::simulate::plant::Motion;
-use crate::simulate::solver::State;
 use crate::simulate::{Controller, Loop, Values};
 
 /// The same loop as [`Sampled`](crate::simulate::Sampled), of one controller in time.
@@ -23,8 +24,10 @@ pub struct RunningLanes {
     step: Value,
     limits: Limits,
     after: After,
-    /// The plant of each lane.
-    motions: Vec<Motion>,
+    plants: Plants,
+    /// The states of all lanes, and what is measured of them.
+    x: Vec<Pack>,
+    measured: Vec<Pack>,
 }
 
 /// A scenario of the loop that runs.
@@ -47,7 +50,6 @@ struct Lane<'a> {
     frame: Frame<'a>,
     /// Inputs that are computed, and do not act yet.
     late: VecDeque<f64>,
-    x: State,
     t0: f64,
     tau: f64,
     /// Whether it is at its last sample.
@@ -71,7 +73,9 @@ impl RunningLanes {
             limits,
             after,
             controller: controller.clone(),
-            motions: vec![motion.clone(); LANES],
+            plants: Plants::of(motion),
+            x: vec![Pack::all(0.0); motion.order()],
+            measured: vec![Pack::all(0.0); motion.order()],
         })
     }
 
@@ -104,12 +108,11 @@ impl RunningLanes {
         }
         self.controller.init(values, x0).ok()?;
         self.law.start(lane, values, x0).ok()?;
-        self.motions[lane].init(values, x0).ok()?;
+        self.plants.start(lane, values, x0).ok()?;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-        let mut x = State::zeros();
-        x.as_mut_slice()[..x0.len()].copy_from_slice(x0);
+        self.x.iter_mut().zip(x0).for_each(|(x, own)| x.0[lane] = *own);
         let late = VecDeque::from(vec![0.0; around.delay.inputs()]);
-        Some(Lane { job, frame: Frame::new(around, tau), late, x, t0, tau, last: false })
+        Some(Lane { job, frame: Frame::new(around, tau), late, t0, tau, last: false })
     }
 
     /// Takes a sample in every lane, and goes on to the next one.
@@ -119,50 +122,43 @@ impl RunningLanes {
         (change, see): (Change<'_, 'v>, See<'_>),
         done: &mut [bool],
     ) {
-        let order = self.motions[0].order();
         let none = Pack::all(0.0);
         let (mut t, mut time_to_go, mut u) = (none, none, none);
-        let (mut x, mut measured) = (vec![none; order], vec![none; order]);
-        let mut own = [0.0; crate::request::MAX_ORDER];
+        self.measured.copy_from_slice(&self.x);
         for (lane, slot) in lanes.iter_mut().enumerate() {
             let Some(run) = slot else { continue };
             let (since, last) = run.frame.since();
             run.last = last;
             (t.0[lane], time_to_go.0[lane]) = (run.t0 + since, run.tau - since);
-            let other = change(run.job, since).map(|values| self.motions[lane].give(values));
-            own[..order].copy_from_slice(&run.x.as_slice()[..order]);
-            x.iter_mut().zip(&own).for_each(|(x, own)| x.0[lane] = *own);
-            run.frame.measure(&mut own[..order]);
-            measured.iter_mut().zip(&own).for_each(|(y, own)| y.0[lane] = *own);
+            run.frame.measure(self.measured.iter_mut().map(|own| &mut own.0[lane]));
+            let other = change(run.job, since).map(|values| self.plants.give(lane, values));
             if other.is_some_and(|other| other.is_err()) {
                 *slot = None;
             }
         }
-        self.law.at(&t, &measured);
-        let mut jobs = [None; LANES];
+        self.law.at(&t, &self.measured);
+        let (mut jobs, mut last) = ([None; LANES], [false; LANES]);
         for (lane, slot) in lanes.iter_mut().enumerate() {
             let Some(run) = slot else { continue };
             let given = self.given(lane);
-            if !measured.iter().all(|y| y.0[lane].is_finite()) || !given.is_finite() {
+            if !self.measured.iter().all(|y| y.0[lane].is_finite()) || !given.is_finite() {
                 *slot = None;
                 continue;
             }
-            run.late.push_back(run.frame.actuated(given));
-            u.0[lane] = run.late.pop_front().unwrap_or(0.0);
-            jobs[lane] = Some(run.job);
+            u.0[lane] = run.frame.actuated(given);
+            if let Some(acting) = run.late.pop_front() {
+                run.late.push_back(u.0[lane]);
+                u.0[lane] = acting;
+            }
+            (jobs[lane], last[lane]) = (Some(run.job), run.last);
         }
-        let last = std::array::from_fn(|lane| lanes[lane].as_ref().is_some_and(|run| run.last));
-        see(&Instants { jobs, last, time_to_go: &time_to_go, x: &x, u: &u });
-        for (lane, slot) in lanes.iter_mut().enumerate() {
-            let Some(run) = slot else { continue };
-            let moved = run.last || self.moved(lane, run, u.0[lane]).is_some();
-            if run.last {
+        see(&Instants { jobs, last, time_to_go: &time_to_go, x: &self.x, u: &u });
+        for slot in lanes.iter_mut() {
+            if let Some(run) = slot.take_if(|run| run.last) {
                 done[run.job] = true;
             }
-            if run.last || !moved {
-                *slot = None;
-            }
         }
+        self.move_on(lanes, &u);
     }
 
     /// u of `step`.
@@ -178,17 +174,29 @@ impl RunningLanes {
         }
     }
 
-    /// Moves a plant to the next sample under an input, and the next one where that takes over.
-    fn moved(&mut self, lane: usize, run: &mut Lane<'_>, u: f64) -> Option<()> {
-        let newer = run.late.front().copied().unwrap_or(u);
-        let Span { from, over, to } = run.frame.next();
-        for (u, from, to) in [(u, from, over), (newer, over, to)] {
-            if from < to {
-                let acts = [run.frame.gain * u];
-                let times = (run.t0 + from, run.t0 + to);
-                run.x = self.motions[lane].after(&run.x, &acts, times)?;
+    /// Moves the plants to their next samples under their inputs, and the next ones where those take over.
+    fn move_on(&mut self, lanes: &mut [Option<Lane<'_>>; LANES], u: &Pack) {
+        let none = [(0.0, 0.0); LANES];
+        let mut parts: [(Pack, Times, Which); 2] = [(Pack::all(0.0), none, [false; LANES]); 2];
+        for (lane, slot) in lanes.iter_mut().enumerate() {
+            let Some(run) = slot else { continue };
+            let newer = run.late.front().copied().unwrap_or(u.0[lane]);
+            let Span { from, over, to } = run.frame.next();
+            let acts = [(u.0[lane], from, over), (newer, over, to)];
+            for ((acting, times, which), (u, from, to)) in parts.iter_mut().zip(acts) {
+                acting.0[lane] = run.frame.gain * u;
+                times[lane] = (run.t0 + from, run.t0 + to);
+                which[lane] = from < to;
             }
         }
-        run.x.as_slice().iter().all(|x| x.is_finite()).then_some(())
+        for (acting, times, which) in &parts {
+            if !which.contains(&true) {
+                continue;
+            }
+            let moved = self.plants.move_on(&mut self.x, acting, times, *which);
+            for lane in (0..LANES).filter(|lane| which[*lane] && !moved[*lane]) {
+                lanes[lane] = None;
+            }
+        }
     }
 }
