@@ -1,6 +1,6 @@
 """Opens the pages of a book in Chromium without a network, and prints as JSON what is wrong with each.
 
-Usage: book.py BROWSER BOOK [PICTURES]; pictures of a few pages, in three widths, light and dark, go to the folder PICTURES.
+Usage: book.py BROWSER BOOK SHOWN [PICTURES]; SHOWN is one of its pages, or the folder BOOK itself; pictures of a few pages, in three widths, light and dark, go to the folder PICTURES.
 """
 
 import json
@@ -28,14 +28,14 @@ FAULTS = """() => {
 }"""
 
 
-def main(binary, book, pictures=None):
-    book = pathlib.Path(book).resolve()
+def main(binary, book, shown, pictures=None):
+    book, shown = pathlib.Path(book).resolve(), pathlib.Path(shown).resolve()
     arguments = ["--no-sandbox", "--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND"]
     told = {}
     with sync_playwright() as play:
         browser = play.chromium.launch(executable_path=shutil.which(binary), args=arguments)
         phone = browser.new_context(viewport=PHONE, offline=True).new_page()
-        for path in sorted(book.rglob("*.html")):
+        for path in [shown] if shown.is_file() else sorted(shown.rglob("*.html")):
             if path.name not in OWN:
                 phone.goto(path.as_uri(), wait_until="load")
                 told[str(path.relative_to(book))] = phone.evaluate(FAULTS)

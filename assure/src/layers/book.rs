@@ -104,20 +104,30 @@ fn examine(context: &Context, added: &str) -> Result<(usize, usize, Vec<String>)
             }
         }
     }
-    let pictures = added.is_empty().then(|| context.scratch("book-pictures"));
-    faults.extend(seen(context, &book, pictures.as_deref())?);
+    // Of a defect, the page that has it.
+    let (shown, pictures) = match added.is_empty() {
+        true => (book.clone(), Some(context.scratch("book-pictures"))),
+        false => (book.join("start.html"), None),
+    };
+    faults.extend(seen(context, &book, &shown, pictures.as_deref())?);
     faults.sort();
     faults.dedup();
     Ok((count, links, faults))
 }
 
-/// What is wrong with the pages in a browser, which leaves pictures of some in a folder.
-fn seen(context: &Context, book: &Path, pictures: Option<&Path>) -> Result<Vec<String>> {
+/// What is wrong in a browser with `shown`, one page of the book or all in its folder; pictures of some are left
+/// in a folder.
+fn seen(
+    context: &Context,
+    book: &Path,
+    shown: &Path,
+    pictures: Option<&Path>,
+) -> Result<Vec<String>> {
     let python = runtime::python(&context.shared("playwright"), &[PLAYWRIGHT])?;
     let script = book.join("book.py");
     fs::write(&script, SCRIPT)?;
     let mut look = Command::new(&python);
-    let told = text(look.arg(&script).arg("chromium").arg(book).args(pictures))?;
+    let told = text(look.arg(&script).arg("chromium").args([book, shown]).args(pictures))?;
     let told: BTreeMap<String, Vec<String>> = serde_json::from_str(&told)?;
     let faults = |(page, faults): (String, Vec<String>)| {
         faults.into_iter().map(move |fault| format!("{page}: {fault}"))

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Result, ensure};
 
 use super::module;
 use crate::context::{Context, workspace};
@@ -27,6 +27,8 @@ fn run(context: &Context) -> Result<Finding> {
     let target = context.target();
     let mut finding = Finding::default();
     let crates = package(workspace(), target)?;
+    let unpacked = unpacked(&crates, &folder)?;
+    succeed(cargo(target).args(["build", "--quiet", "--workspace"]).current_dir(&unpacked))?;
     let mut rows = Vec::new();
     for package in &crates {
         let files = text(Command::new("tar").arg("-tzf").arg(package))?.lines().count();
@@ -38,7 +40,7 @@ fn run(context: &Context) -> Result<Finding> {
             "built by cargo from what is in it".to_owned(),
         ]);
     }
-    let source = unpacked(target)?;
+    let source = unpacked.join(unpacked_name("ptc-codegen"));
     let installed = empty(&folder.join("installed"));
     // Debug, as cargo has built it by now.
     succeed(
@@ -69,7 +71,7 @@ fn run(context: &Context) -> Result<Finding> {
     });
     // What include_str! and the templates read is not there in such a package.
     fs::remove_dir_all(source.join("templates"))?;
-    let built = succeed(cargo(target).args(["check", "--quiet"]).current_dir(&source));
+    let built = succeed(cargo(target).args(["build", "--quiet"]).current_dir(&source));
     let told = |error: anyhow::Error| {
         let text = format!("{error:#}");
         text.lines().find(|line| line.starts_with("error")).map(str::to_owned)
@@ -90,59 +92,47 @@ fn cargo(target: &Path) -> Command {
     building("cargo".as_ref(), target)
 }
 
-/// The crates that are published, packaged together, as they depend on one another; cargo builds
-/// each of them from its package.
+/// What is published.
+const PUBLISHED: [&str; 3] = ["ptc", "ptc-codegen", "ptc-macros"];
+
+/// The crates that are published, packaged together, as they depend on one another.
 fn package(workspace: &Path, target: &Path) -> Result<Vec<PathBuf>> {
-    let excluded = ["ptc-bench", "ptc-assure", "ptc-explorer", "ptc-explorer-page"];
     let packages = empty(&target.join("package"));
-    forget_unpacked()?;
     succeed(
         cargo(target)
-            .args(["package", "--quiet", "--workspace", "--allow-dirty"])
-            .args(excluded.iter().flat_map(|name| ["--exclude", name]))
+            .args(["package", "--quiet", "--no-verify", "--allow-dirty"])
+            .args(PUBLISHED.iter().flat_map(|name| ["--package", name]))
             .current_dir(workspace),
     )?;
-    let mut crates = Vec::new();
-    for entry in fs::read_dir(packages)? {
-        let path = entry?.path();
-        crates.extend(path.extension().is_some_and(|e| e == "crate").then_some(path));
-    }
-    crates.sort();
-    ensure!(crates.len() == 3, "ptc, ptc-codegen and ptc-macros are packaged: {crates:?}");
+    let made = |name: &&str| packages.join(format!("{}.crate", unpacked_name(name)));
+    let crates: Vec<_> = PUBLISHED.iter().map(made).collect();
+    let lacking = crates.iter().find(|path| !path.is_file());
+    ensure!(lacking.is_none(), "{lacking:?} was not made");
     Ok(crates)
 }
 
-/// Removes what cargo keeps unpacked of packages of this workspace. It takes a version for all that it
-/// will ever hold, and would build a later state of the same version from the earlier one.
-fn forget_unpacked() -> Result<()> {
-    let own = std::env::var_os("CARGO_HOME").map(PathBuf::from);
-    let user = std::env::var_os("HOME").map(|home| Path::new(&home).join(".cargo"));
-    let Some(home) = own.or(user) else { return Ok(()) };
-    let Ok(registries) = fs::read_dir(home.join("registry/src")) else { return Ok(()) };
-    for registry in registries {
-        let registry = registry?;
-        // That of a folder has no name in front of its hash.
-        if !registry.file_name().to_string_lossy().starts_with('-') {
-            continue;
-        }
-        for name in ["ptc", "ptc-codegen", "ptc-macros"] {
-            let unpacked = registry.path().join(format!("{name}-{}", env!("CARGO_PKG_VERSION")));
-            if unpacked.is_dir() {
-                fs::remove_dir_all(unpacked)?;
-            }
-        }
-    }
-    Ok(())
+/// The folder of a package, in its archive.
+fn unpacked_name(package: &str) -> String {
+    format!("{package}-{}", env!("CARGO_PKG_VERSION"))
 }
 
-/// The folder in which cargo unpacked and built the crate of the command.
-fn unpacked(target: &Path) -> Result<PathBuf> {
-    let folder = target.join(format!("package/ptc-codegen-{}", env!("CARGO_PKG_VERSION")));
-    // A separate workspace, though its folder is below another one.
-    let manifest = folder.join("Cargo.toml");
-    let text = fs::read_to_string(&manifest).context("the unpacked crate of the command")?;
-    fs::write(&manifest, format!("{text}\n[workspace]\n"))?;
-    Ok(folder)
+/// The packages, unpacked into one workspace, in which they are built from what is in them, and the generator once
+/// for the command and once for the macro; cargo would verify each of them with a build of its own.
+fn unpacked(crates: &[PathBuf], folder: &Path) -> Result<PathBuf> {
+    let all = empty(&folder.join("unpacked"));
+    for package in crates {
+        succeed(Command::new("tar").arg("-xzf").arg(package).arg("-C").arg(&all))?;
+    }
+    let quoted = |name: &&str| format!("\"{}\"", unpacked_name(name));
+    let members = PUBLISHED.iter().map(quoted).collect::<Vec<_>>().join(", ");
+    let patch = |name: &&str| format!("{name} = {{ path = {} }}\n", quoted(name));
+    let patches: String = PUBLISHED.iter().map(patch).collect();
+    let text = format!(
+        "[workspace]\nmembers = [{members}]\nresolver = \"3\"\n\n[profile.dev]\nlto = \"off\"\n\n\
+         [patch.crates-io]\n{patches}"
+    );
+    fs::write(all.join("Cargo.toml"), text)?;
+    Ok(all)
 }
 
 /// Installs the wheel alone in a fresh environment: its command, which needs nothing else.

@@ -64,8 +64,7 @@ fn run(context: &Context) -> Result<Finding> {
     let command = generator()?;
     let folder = context.scratch("report");
     let mut pages = Vec::new();
-    let wanted = if context.brief { 2 } else { MAPPINGS.len() };
-    for (index, mapping) in MAPPINGS.iter().take(wanted).enumerate() {
+    for (index, mapping) in context.in_turn(MAPPINGS.to_vec()).into_iter().enumerate() {
         let name = format!("simulated{index}");
         let asked = ["simulate", "--x0", "1,0,0", "--at", "0,0.5,0.99"];
         pages.push(page(&command, &folder, &name, &design(mapping), &asked)?);

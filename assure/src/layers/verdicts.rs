@@ -52,14 +52,14 @@ const FULL: Size = Size {
     digits: 40,
 };
 const BRIEF: Size = Size {
-    each_way: 40,
+    each_way: 20,
     order: 4,
-    checks: 60,
-    loops: 60,
-    simulate: 16,
-    design: 4,
-    attained: 8,
-    digits: 5,
+    checks: 30,
+    loops: 30,
+    simulate: 8,
+    design: 2,
+    attained: 4,
+    digits: 3,
 };
 /// Enough to meet a truth that is wrong by 3 %, where what is drawn is off by 1 % to 5 %.
 const SEED: Size = Size {
