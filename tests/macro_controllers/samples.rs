@@ -216,7 +216,7 @@ ptc::ptc_controller!(
 );
 
 ptc::ptc_controller!(
-    name = Given,
+    name = BeltsGiven,
     n = 1,
     axes = 2,
     mu = exp(a = 1),
@@ -233,7 +233,7 @@ ptc::ptc_controller!(
 #[test]
 fn axes_follow_references_of_their_own() {
     let belts = Belts::new(BeltsParams {}).expect("no parameter is left to run time");
-    let given = Given::new(GivenParams {}).expect("no parameter is left to run time");
+    let given = BeltsGiven::new(BeltsGivenParams {}).expect("no parameter is left to run time");
     let mut x = [[0.5], [-2.0]];
     for k in 0..8_u32 {
         let t = f64::from(k) * 0.125;
