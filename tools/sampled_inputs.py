@@ -5,13 +5,14 @@
 needs mpmath. For each output the law is the input w of its sampled chain for which the flat output y,
 the combination of the chain that the input moves last, goes on as y(k+n) + sum c_j y(k+j) = 0 with
 c_j = (-1)^(n-j) pi[M, M-1, ..., M-j]/(M-j)^(n-j), or with c_j = 0 at the end; pi has the zeros -pole.
+With a reference the chain is the tracking error, and r^(n) in the middle of the sample is added to w.
 The matrices and derivatives of the plants are written down by hand.
 """
 
 import json
 import random
 
-from mpmath import cos, factorial, ff, lu_solve, matrix, mp, mpf, sin
+from mpmath import cos, factorial, ff, lu_solve, matrix, mp, mpf, pi as half_turn, sin
 
 mp.dps = 60
 
@@ -115,41 +116,88 @@ def four(x, wanted):
     return list(lu_solve(rows, matrix(v) - free))
 
 
-# The plant, its poles, samples and period, and how large the states are.
+def rails(x, wanted):
+    """Two axes of order 3, with the input gains 2 and -1/2."""
+    v = wanted([x[:3], x[3:]])
+    return [v[0] / 2, -2 * v[1]]
+
+
+def sine(size, rate, phase):
+    """A sine as an expression, and its derivative of an order at a time."""
+    text = f"{size}*sin({rate}*t + {phase})"
+    size, rate, phase = mpf(size), mpf(rate), mpf(phase)
+    return text, lambda order, t: size * rate**order * sin(rate * t + phase + order * half_turn / 2)
+
+
+def parabola(offset, slope, curve):
+    """The same of a parabola."""
+    text = f"{offset} + {slope}*t + {curve}*t^2"
+    offset, slope, curve = mpf(offset), mpf(slope), mpf(curve)
+    return text, lambda order, t: [offset + slope * t + curve * t**2, slope + 2 * curve * t, 2 * curve, 0][order]
+
+
+# The plant, its poles, samples and period, how large the states are, and what the outputs follow.
 CASES = [
     (tank, [[-4], [-3, -4]], 40, mpf("0.25"), [0.5, 20, 20]),
     (tank, [[mpf("-1.25")], [mpf("-3.5"), mpf("-4.25")]], 100, mpf("0.05"), [0.5, 20, 20]),
     (two_link, [[-3, -4], [-3, -4]], 50, mpf("0.04"), [2, 2, 3, 3]),
     (two_link, [[-3, -4], [-6, mpf("-7.5")]], 200, mpf("0.01"), [2, 2, 3, 3]),
     (four, [[-4], [-3, -4], [-5], [mpf("-2.5"), -6]], 60, mpf("0.02"), [1, 1, 2, 1, 1, 2]),
+    (tank, [[-4], [-3, -4]], 40, mpf("0.25"), [0.5, 20, 20], [sine("0.3", "0.4", "0"), parabola("2", "-1", "0.25")]),
+    (two_link, [[-3, -4], [-6, mpf("-7.5")]], 50, mpf("0.04"), [2, 2, 3, 3], "input"),
+    (four, [[-4], [-3, -4], [-5], [mpf("-2.5"), -6]], 60, mpf("0.02"), [1, 1, 2, 1, 1, 2], "input"),
+    (rails, [[-4, -5, -6], [-3, mpf("-4.5"), -8]], 40, mpf("0.25"), [1, 2, 3, 1, 2, 3], [sine("2", "3", "1"), sine("0.5", "1.5", "2")]),
+    (rails, [[-4, -5, -6], [-3, mpf("-4.5"), -8]], 100, mpf("0.05"), [1, 2, 3, 1, 2, 3], "input"),
 ]
 
 
 def main():
     source = random.Random(1)
     cases = []
-    for plant, poles, samples, h, scale in CASES:
+    for plant, poles, samples, h, scale, *followed in CASES:
+        followed = followed[0] if followed else None
+        columns = max(map(len, poles)) + 1
         calls = []
         for k in [0, 1, samples // 3, samples // 2, samples - 8, samples - 4, samples - 2, samples - 1, samples + 3]:
             x = [source.uniform(-size, size) for size in scale]
             left = max(samples - k, 0)
+            given, now = {}, k * h
+            if followed is None:
+                r = [[mpf(0)] * columns for _ in poles]
+            elif followed == "input":
+                r = [[source.uniform(-1, 1) for _ in range(columns)] for _ in poles]
+                given = {"r": [[repr(value) for value in row] for row in r]}
+            else:
+                # The last one is that of the middle of the sample.
+                r = [[own(i, now) for i in range(len(p))] + [own(len(p), now + h / 2)]
+                     for p, (_, own) in zip(poles, followed)]
 
             def wanted(chains):
                 all_ = []
-                for own, chain in zip(poles, chains):
+                for own, chain, row in zip(poles, chains, r):
                     n = len(own)
                     # Deadbeat takes over here.
                     end = max(int(mp.ceil(max(-p for p in own))) + n - 1, 2 * n)
-                    all_.append(law(own, left, h, chain, left <= end))
+                    e = [x - mpf(r) for x, r in zip(chain, row)]
+                    all_.append(law(own, left, h, e, left <= end) + mpf(row[n]))
                 return all_
 
             u = plant([mpf(value) for value in x], wanted)
-            calls.append({"k": k, "x": [repr(value) for value in x], "u": [mp.nstr(value, 50) for value in u]})
+            calls.append({
+                "k": k,
+                "x": [repr(value) for value in x],
+                **given,
+                "u": [mp.nstr(value, 50) for value in u],
+            })
+        follows = {} if followed is None else {
+            "reference": followed if followed == "input" else [text for text, _ in followed]
+        }
         cases.append({
             "plant": plant.__name__,
             "poles": [[mp.nstr(mpf(pole), 10) for pole in own] for own in poles],
             "samples": samples,
             "h": mp.nstr(h, 10),
+            **follows,
             "calls": calls,
         })
     print(json.dumps(cases, indent=1))

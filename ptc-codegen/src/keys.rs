@@ -131,7 +131,7 @@ pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "reference",
         meaning: "reference that x1, or the output of a model, follows in place of 0",
-        legal: "an expression in t, or input: each call is given r and its n derivatives; with several outputs an expression for each",
+        legal: "an expression in t, or input: each call is given r and its n derivatives; with several outputs, or axes in samples, an expression for each",
         example: "0.1*sin(2*t)",
     },
     KeyInfo {

@@ -200,3 +200,86 @@ fn axes_are_at_rest_at_their_sample() {
     assert_eq!(hall.step(8, &x).status, Ok(Status::Hold));
     assert_eq!(hall.step(0, &[[0.0], [f64::NAN]]).status, Err(Error::Input));
 }
+
+ptc::ptc_controller!(
+    name = Belts,
+    n = 1,
+    axes = 2,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [[-2], [-3]],
+    g = [2, 1 / 2],
+    reference = [1 + 3 * t, -2 * t],
+    tau = 1,
+    sample_time = 0.125,
+    u_max = inf
+);
+
+ptc::ptc_controller!(
+    name = BeltsGiven,
+    n = 1,
+    axes = 2,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [[-2], [-3]],
+    g = [2, 1 / 2],
+    reference = input,
+    tau = 1,
+    sample_time = 0.125,
+    u_max = inf
+);
+
+/// Straight lines are met exactly, whether they are known or given with each call.
+#[test]
+fn axes_follow_references_of_their_own() {
+    let belts = Belts::new(BeltsParams {}).expect("no parameter is left to run time");
+    let given = BeltsGiven::new(BeltsGivenParams {}).expect("no parameter is left to run time");
+    let mut x = [[0.5], [-2.0]];
+    for k in 0..8_u32 {
+        let t = f64::from(k) * 0.125;
+        let all = belts.step(k, &x);
+        assert_eq!(all.axes, [Ok(Status::Ok); 2], "sample {k}");
+        let same = given.step(k, &x, &[[1.0 + 3.0 * t, 3.0], [-2.0 * t, -2.0]]);
+        assert_eq!(same.u, all.u, "sample {k}");
+        x = [[x[0][0] + 0.125 * 2.0 * all.u[0]], [x[1][0] + 0.125 * 0.5 * all.u[1]]];
+    }
+    assert!((x[0][0] - 4.0).abs() < 1e-14 && (x[1][0] + 2.0).abs() < 1e-14, "{x:?}");
+    let lost = given.step(8, &x, &[[4.0, f64::NAN], [-2.0, -2.0]]);
+    assert_eq!((lost.status, lost.u), (Err(Error::Input), [0.0; 2]));
+}
+
+ptc::ptc_controller!(
+    name = Mixer,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [[-4], [-3, -4]],
+    reference = [0.3 * sin(0.4 * t), 2 * cos(0.5 * t)],
+    tau = 4,
+    sample_time = 0.05,
+    u_max = inf,
+    states = [h, c, e],
+    inputs = [q, p],
+    outputs = [h, e],
+    dynamics = [q - h / 10, p - c * (1 + h), (c - e) * (1 + h)]
+);
+
+/// The outputs of a plant meet what they follow within what it moves between samples.
+#[test]
+fn outputs_follow_references_of_their_own() {
+    let mixer = Mixer::new(MixerParams {}).expect("no parameter is left to run time");
+    let (period, mut x) = (0.05, [0.3, 10.0, 5.0]);
+    let rate = |[h, c, e]: [f64; 3], [q, p]: [f64; 2]| {
+        [q - h / 10.0, p - c * (1.0 + h), (c - e) * (1.0 + h)]
+    };
+    for k in 0..80_u32 {
+        let all = mixer.step(k, &x);
+        assert_eq!(all.status, Ok(Status::Ok), "sample {k}");
+        for _ in 0..64 {
+            let (first, s) = (rate(x, all.u), period / 64.0);
+            let middle = rate([0, 1, 2].map(|i| x[i] + s / 2.0 * first[i]), all.u);
+            x = [0, 1, 2].map(|i| x[i] + s * middle[i]);
+        }
+    }
+    let off = [x[0] - 0.3 * 1.6_f64.sin(), x[2] - 2.0 * 2.0_f64.cos()];
+    assert!(off[0].abs() < 2e-4 && off[1].abs() < 2e-3, "{off:?}");
+}

@@ -203,8 +203,9 @@ const DESIGNS: [Keys; 23] = [
 ];
 
 /// Plants with several inputs: of different orders with held gains, a mechanical one with all left to run time,
-/// one whose inputs are solved for, one that they do not decouple everywhere; and axes, apart and alike.
-const OF_INPUTS: [Keys; 6] = [
+/// one whose inputs are solved for, one that they do not decouple everywhere; and axes, apart and alike. Behind
+/// them some that follow references, known and given with each call.
+const OF_INPUTS: [Keys; 10] = [
     &[
         ("mu", "exp(a=1)"),
         ("poles", "[[-4],[-3,-4.5]]"),
@@ -258,6 +259,47 @@ const OF_INPUTS: [Keys; 6] = [
         ("tau", "0.3"),
     ],
     &[("n", "3"), ("axes", "2"), ("mu", "exp"), ("precision", "f32"), ("eps", "0.02"), ("g", "3")],
+    &[
+        ("mu", "exp(a=1)"),
+        ("poles", "[[-4],[-3,-4.5]]"),
+        ("limits", "2,3"),
+        ("reference", "input"),
+        ("states", "h, c, e"),
+        ("inputs", "q, p"),
+        ("outputs", "h, e"),
+        ("dynamics", "q - 0.1*h, p - c*(1 + h), (c - e)*(1 + h)"),
+    ],
+    &[
+        ("mu", "exp"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+        ("eps", "0.04"),
+        ("reference", "size*dt^2/(1 + t^2), 0"),
+        ("states", "q1, q2, w1, w2"),
+        ("inputs", "F1, F2"),
+        ("inertia", "[[m + q2^2, q2], [q2, 1]]"),
+        ("bias", "[m*q2*w1*w2, w1^2/2 - q1]"),
+    ],
+    &[
+        ("n", "2"),
+        ("axes", "3"),
+        ("mu", "exp(a=1)"),
+        ("poles", "[[-4,-5],[-3+i,-3-i],[-6,-7.5]]"),
+        ("precision", "f32"),
+        ("limits", "1,2,3"),
+        ("g", "[0.5,2,-1]"),
+        ("reference", "1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+    ],
+    &[
+        ("n", "3"),
+        ("axes", "2"),
+        ("mu", "exp"),
+        ("guard", "none"),
+        ("reference", "input"),
+        ("g", "3"),
+    ],
 ];
 
 /// A stage whose position alone is measured, with a delay and a force that is not known.

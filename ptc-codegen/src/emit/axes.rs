@@ -35,7 +35,9 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
         let limit = axes.limits.get(index).map(|limit| format!("u_max = {limit}"));
         let gain = axes.input_gains.get(index).map(|g| format!("g = {g}"));
         let own: Vec<_> = [gains, limit, gain].into_iter().flatten().collect();
-        lines.push(format!("  {each} {}: {}", index + 1, own.join("; ")));
+        if !own.is_empty() {
+            lines.push(format!("  {each} {}: {}", index + 1, own.join("; ")));
+        }
     }
     lines
 }

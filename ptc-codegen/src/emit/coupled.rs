@@ -12,17 +12,20 @@ pub(super) fn references(spec: &Spec) -> Vec<String> {
             "  e_i = x_i - r^(i-1) of each output, where row j of r holds r^(0)..r^(n) of output j, n its order".to_owned(),
         ];
     }
-    let each: Vec<_> = (1..)
-        .zip(spec.known_references())
-        .map(|(output, derivatives)| {
-            let rates = (1..).zip(&derivatives[1..]).map(|(i, r)| format!(", r^({i}) = {r}"));
-            format!("  of output {output}: r = {}{}", derivatives[0], rates.collect::<String>())
-        })
-        .collect();
+    let each = known_references(spec, "output");
     if each.is_empty() {
         return each;
     }
     [vec!["  e_i = x_i - r^(i-1) with the reference r of the output:".to_owned()], each].concat()
+}
+
+/// What each output, or axis, follows, with the derivatives.
+pub(super) fn known_references(spec: &Spec, each: &str) -> Vec<String> {
+    let of_each = |(index, derivatives): (usize, &[Expression])| {
+        let rates = (1..).zip(&derivatives[1..]).map(|(i, r)| format!(", r^({i}) = {r}"));
+        format!("  of {each} {index}: r = {}{}", derivatives[0], rates.collect::<String>())
+    };
+    (1..).zip(spec.known_references()).map(of_each).collect()
 }
 
 /// How u follows from what is wanted of the outputs.

@@ -1,17 +1,20 @@
 //! The reference of a controller in samples in the head of an emitted file.
 
-use super::formulas;
+use super::{coupled, formulas};
 use crate::request::{Reference, Sampled, Spec};
+
+/// When t of a known reference is, and what its rho is.
+const MIDDLE: &str = "t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in which u acts:";
 
 /// What becomes of the tracking error, and how the reference enters the law; nothing without one.
 pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
+    if spec.axes.is_some() {
+        return of_several(spec);
+    }
     let n = spec.n;
     let (what, given) = match &spec.reference {
         None => return Vec::new(),
-        Some(Reference::Known(_)) => {
-            let middle = "t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in which u acts:";
-            (middle.to_owned(), formulas::of_reference(spec))
-        }
+        Some(Reference::Known(_)) => (MIDDLE.to_owned(), formulas::of_reference(spec)),
         Some(Reference::Input) => (
             format!(
                 "e_i = x_i - r[i-1] with r[0]..r[{}] the reference and its derivatives at tick k, and rho = r[{n}], r^(n) over the sample in which u acts: its mean, (r^(n-1)(t + h) - r^(n-1)(t))/h, or that in its middle.",
@@ -29,6 +32,28 @@ pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     let order = if n == 1 { format!("h^{left}") } else { format!("h^({left}-i)") };
     let head = format!(
         "With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and {over}{under_way}. At sample N e is 0 where r^(n) is constant over each sample; else an error of order {order} is left in e_i."
+    );
+    [head, what].into_iter().chain(given).collect()
+}
+
+/// The same of several outputs, or axes.
+fn of_several(spec: &Spec) -> Vec<String> {
+    let (each, enters) = match spec.decoupled() {
+        Some(_) => ("output", "law_i = v_i + rho of output i is in place of v_i"),
+        None => ("axis", "u = w + rho/g of each axis"),
+    };
+    let (what, given) = match &spec.reference {
+        None => return Vec::new(),
+        Some(Reference::Known(_)) => (MIDDLE.to_owned(), coupled::known_references(spec, each)),
+        Some(Reference::Input) => (
+            format!(
+                "Row i of r is of {each} i, of order n: in its places 0..n-1 the reference and its derivatives at tick k, and in place n rho, r^(n) over the sample in which u acts: its mean, (r^(n-1)(t + h) - r^(n-1)(t))/h, or that in its middle."
+            ),
+            Vec::new(),
+        ),
+    };
+    let head = format!(
+        "With a reference r of each {each}, e_i = x_i - r^(i-1) is in place of x_i above, and {enters}. What r^(n) changes over a sample leaves an error of order h^(n+2-i) in e_i at sample N, h^3 for n = 1, and none where it is constant there."
     );
     [head, what].into_iter().chain(given).collect()
 }

@@ -96,10 +96,11 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
 
 /// What becomes of the plant, by which law, and of what with a reference.
 fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
-    match &spec.coupled {
+    let plant = match &spec.coupled {
         Some(coupled) => of_outputs(coupled),
-        None => [of_chain(spec, sampled).to_vec(), followed::lines(spec, sampled)].concat(),
-    }
+        None => of_chain(spec, sampled).to_vec(),
+    };
+    [plant, followed::lines(spec, sampled)].concat()
 }
 
 fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {

@@ -5,18 +5,20 @@ use super::builder::Builder;
 use super::closed_loop::no_limits;
 use super::coupled::inputs;
 use super::plant::{Form, cheapest, control};
-use crate::algebra::integer;
+use crate::algebra::{BigRational, integer};
 use crate::expression::{Expression, Variable};
 use crate::model::Coupled;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Op, Program};
-use crate::request::{Reference, Sampled, Spec};
+use crate::request::{Sampled, Spec};
 
 /// x_1..x_n of the states of the model of `spec`, all watched, or of each output in turn; its step is
 /// u = (w - f)/g, or that of each input, where [`Input::Wanted`] stands for w, the last rate that is wanted of
 /// an output, that of the reference included.
 pub fn at_sample(spec: &Spec) -> Program {
-    let spec = &Spec { reference: None, ..spec.clone() };
+    let mut spec = Spec { reference: None, ..spec.clone() };
+    spec.axes.iter_mut().for_each(|axes| axes.references.clear());
+    let spec = &spec;
     match spec.decoupled() {
         Some(coupled) => of_outputs(spec, coupled),
         None => cheapest(spec, false, &|form| of_form(spec, form)),
@@ -36,25 +38,27 @@ fn of_form(spec: &Spec, form: Form) -> Program {
 
 /// The known reference of `spec` at time t since the start, that of a sample: r, ..., r^(n-1) there, then r^(n)
 /// in the middle of the time in which the input of this sample acts, and of those in which the inputs under
-/// way act; all watched.
+/// way act; all watched, of several outputs one after the other.
 pub fn reference_at_sample(spec: &Spec, sampled: &Sampled) -> Program {
-    let Some(Reference::Known(derivatives)) = &spec.reference else {
-        crate::internal::fault("no reference is known")
-    };
-    let at = |order: usize, time: &Expression| {
-        derivatives[order].substitute(&|e| {
+    let at = |derivative: &Expression, time: &Expression| {
+        derivative.substitute(&|e| {
             matches!(e.variable()?, Variable::Time | Variable::Elapsed).then(|| time.clone())
         })
     };
     let period = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
     let period = period.map_or(Parameter::SampleTime.into(), |h| Expression::from(h.clone()));
     let now = Expression::from(Variable::Time);
-    let mut all: Vec<_> = (0..spec.n).map(|order| at(order, &now)).collect();
-    for middle in sampled.middles() {
+    let middle = |middle: BigRational| {
         let time = now.clone().add(Expression::from(middle.clone()).mul(period.clone()));
         // Before the start there is no reference.
-        let time = if middle < integer(0) { time.max(Expression::integer(0)) } else { time };
-        all.push(at(spec.n, &time));
+        if middle < integer(0) { time.max(Expression::integer(0)) } else { time }
+    };
+    let middles: Vec<_> = sampled.middles().map(middle).collect();
+    let mut all = Vec::new();
+    for derivatives in spec.known_references() {
+        let Some((last, below)) = derivatives.split_last() else { continue };
+        all.extend(below.iter().map(|derivative| at(derivative, &now)));
+        all.extend(middles.iter().map(|middle| at(last, middle)));
     }
     super::closed_loop::plant(spec, &all)
 }

@@ -20,8 +20,9 @@ pub(super) struct Builder<'a> {
     pub(super) fields: Vec<Variable>,
     /// The value that `init` gives each field.
     pub(super) values: Vec<(String, Shape, Expr)>,
-    /// r^(n) over the time in which the latest input acts, and those under way; empty without a reference.
-    pub(super) rates: Vec<Expr>,
+    /// Of each output, r^(n) over the time in which the latest input acts, and those under way; empty without a
+    /// reference.
+    pub(super) rates: Vec<Vec<Expr>>,
     /// The design of each output or axis, where there are several.
     pub(super) designs: &'a [Spec],
     /// The output or axis whose law is put together, from 1, where there are several.
@@ -239,7 +240,8 @@ impl Builder<'_> {
         let (real, count) = (Shape::Real, Shape::Count);
         let mut model = self.spec.model.is_some().then(|| AtSample::new(self));
         let element = |j| Expr::Element(given.to_owned(), j);
-        let elements = (0..measured).map(element).chain(self.given_reference());
+        let elements = (0..measured).map(element);
+        let elements = elements.chain(self.given_references().into_iter().flatten());
         let mut body: Vec<_> = self.finite(elements).into_iter().collect();
         body.push(Self::elapsed(start));
         self.remember_inputs(1);

@@ -12,7 +12,8 @@ impl Builder<'_> {
     pub(super) fn step_of_inputs(&mut self, start: &Expr, samples: &Expr) -> Function {
         let m = self.designs.len();
         let states = (0..self.sampled.measured).map(|place| self.state(place));
-        let mut body: Vec<_> = self.finite(states).into_iter().collect();
+        let given = states.chain(self.given_references().into_iter().flatten());
+        let mut body: Vec<_> = self.finite(given).into_iter().collect();
         body.push(Self::elapsed(start));
         let (statements, values) = match self.spec.decoupled() {
             Some(_) => self.of_plant(samples),
@@ -37,7 +38,10 @@ impl Builder<'_> {
             about,
             owner: Owner::Controller,
             access: Access::Read,
-            arguments: vec![Variable::new("k", Shape::Count, "tick"), Variable::new("x", shape, x)],
+            arguments: [Variable::new("k", Shape::Count, "tick"), Variable::new("x", shape, x)]
+                .into_iter()
+                .chain(self.reference())
+                .collect(),
             callbacks: Vec::new(),
             results: vec![
                 Variable::new("u", Shape::Reals(m), u),
@@ -58,6 +62,7 @@ impl Builder<'_> {
         let mut model = AtSample::new(self);
         let mut body = vec![Statement::Note("The chain of each output.".to_owned())];
         body.extend(model.chain(self));
+        body.extend(self.follow());
         body.extend(self.laws(samples));
         body.push(Statement::Note("The inputs that give all of them.".to_owned()));
         let (before, inputs) = model.inputs(self);
@@ -79,6 +84,7 @@ impl Builder<'_> {
             Statement::Let(name, Shape::Real, self.state(place))
         };
         let mut body: Vec<_> = (0..self.sampled.measured).map(local).collect();
+        body.extend(self.follow());
         body.extend(self.laws(samples));
         let law = |axis| Expr::local(format!("law_{axis}"));
         (body, (1..=self.designs.len()).map(law).collect())
@@ -86,9 +92,16 @@ impl Builder<'_> {
 
     /// What it does, the state that it is given, and what it gives, in words.
     fn about(&self) -> [String; 3] {
+        let follows = self.spec.references() > 0;
         let Some(coupled) = self.spec.decoupled() else {
+            let given = match follows {
+                true => "the state x = (x1, x1', ...) and the reference r of each",
+                false => "the state x = (x1, x1', ...) of each",
+            };
             return [
-                "u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each. Where one of them is not finite, every u is 0; else the status is SATURATED where one was clipped.".to_owned(),
+                format!(
+                    "u of each axis from tick `k`, which may wrap, and {given}. Where one of them is not finite, every u is 0; else the status is SATURATED where one was clipped."
+                ),
                 "state of each axis: x1, its rate, ...".to_owned(),
                 "input of each axis".to_owned(),
             ];
@@ -96,7 +109,9 @@ impl Builder<'_> {
         let [states, inputs] = [&coupled.states, &coupled.inputs].map(|all| Name::listed(all));
         [
             format!(
-                "u = ({inputs}) from tick `k`, which may wrap, and state x = ({states}). {}",
+                "u = ({inputs}) from tick `k`, which may wrap, {}state x = ({states}){}. {}",
+                if follows { "" } else { "and " },
+                if follows { " and the reference r of each output" } else { "" },
                 Inputs::ENDS
             ),
             format!("state: {states}"),

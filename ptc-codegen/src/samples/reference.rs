@@ -12,26 +12,44 @@ use std::ops::{Mul, Sub};
 use super::controller::Builder;
 use super::staged::{Names, Staged};
 use crate::algebra::integer;
-use crate::code::{Expr, Place, Shape, Statement, Variable};
+use crate::code::{Cell, Expr, Place, Shape, Statement, Variable};
 use crate::lower::reference_at_sample;
 use crate::parameter::Parameter;
-use crate::request::Reference;
+use crate::request::{Reference, Spec};
 
 impl Builder<'_> {
     /// What a call is given of the reference, where it is.
     pub(super) fn reference(&self) -> Option<Variable> {
         let count = Some(self.spec.references()).filter(|count| *count > 0)?;
+        if self.designs.is_empty() {
+            let about = format!(
+                "reference and its derivatives at tick `k`, up to that of order {}; the last one is that of order {} over the sample in which u acts: its mean, or that in the middle",
+                count - 2,
+                count - 1
+            );
+            return Some(Variable::new("r", Shape::Reals(count), about));
+        }
+        let orders: Vec<_> = self.designs.iter().map(|own| own.n.to_string()).collect();
+        let each = if self.spec.decoupled().is_some() { "output" } else { "axis" };
         let about = format!(
-            "reference and its derivatives at tick `k`, up to that of order {}; the last one is that of order {} over the sample in which u acts: its mean, or that in the middle",
-            count - 2,
-            count - 1
+            "for each {each} its reference and the derivatives at tick `k`, and behind them, in the place of its order, {}, that of this order over the sample in which u acts: its mean, or that in the middle",
+            orders.join(", ")
         );
-        Some(Variable::new("r", Shape::Reals(count), about))
+        Some(Variable::new("r", Shape::Lists(orders.len(), count), about))
     }
 
-    /// The numbers of the reference that a call is given.
-    pub(super) fn given_reference(&self) -> impl Iterator<Item = Expr> + use<> {
-        (0..self.spec.references()).map(|j| Expr::Element("r".to_owned(), j))
+    /// What a call is given of the reference of each output, and reads: up to that of its order.
+    pub(super) fn given_references(&self) -> Vec<Vec<Expr>> {
+        let columns = self.spec.references();
+        let r = || "r".to_owned();
+        let of_row = |(row, own): (usize, &Spec)| {
+            (0..=own.n).map(|column| Expr::Entry(r(), Cell { row, column, columns })).collect()
+        };
+        match self.designs {
+            _ if columns == 0 => Vec::new(),
+            [] => vec![(0..columns).map(|j| Expr::Element(r(), j)).collect()],
+            all => all.iter().enumerate().map(of_row).collect(),
+        }
     }
 
     /// State j, from 1, of the chain that the law brings to 0.
@@ -42,64 +60,95 @@ impl Builder<'_> {
 
     /// rho of the input of `age` samples ago, 0 for that of now, as an input.
     pub(super) fn rate(&self, age: usize) -> Expr {
-        match self.rates.get(age) {
+        let output = self.output.map_or(0, |output| output - 1);
+        match self.rates.get(output).and_then(|rates| rates.get(age)) {
             Some(rate) => Expr::Number(integer(1) / &self.sampled.gain).mul(rate.clone()),
             None => Expr::integer(0),
         }
     }
 
-    /// Statements that set e1..en from x1..xn and the reference, which give [`rate`](Self::rate) its values.
+    /// Statements that set e1..en of each output from x1..xn and its reference, which give [`rate`](Self::rate)
+    /// its values.
     pub(super) fn follow(&mut self) -> Vec<Statement> {
-        let inputs = self.sampled.delay.inputs();
         let (mut body, wanted) = match self.spec.reference {
             None => return Vec::new(),
-            Some(Reference::Input) => {
-                for age in 1..=inputs {
-                    let about = format!("last one of r, {age} samples ago");
-                    self.remember(&format!("rho{age}"), &about);
-                }
-                let mut given: Vec<_> = self.given_reference().collect();
-                let wanted = given.drain(..self.spec.n).collect();
-                let under_way = (1..=inputs).map(|age| Expr::field(format!("rho{age}")));
-                self.rates = given.into_iter().chain(under_way).collect();
-                (Vec::new(), wanted)
-            }
-            Some(Reference::Known(_)) => self.known_reference(),
+            Some(Reference::Input) => (Vec::new(), self.remembered_references()),
+            Some(Reference::Known(_)) => self.known_references(),
         };
         body.insert(0, Statement::Note("The tracking error.".to_owned()));
-        for (wanted, j) in wanted.into_iter().zip(1..) {
-            let error = Expr::local(format!("x{j}")).sub(wanted);
-            body.push(Statement::Let(format!("e{j}"), Shape::Real, error));
+        let orders = self.orders();
+        for ((mut wanted, n), output) in wanted.into_iter().zip(orders).zip(1..) {
+            self.rates.push(wanted.split_off(n));
+            for (wanted, j) in wanted.into_iter().zip(1..) {
+                let error = Expr::local(self.of_output(&format!("x{j}"), output)).sub(wanted);
+                let name = self.of_output(&format!("e{j}"), output);
+                body.push(Statement::Let(name, Shape::Real, error));
+            }
         }
         body
     }
 
-    /// Statements before the values of a known reference, and r, r', ...
-    fn known_reference(&mut self) -> (Vec<Statement>, Vec<Expr>) {
+    /// The order of each output, or of the only one.
+    fn orders(&self) -> Vec<usize> {
+        match self.designs {
+            [] => vec![self.spec.n],
+            all => all.iter().map(|own| own.n).collect(),
+        }
+    }
+
+    /// The name of a value of an output, from 1.
+    fn of_output(&self, name: &str, output: usize) -> String {
+        match self.designs {
+            [] => name.to_owned(),
+            _ => format!("{name}_{output}"),
+        }
+    }
+
+    /// What a call is given of each reference, and rho of the inputs under way.
+    fn remembered_references(&mut self) -> Vec<Vec<Expr>> {
+        let mut given = self.given_references();
+        // Several inputs are not late.
+        let inputs = self.sampled.delay.inputs();
+        for age in 1..=inputs {
+            let about = format!("last one of r, {age} samples ago");
+            self.remember(&format!("rho{age}"), &about);
+        }
+        let under_way = (1..=inputs).map(|age| Expr::field(format!("rho{age}")));
+        given.iter_mut().take(1).for_each(|first| first.extend(under_way.clone()));
+        given
+    }
+
+    /// Statements before the values of known references, and r, r', ..., rho of each.
+    fn known_references(&mut self) -> (Vec<Statement>, Vec<Vec<Expr>>) {
         let h = self.parameter(Parameter::SampleTime);
         let h = self.keep(Parameter::SampleTime.key(), Parameter::SampleTime.meaning(), h);
         let time = Expr::local("elapsed").real().mul(h);
-        let of_time = (0..self.spec.n).map(|order| format!("reference{order}"));
-        let names = of_time.chain((0..=self.sampled.delay.inputs()).map(|age| format!("rho{age}")));
+        let (orders, inputs) = (self.orders(), self.sampled.delay.inputs());
+        let mut watched = Vec::new();
+        for (n, output) in orders.iter().zip(1..) {
+            let of_time = (0..*n).map(|order| format!("reference{order}"));
+            let names = of_time.chain((0..=inputs).map(|age| format!("rho{age}")));
+            watched.extend(names.map(|name| self.of_output(&name, output)));
+        }
         let program = reference_at_sample(self.spec, self.sampled);
-        let names = Names { watched: names.collect(), wanted: Vec::new(), letters: ["c_r", "v_r"] };
+        let names = Names { watched, wanted: Vec::new(), letters: ["c_r", "v_r"] };
         let (mut body, values) = Staged::new(program, names).watched(self);
-        let mut values: Vec<_> = values.into_iter().map(|(_, value)| value).collect();
+        let values: Vec<_> = values.into_iter().map(|(_, value)| value).collect();
         if values.iter().any(|value| !value.is_constant()) {
             body.insert(0, Statement::Let("t".to_owned(), Shape::Real, time));
         }
-        self.rates = values.split_off(self.spec.n);
-        (body, values)
+        let mut values = values.into_iter();
+        let each = orders.iter().map(|n| values.by_ref().take(n + inputs + 1).collect()).collect();
+        (body, each)
     }
 
     /// rho of the inputs under way, where each call is given it, is a sample older.
     pub(super) fn shift_rates(&self) -> Vec<Statement> {
-        if self.spec.references() == 0 {
+        let Some(rates) = self.rates.first().filter(|_| self.spec.references() > 0) else {
             return Vec::new();
-        }
-        let set = |age: usize| {
-            Statement::Set(Place::Field(format!("rho{age}")), self.rates[age - 1].clone())
         };
-        (1..self.rates.len()).rev().map(set).collect()
+        let set =
+            |age: usize| Statement::Set(Place::Field(format!("rho{age}")), rates[age - 1].clone());
+        (1..rates.len()).rev().map(set).collect()
     }
 }

@@ -181,3 +181,30 @@ fn an_objective_of_the_error_has_a_value_or_fails() {
         assert_eq!(holds, has_values, "{h}");
     }
 }
+
+/// Axes in samples: each has its error, in the loop that runs.
+#[test]
+fn axes_in_samples_have_their_errors() {
+    let text = "n = 2\naxes = 2\nclock = \"samples\"\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n\
+        reference = [\"0.1*sin(2*t)\", \"0.2*t\"]\nsample_time = 1e-2\n[params]\ntau = 1\n[verify]\n\
+        x1_1 = [-0.5, 0.5]\nx2_1 = 0\nx1_2 = [-0.5, 0.5]\nx2_2 = 0\nscenarios = 3\n\
+        [[objective]]\nbound = \"attractive\"\nerror = 1e-4\n\
+        [[objective]]\nbound = \"within\"\nh = \"e2_1 - x2_1 + 0.2*cos(2*t)\"\nlow = 0\nhigh = 0\n\
+        [[objective]]\nbound = \"within\"\nh = \"e1_2 - x1_2 + 0.2*t\"\nlow = 0\nhigh = 0\n";
+    let campaign = campaign(text);
+    for index in 0..3 {
+        let all = instants(&campaign, index);
+        for Instant { t, x, errors, excess, .. } in &all {
+            let wanted = [0.1 * (2.0 * t).sin(), 0.2 * (2.0 * t).cos(), 0.2 * t, 0.2];
+            let by_hand = x.iter().zip(wanted).map(|(x, r)| x - r);
+            assert_eq!(errors.len(), 4);
+            assert!(errors.iter().zip(by_hand).all(|(e, own)| (e - own).abs() < 1e-14));
+            assert!(excess[1..].iter().all(|off| *off < 1e-14), "{excess:?}");
+        }
+        let last = all.last().expect("an instant");
+        assert!(last.excess[0] < 0.0, "{last:?}");
+        // r'' of the second does not move between samples, and r''' of the first is up to 0.8.
+        assert!(last.errors[2].abs() < 1e-14 && last.errors[3].abs() < 1e-12, "{last:?}");
+        assert!(last.errors[1].abs() > 1e-8, "{last:?}");
+    }
+}

@@ -57,8 +57,10 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("tank.toml"), TANK).expect("writable");
     fs::write(folder.join("two_link.toml"), ROBOT).expect("writable");
     fs::write(folder.join("cart.toml"), CART).expect("writable");
-    assert_eq!(blocks_of(REFERENCES, "toml"), [TRACK]);
+    let [track, pick] = &blocks_of(REFERENCES, "toml")[..] else { panic!("designs") };
+    assert_eq!(track, TRACK);
     fs::write(folder.join("track.toml"), TRACK).expect("writable");
+    fs::write(folder.join("pick.toml"), pick).expect("writable");
     let [gantry, quadrotor, coupling] = &blocks_of(AXES, "toml")[..] else { panic!("designs") };
     assert_eq!([gantry, quadrotor], [GANTRY, QUADROTOR]);
     fs::write(folder.join("coupled.toml"), format!("{GANTRY}\n{coupling}")).expect("writable");

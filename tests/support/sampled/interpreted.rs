@@ -19,9 +19,9 @@ def show(value):
     value = float(value)
     return "nan" if math.isnan(value) else struct.pack(">d", value).hex()
 designs = []
-for folder, name, kind, real, layout, given, measured, columns in DESIGNS:
+for folder, name, kind, real, layout, given, measured, columns, row in DESIGNS:
     sys.path.insert(0, folder)
-    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given, measured, columns))
+    designs.append((importlib.import_module(name), kind, getattr(np, real), layout, given, measured, columns, row))
 held = [None] * len(designs)
 count = 0
 for line in sys.stdin:
@@ -29,7 +29,7 @@ for line in sys.stdin:
     count += 1
     if word == "D":
         at = int(rest[0])
-        module, kind, real, layout, given, measured, columns = designs[at]
+        module, kind, real, layout, given, measured, columns, row = designs[at]
     elif word == "I":
         values, params = [number(one) for one in rest], {}
         for name, length in layout:
@@ -59,7 +59,8 @@ for line in sys.stdin:
             x, r = given_now[:measured], given_now[measured:]
             if columns:
                 x = np.reshape(x, (-1, columns))
-            u, *axes, status = held[at].step(k, x, *([r] if r else []))
+            r = [np.reshape(r, (-1, row)) if row else r] if r else []
+            u, *axes, status = held[at].step(k, x, *r)
             if axes:
                 [axes] = axes
                 assert (u.dtype, axes.dtype, status.dtype) == (real, np.int8, np.int8), module
@@ -106,10 +107,11 @@ fn in_interpreter(
         let given: Vec<_> = design.given().map(|(f, _)| format!("\"{}\"", f.name)).collect();
         let (home, name, kind) = (design.folder.display(), &design.code.name, design.kind());
         let (layout, given) = (layout.join(", "), given.join(", "));
-        let (measured, columns) = (design.measured(), design.columns().unwrap_or(0));
+        let measured = design.measured();
+        let [columns, row] = [design.columns(), design.row()].map(|length| length.unwrap_or(0));
         writeln!(
             table,
-            "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}], {measured}, {columns}),"
+            "(\"{home}\", \"{name}\", \"{kind}\", \"{real}\", [{layout}], [{given}], {measured}, {columns}, {row}),"
         )
         .expect("a string");
     }
@@ -137,7 +139,7 @@ def called(at, **inputs):
     unit.execute(memory)
     return memory
 units, held, layouts, givens, reals, inputs, observes, counts = [], [], [], [], [], [], [], []
-for folder, name, kind, real, layout, given, measured, _ in DESIGNS:
+for folder, name, kind, real, layout, given, measured, _, _ in DESIGNS:
     with open(f"{folder}/{name}.st") as file:
         unit = Library(file.read()).units[name]
     units.append(unit)
@@ -232,20 +234,19 @@ function drive(designs)
                 self{at} = arm(self{at}, k);
             else
                 x = cellfun(@hex2num, words(3:end));
-                if d.columns x = reshape(x, d.columns, [])'; end
+                given_now = {x(1:min(d.measured, end))};
+                if d.columns given_now{1} = reshape(given_now{1}, d.columns, [])'; end
+                if numel(x) > d.measured given_now{2} = x(d.measured + 1:end); end
+                if d.row given_now{2} = reshape(given_now{2}, d.row, [])'; end
                 if strcmp(d.call, 'update')
                     [status, self{at}] = step(self{at}, k, x(1:end - 1), x(end));
                 elseif d.inputs
-                    [u, axes, status] = step(self{at}, k, x);
+                    [u, axes, status] = step(self{at}, k, given_now{:});
                     if ~isa(axes, 'int32') error('types'); end
+                elseif d.changes
+                    [u, status, self{at}] = step(self{at}, k, given_now{:});
                 else
-                    given_now = {x(1:d.measured)};
-                    if numel(x) > d.measured given_now{2} = x(d.measured + 1:end); end
-                    if d.changes
-                        [u, status, self{at}] = step(self{at}, k, given_now{:});
-                    else
-                        [u, status] = step(self{at}, k, given_now{:});
-                    end
+                    [u, status] = step(self{at}, k, given_now{:});
                 end
                 if ~isa(status, 'int32') error('types'); end
                 text = sprintf('S %d', status);
@@ -286,7 +287,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
         writeln!(
             table,
             "designs{{{}}} = struct('folder', '{}', 'name', '{}', 'real', '{real}', 'names', {{{{{}}}}}, \
-             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'inputs', {}, 'columns', {}, 'call', '{}', 'measured', {});",
+             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'inputs', {}, 'columns', {}, 'row', {}, 'call', '{}', 'measured', {});",
             i + 1,
             design.folder.display(),
             design.code.name,
@@ -296,6 +297,7 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
             u8::from(changes),
             u8::from(design.code.axes().is_some()),
             design.columns().unwrap_or(0),
+            design.row().unwrap_or(0),
             step.name,
             design.measured()
         )

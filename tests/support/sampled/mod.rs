@@ -78,22 +78,32 @@ impl Design {
         found.and_then(|a| a.shape.length()).unwrap_or(0)
     }
 
-    /// How many of them stand in a row, where a step is given those of each axis in one.
+    /// How many states stand in a row, where a step is given those of each axis in one.
     fn columns(&self) -> Option<usize> {
-        self.called().arguments.iter().find_map(|a| match a.shape {
+        self.row_of("x")
+    }
+
+    /// How many numbers of the reference stand in a row, where a step is given that of each output in one.
+    fn row(&self) -> Option<usize> {
+        self.row_of("r")
+    }
+
+    fn row_of(&self, argument: &str) -> Option<usize> {
+        let found = self.called().arguments.iter().find(|a| a.name == argument);
+        match found?.shape {
             Shape::Lists(_, columns) => Some(columns),
             _ => None,
-        })
+        }
     }
 
     /// Statements of C that read what is measured into `x`, and the reference into `r`.
     fn read_in_c(&self) -> String {
-        let place = |j: usize| match self.columns() {
+        let place = |columns: Option<usize>, j: usize| match columns {
             Some(columns) => format!("[{}][{}]", j / columns, j % columns),
             None => format!("[{j}]"),
         };
-        let x = (0..self.measured()).map(|j| format!("x{}", place(j)));
-        let r = (0..self.references()).map(|j| format!("r[{j}]"));
+        let x = (0..self.measured()).map(|j| format!("x{}", place(self.columns(), j)));
+        let r = (0..self.references()).map(|j| format!("r{}", place(self.row(), j)));
         x.chain(r).map(|to| format!("{to} = ({})number(); ", self.real())).collect()
     }
 

@@ -76,20 +76,21 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             })
             .collect();
         let read = design.read_in_c();
-        let shape = match design.columns() {
-            Some(columns) => format!("[{}][{columns}]", m / columns),
-            None => format!("[{m}]"),
+        let shape = |count: usize, columns: Option<usize>| match columns {
+            Some(columns) => format!("[{}][{columns}]", count / columns),
+            None => format!("[{count}]"),
         };
         let (r, of_r) = match design.references() {
             0 => ("", String::new()),
-            count => ("r, ", format!("{real} r[{count}]; ")),
+            count => ("r, ", format!("{real} r{}; ", shape(count, design.row()))),
         };
+        let shape = shape(m, design.columns());
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
                 "{real} u = ({real})number(); printf(\"S %d\", (int){name}_update(&self{i}, k, x, u));"
             ),
             (false, Some(m)) => format!(
-                "{real} u[{m}]; ptc_status axes[{m}]; printf(\"S %d\", (int){name}_step(&self{i}, k, x, u, axes)); \
+                "{real} u[{m}]; ptc_status axes[{m}]; printf(\"S %d\", (int){name}_step(&self{i}, k, x, {r}u, axes)); \
                  for (int j = 0; j < {m}; j++) show((double)u[j]); for (int j = 0; j < {m}; j++) printf(\" %d\", (int)axes[j]);"
             ),
             (false, None) => format!(
@@ -144,22 +145,23 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             })
             .collect();
         let read = design.read_in_c();
-        let array = match design.columns() {
+        let array = |count: usize, columns: Option<usize>| match columns {
             Some(columns) => {
-                format!("std::array<std::array<{real}, {columns}>, {}>", m / columns)
+                format!("std::array<std::array<{real}, {columns}>, {}>", count / columns)
             }
-            None => format!("std::array<{real}, {m}>"),
+            None => format!("std::array<{real}, {count}>"),
         };
         let (r, of_r) = match design.references() {
             0 => ("", String::new()),
-            count => (", r", format!("std::array<{real}, {count}> r{{}}; ")),
+            count => (", r", format!("{} r{{}}; ", array(count, design.row()))),
         };
+        let array = array(m, design.columns());
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
                 "const auto u = static_cast<{real}>(number()); printf(\"S %d\", static_cast<int>(self{i}.update(k, x, u)));"
             ),
             (false, Some(_)) => format!(
-                "const auto c = self{i}.step(k, x); printf(\"S %d\", static_cast<int>(c.status)); \
+                "const auto c = self{i}.step(k, x{r}); printf(\"S %d\", static_cast<int>(c.status)); \
                  for (const auto e : c.u) show(double(e)); for (const auto e : c.axes) printf(\" %d\", static_cast<int>(e));"
             ),
             (false, None) => format!(

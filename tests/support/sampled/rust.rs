@@ -86,19 +86,20 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
             })
             .collect();
         let values = |count| (0..count).map(value).collect::<Vec<_>>();
-        let x = match design.columns() {
+        let array = |count: usize, columns: Option<usize>| match columns {
             Some(columns) => {
-                let rows = values(m)
+                let rows = values(count)
                     .chunks(columns)
                     .map(|row| format!("[{}]", row.join(", ")))
                     .collect::<Vec<_>>();
                 rows.join(", ")
             }
-            None => values(m).join(", "),
+            None => values(count).join(", "),
         };
+        let x = array(m, design.columns());
         let r = match design.references() {
             0 => String::new(),
-            count => format!(", &[{}]", values(count).join(", ")),
+            count => format!(", &[{}]", array(count, design.row())),
         };
         let step = match (design.observes(), design.code.axes()) {
             (true, _) => format!(
@@ -106,7 +107,7 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
                 value(0)
             ),
             (false, Some(_)) => format!(
-                "let c = this.step(k, &[{x}]); let number = |s| outcome!({name}, s).map_or_else(|e| e, |s| status!({name}, s)); \
+                "let c = this.step(k, &[{x}]{r}); let number = |s| outcome!({name}, s).map_or_else(|e| e, |s| status!({name}, s)); \
                  print!(\"S {{}}\", number(c.status)); for u in c.u {{ show(f64::from(u)); }} for s in c.axes {{ print!(\" {{}}\", number(s)); }}"
             ),
             (false, None) => format!(

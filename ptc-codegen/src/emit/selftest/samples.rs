@@ -63,7 +63,7 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         disturbance: estimate("disturbance").is_some(),
         sessions: &sessions,
         calls: &calls
-            .map(|call| numbers.sample(call, measured, states.unwrap_or(0), spec.rows_of_axes()))
+            .map(|call| numbers.sample(call, measured, states.unwrap_or(0), spec))
             .collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
         has_parameters: !code.parameters.is_empty(),
@@ -73,21 +73,18 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
 }
 
 impl Numbers<'_> {
-    /// A call that is given so many measured values, of axes with so many `rows` of states, and then the
-    /// reference, and whose estimates are those of `states` states, and then that of the disturbance.
-    fn sample(
-        &self,
-        call: &Call,
-        measured: usize,
-        states: usize,
-        rows: Option<(usize, usize)>,
-    ) -> String {
+    /// A call that is given so many measured values, those of axes in rows, and then the reference, that of
+    /// each output in a row, and whose estimates are those of `states` states, and then that of the disturbance.
+    fn sample(&self, call: &Call, measured: usize, states: usize, spec: &Spec) -> String {
         let (y, r) = call.y.split_at(measured);
-        let row = |row: &[f64]| format!("{{{}}}", self.list(row));
-        let y = match rows {
-            Some((_, n)) => y.chunks(n).map(row).collect::<Vec<_>>().join(", "),
-            None => self.list(y),
+        let rows = |values: &[f64], length: Option<usize>| match length {
+            Some(length) => {
+                let row = |row: &[f64]| format!("{{{}}}", self.list(row));
+                values.chunks(length).map(row).collect::<Vec<_>>().join(", ")
+            }
+            None => self.list(values),
         };
+        let y = rows(y, spec.rows_of_axes().map(|(_, n)| n));
         let mut fields = vec![
             format!(".is_armed = {}U", u8::from(call.start.is_some())),
             format!(".start = {}U", call.start.unwrap_or(0)),
@@ -95,7 +92,8 @@ impl Numbers<'_> {
             format!(".y = {{{y}}}"),
         ];
         if !r.is_empty() {
-            fields.push(format!(".r = {{{}}}", self.list(r)));
+            let row = spec.axes.as_ref().map(|_| spec.references());
+            fields.push(format!(".r = {{{}}}", rows(r, row)));
         }
         fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
         fields.push(format!(".status = {}", printed::word(call.status)));

@@ -188,7 +188,7 @@ impl<'a> Reader<'a> {
             ),
             (
                 "reference",
-                matches!(spec.reference, Some(Reference::Known(_))),
+                !samples && matches!(spec.reference, Some(Reference::Known(_))),
                 "each axis has a reference of its own",
                 OF_AXES,
             ),

@@ -195,11 +195,12 @@ impl<'a> Reader<'a> {
             }
             None => (self.drift(order, &known), self.input_gain(order, &known)),
         };
-        let (reference, references) = match &coupled {
-            Some(coupled) => self.references(coupled, &known),
+        let (reference, references) = match (&axes, &coupled) {
+            (Some(orders), Some(_)) => self.references(("output", orders), &known),
             // What it is of has not been read.
-            None if self.has_coupled() => (None, Vec::new()),
-            None => (self.reference(n, &known), Vec::new()),
+            _ if self.has_coupled() => (None, Vec::new()),
+            (Some(orders), None) if samples => self.references(("axis", orders), &known),
+            _ => (self.reference(n, &known), Vec::new()),
         };
         let mut spec = Spec {
             n: order,

@@ -13,7 +13,7 @@ use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
 use crate::syntax::{Node, Value};
 
 /// How axes have references of their own.
-pub(super) const OF_AXES: &str = "with a clock in time give `reference` = input: each call is given those of all axes; a plant with `inputs` and `outputs` takes an expression for each output";
+pub(super) const OF_AXES: &str = "with a clock in time give `reference` = input: each call is given those of all axes; a clock in samples takes an expression for each axis, and a plant with `inputs` and `outputs` one for each output";
 
 impl Reader<'_> {
     /// The reference of a chain of order `n`; 0 is none at all.
@@ -79,12 +79,6 @@ impl Reader<'_> {
         };
         let of_start = matches!(&spec.feedback, Feedback::Expression(law) if law.any(&latches));
         let beside = [
-            (
-                "clock",
-                samples && (spec.axes.is_some() || spec.coupled.is_some()),
-                "references of several inputs need a clock in time",
-                "leave `clock` out, or make a controller for each input",
-            ),
             (
                 "reference",
                 samples && self.keys.contains_key("A"),

@@ -75,7 +75,7 @@ impl SelfTest {
                 e.any(&|e| matches!(e.node(), Node::Call(own, _) if own.name() == function))
             };
             let of_reference = spec.known_references().flatten().any(calls);
-            let (key, what) = match of_reference || spec.model.is_none() {
+            let (key, what) = match of_reference || !spec.has_model() {
                 true => ("reference", "reference"),
                 false => ("dynamics", "model"),
             };

@@ -61,7 +61,7 @@ impl<'a> Search<'a> {
             code,
             choice: Sets::new(spec),
             measured: spec.sampled().map_or(0, |sampled| sampled.measured),
-            references: spec.references(),
+            references: spec.references() * spec.axes.as_ref().map_or(1, |axes| axes.count),
             draw: Draw(1),
             sessions: Vec::new(),
             refused: Vec::new(),

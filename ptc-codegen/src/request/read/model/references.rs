@@ -1,19 +1,19 @@
-//! What the outputs of a plant with several follow: one reference for each.
+//! What the outputs of a plant with several, or axes in samples, follow: one reference for each.
 
 use super::super::{Reader, items};
 use super::names::word;
 use crate::diagnostic::counted;
 use crate::expression::Expression;
-use crate::model::Coupled;
 use crate::parameter::Parameter;
 use crate::request::Reference;
 use crate::syntax::Node;
 
 impl Reader<'_> {
-    /// The reference of the first output, and those of all where they are known.
+    /// The reference of the first output, and those of all where they are known. `each` is what has one, and
+    /// an order.
     pub(in super::super) fn references(
         &mut self,
-        coupled: &Coupled,
+        (each, orders): (&str, &[Option<usize>]),
         known: &[Parameter],
     ) -> (Option<Reference>, Vec<Vec<Expression>>) {
         let nothing = (None, Vec::new());
@@ -21,17 +21,18 @@ impl Reader<'_> {
         if word(node) == Some("input") {
             return (Some(Reference::Input), Vec::new());
         }
-        let (given, m) = (items(node), coupled.outputs.len());
+        let (given, m) = (items(node), orders.len());
         if given.len() != m {
             let message =
-                format!("{} for {}", counted(&given.len(), "reference"), counted(&m, "output"));
-            let help = "give an expression in t for each output, in their order, and 0 for one that is brought to 0; or `reference` = input, and r and its derivatives with each call";
-            self.wrong("reference", Some(node.place), message, help.to_owned());
+                format!("{} for {}", counted(&given.len(), "reference"), counted(&m, each));
+            let help = format!(
+                "give an expression in t for each {each}, in their order, and 0 for one that is brought to 0; or `reference` = input, and r and its derivatives with each call"
+            );
+            self.wrong("reference", Some(node.place), message, help);
             return nothing;
         }
-        let orders = coupled.orders().into_iter().map(Some);
         let all: Vec<_> =
-            given.iter().zip(orders).map(|(item, n)| self.followed(item, n, known)).collect();
+            given.iter().zip(orders).map(|(item, n)| self.followed(item, *n, known)).collect();
         let Some(all) = all.into_iter().collect::<Option<Vec<_>>>() else { return nothing };
         if all.iter().all(|r| r[0] == Expression::integer(0)) {
             return nothing;

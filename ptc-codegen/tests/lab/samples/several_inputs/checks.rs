@@ -1,7 +1,7 @@
 //! What the checks say of them.
 
-use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::examine;
+use ptc_codegen::check::{Outcome, Verdict};
 
 use super::{FOUR, changed};
 use crate::support::{example, spec};
@@ -54,6 +54,16 @@ fn the_checks_say_what_they_do_not_know() {
         assert_eq!(found.verdict, verdict, "{text}: {}", found.summary);
         assert!(found.summary.contains(summary), "{}", found.summary);
     }
+    let follows =
+        arm("m2 = 1.5").replace("sample_time", "reference = [\"sin(t)\", \"0\"]\nsample_time");
+    for text in [arm("m2 = 1.5"), follows] {
+        let looped = of(&text, "loop");
+        assert!(
+            ![Verdict::Sound, Verdict::Refuted].contains(&looped.verdict),
+            "{}",
+            looped.summary
+        );
+    }
     let looped = of(&arm("m2 = 1.5"), "loop");
     assert_eq!(looped.verdict, Verdict::NotChecked, "{}", looped.summary);
     // What is left to run time may be anything, unless it has bounds.
@@ -76,4 +86,37 @@ fn the_checks_say_what_they_do_not_know() {
         assert_eq!(found.verdict, verdict, "{text}: {}", found.summary);
         assert!(found.summary.contains(summary), "{}", found.summary);
     }
+}
+
+/// Of axes `loop` is that of each by itself.
+#[test]
+fn the_loop_of_axes_is_that_of_each() {
+    let keys =
+        "n = 2\nclock = \"samples\"\nmu = \"exp(a=1)\"\nsample_time = 0.01\nx0_max = [0.5, 0.5]\n";
+    let params = "[params]\ntau = 1\nu_max = 50\n";
+    let of = |own: &str| -> Outcome {
+        let text = format!("{keys}error = [1e-6, 5e-5]\n{own}\n{params}");
+        let outcomes = examine(&spec(&text)).outcomes;
+        outcomes.into_iter().find(|outcome| outcome.name == "loop").expect("a check")
+    };
+    let each = [
+        of("poles = [-4, -5]\ng = 2\nreference = \"0.3*sin(2*t)\""),
+        of("poles = [-3, -6]\ng = -0.5\nreference = \"0.2*cos(t)\""),
+    ];
+    let chains = |references: &str| {
+        of(&format!(
+            "axes = 2\npoles = [[-4, -5], [-3, -6]]\ng = [2, -0.5]\nreference = {references}"
+        ))
+    };
+    let both = chains("[\"0.3*sin(2*t)\", \"0.2*cos(t)\"]");
+    assert_eq!(both.verdict, Verdict::Sound, "{}", both.summary);
+    assert_eq!(both.summary, format!("axis 1: {}", each[0].summary));
+    let second = format!("axis 2: sound: {}", each[1].summary);
+    assert_eq!(both.details.last(), Some(&second));
+    // What is left of one that is too fast may be too much.
+    let fast = chains("[\"0.3*sin(2*t)\", \"0.05*cos(9*t)\"]");
+    assert_eq!(fast.verdict, Verdict::Undecided, "{}", fast.summary);
+    assert!(fast.summary.starts_with("axis 2: "), "{}", fast.summary);
+    let given = chains("\"input\"");
+    assert_eq!(given.verdict, Verdict::Undecided, "{}", given.summary);
 }

@@ -3,6 +3,7 @@
 
 mod apart;
 mod checks;
+mod followed;
 mod reference;
 mod refusals;
 mod run_time;

@@ -11,6 +11,9 @@ use crate::support::{entries, example};
 /// Inputs at 50 digits, from `tools/sampled_inputs.py`.
 const REFERENCE: &str = include_str!("../../../../../tests/data/sampled_inputs.json");
 
+/// Two axes of order 3.
+const RAILS: &str = "n = 3\naxes = 2\ng = [2, -0.5]\n[params]\n";
+
 /// Relative to the greatest input: chains, laws and their sums each round a few times.
 const INPUT: f64 = 1e-12;
 
@@ -33,18 +36,26 @@ fn inputs_are_those_of_the_reference() {
         let plant = text(&case["plant"]);
         let design = match plant {
             "four" => FOUR.to_owned(),
+            "rails" => RAILS.to_owned(),
             _ => example(&format!("{plant}.toml")),
         };
         let poles = case["poles"].to_string().replace('"', "");
         let (h, samples) = (text(&case["h"]), &case["samples"]);
         let tau: f64 = h.parse::<f64>().expect("a period") * samples.as_f64().expect("samples");
-        let top = format!("mu = \"exp(a=1)\"\npoles = {poles}\nsample_time = {h}");
+        let reference = match &case["reference"] {
+            Value::Null => String::new(),
+            reference => format!("\nreference = {reference}"),
+        };
+        let top = format!("mu = \"exp(a=1)\"\npoles = {poles}\nsample_time = {h}{reference}");
         let design = changed(&design, &top, &format!("tau = {tau}\nu_max = inf\neps = 0"));
         let code = program(&design.replace("limits =", "# "));
         let mut controller = Instance::new(&code, &[]).expect("legal parameters");
         for call in list(&case["calls"]) {
             let k = call["k"].as_f64().expect("a tick");
-            let outcome = controller.call("step", &[("k", &[k]), ("x", &numbers(&call["x"]))]);
+            let tick = [k];
+            let (x, rows) = (numbers(&call["x"]), call["r"].as_array());
+            let r: Vec<_> = rows.into_iter().flatten().flat_map(numbers).collect();
+            let outcome = controller.call("step", &[("k", &tick[..]), ("x", &x), ("r", &r)]);
             let (found, wanted) = (&outcome.results["u"], numbers(&call["u"]));
             let size = wanted.iter().fold(0.0, |size: f64, u| size.max(u.abs()));
             for (found, wanted) in found.iter().zip(&wanted) {

@@ -34,7 +34,14 @@ fn what_needs_one_input_is_refused() {
         ),
         ("disturbance", "constant", "an observer needs a linear plant of one input"),
         ("observer_poles", "-3,-4", "`observer_poles` without an observer"),
-        ("reference", "input", "references of several inputs need a clock in time"),
+        (
+            "reference",
+            "sin(t)",
+            "1 reference for 2 outputs; give an expression in t for each output",
+        ),
+        ("reference", "[t, abs(t)]", "abs(t) has a kink"),
+        ("reference", "[t, p]", "`p` is a state or an input of the plant"),
+        ("reference", "[t, sin(t0)]", "`t0` in a reference in samples"),
         ("pi0", "extern", "a clock in samples needs a linear law"),
         ("mu", "tanh(a=1)", "an exact law for the mapping exp alone"),
         ("t0", "1", "arm the controller at the tick"),
@@ -73,7 +80,10 @@ fn what_axes_lack_is_refused() {
         ("pi0", "extern", "a clock in samples needs a linear law"),
         ("after", "zero", "axes hold their gains after the deadline"),
         ("what", "observer", "axes are of a controller"),
-        ("reference", "input", "references of several inputs need a clock in time"),
+        ("reference", "sin(t)", "1 reference for 2 axes; give an expression in t for each axis"),
+        ("reference", "[1, t, t]", "3 references for 2 axes"),
+        ("reference", "[sin(tau), t]", "`tau` in a reference, and it is left to run time"),
+        ("reference", "[t, 1/(1 - t)]", "1 - t has to be not 0"),
     ] {
         let found = read(&[&keys[..], &[(key, value)]].concat()).expect_err(key);
         assert!(found.contains(wanted), "{key} = {value}: {found}");
