@@ -73,7 +73,11 @@ enum Command {
     /// Print the instructions a step with a clock in samples, the table in docs/samples.md
     Samples,
     /// Processor time and instructions a scenario of `verify`, threads and memory; builds the laboratory
-    Campaigns,
+    Campaigns {
+        /// Measure the designs whose name has this text in it, and print their rows alone
+        #[arg(long, value_name = "TEXT")]
+        only: Option<String>,
+    },
     /// Write docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last
     Report,
     /// Expand the Bell polynomials and end, for the profiler
@@ -114,7 +118,13 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Generator) => generator(line),
         Some(Command::Egg) => report::keep("egg", &equality::measure()?),
         Some(Command::Samples) => samples::table(),
-        Some(Command::Campaigns) => report::keep("campaigns", &campaigns::measure()?),
+        Some(Command::Campaigns { only: None }) => {
+            report::keep("campaigns", &campaigns::measure("")?)
+        }
+        Some(Command::Campaigns { only: Some(text) }) => {
+            print!("{}", report::campaigns(&campaigns::measure(text)?));
+            Ok(())
+        }
         Some(Command::Report) => report::write(),
         None => {
             report::keep("counts", &counts::measure()?)?;

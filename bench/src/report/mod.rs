@@ -50,6 +50,13 @@ It needs gcc and valgrind, and for the other generators Python, set up as below.
 instructions repeat exactly on the same versions of compiler and mathematical library; times do not.
 ";
 
+/// The table of campaigns, as the page has it.
+pub(crate) fn campaigns(measured: &[Campaign]) -> String {
+    let mut text = String::new();
+    tables::campaigns(&mut text, measured);
+    text
+}
+
 /// Writes both files.
 pub(crate) fn write() -> Result<()> {
     let mut text = String::from(INTRODUCTION);
