@@ -5,8 +5,11 @@
 //! then linear in the magnitudes of the states, so that the errors found for the unit vectors bound
 //! that of every state, |u_emitted - sum_j gain_j x_j| <= sum_j error_j |x_j|.
 
+use std::collections::BTreeMap;
+
 use astro_float_num::Consts;
 
+use super::systems::eliminated;
 use crate::algebra::BigRational;
 use crate::expression::Function;
 use crate::expression::enclosure::{Interval, Range};
@@ -73,6 +76,8 @@ pub(super) struct StagedValues<'a> {
     unit: f64,
     /// By value; `None` if it is not computed, or no enclosure is known.
     values: Vec<Option<Rounded>>,
+    /// The solutions of systems, where they are enclosed.
+    solved: BTreeMap<Value, Vec<Rounded>>,
     due: [Vec<Value>; 5],
     cache: Consts,
 }
@@ -86,7 +91,8 @@ impl<'a> StagedValues<'a> {
         }
         let unit = unit_roundoff(program.precision);
         let values = vec![None; program.values.len()];
-        Some(Self { program, unit, values, due, cache: Consts::new().ok()? })
+        let solved = BTreeMap::new();
+        Some(Self { program, unit, values, solved, due, cache: Consts::new().ok()? })
     }
 
     /// Computes the values of a stage; those of earlier stages are known.
@@ -165,12 +171,16 @@ impl<'a> StagedValues<'a> {
                 let moved = (b.error == 0.0).then(|| up(slope * a.error));
                 Some(called(on(a.exact, b.exact, cache), near, moved, unit))
             }
-            Op::Law(_)
-            | Op::Rows { .. }
-            | Op::Elimination { .. }
-            | Op::Element(..)
-            | Op::Unknown
-            | Op::Root(_) => None,
+            Op::Elimination { matrix, right } => {
+                self.solved.remove(&value);
+                let all = |values: &[Value]| values.iter().map(|value| at(*value)).collect();
+                let (matrix, right): (Option<Vec<_>>, Option<Vec<_>>) = (all(matrix), all(right));
+                let solved = eliminated(&matrix?, &right?, program.precision)?;
+                self.solved.insert(value, solved);
+                None
+            }
+            Op::Element(array, index) => self.solved.get(array)?.get(*index).copied(),
+            Op::Law(_) | Op::Rows { .. } | Op::Unknown | Op::Root(_) => None,
         }
     }
 }
