@@ -5,7 +5,7 @@
 //! then linear in the magnitudes of the states, so that the errors found for the unit vectors bound
 //! that of every state, |u_emitted - sum_j gain_j x_j| <= sum_j error_j |x_j|.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use astro_float_num::Consts;
 
@@ -80,7 +80,13 @@ pub(super) struct StagedValues<'a> {
     solved: BTreeMap<Value, Vec<Rounded>>,
     due: [Vec<Value>; 5],
     cache: Consts,
+    /// Functions on what they were called with: cells side by side share the ranges of most. Looked up, never
+    /// iterated.
+    called: HashMap<(Function, [u64; 2]), Range>,
 }
+
+/// Calls that are kept, at most.
+const KEPT: usize = 10_000;
 
 impl<'a> StagedValues<'a> {
     /// For the values of `program` that `outputs` need; `None` if memory for constants is lacking.
@@ -91,8 +97,8 @@ impl<'a> StagedValues<'a> {
         }
         let unit = unit_roundoff(program.precision);
         let values = vec![None; program.values.len()];
-        let solved = BTreeMap::new();
-        Some(Self { program, unit, values, solved, due, cache: Consts::new().ok()? })
+        let (solved, called) = (BTreeMap::new(), HashMap::new());
+        Some(Self { program, unit, values, solved, due, cache: Consts::new().ok()?, called })
     }
 
     /// Computes the values of a stage; those of earlier stages are known.
@@ -148,11 +154,8 @@ impl<'a> StagedValues<'a> {
             }
             Op::Call(function, a) => {
                 let (function, a) = (*function, at(*a)?);
-                let on = |range: Range, cache: &mut Consts| {
-                    Range::from(&Interval::from(range).call(function, cache))
-                };
-                let cache = &mut self.cache;
-                let (exact, near) = (on(a.exact, cache), on(a.emitted(), cache));
+                let (exact, near) =
+                    (self.call(function, a.exact), self.call(function, a.emitted()));
                 let moved = steepest(function, a.emitted(), near).map(|slope| up(slope * a.error));
                 Some(called(exact, near, moved, unit))
             }
@@ -182,6 +185,20 @@ impl<'a> StagedValues<'a> {
             Op::Element(array, index) => self.solved.get(array)?.get(*index).copied(),
             Op::Law(_) | Op::Rows { .. } | Op::Unknown | Op::Root(_) => None,
         }
+    }
+}
+
+impl StagedValues<'_> {
+    fn call(&mut self, function: Function, on: Range) -> Range {
+        let key = (function, on.ends().map(f64::to_bits));
+        if let Some(known) = self.called.get(&key) {
+            return *known;
+        }
+        let found = Range::from(&Interval::from(on).call(function, &mut self.cache));
+        if self.called.len() < KEPT {
+            self.called.insert(key, found);
+        }
+        found
     }
 }
 

@@ -27,8 +27,7 @@ pub(super) fn solution(matrix: &[Range], right: &[Range]) -> Option<Vec<Range>> 
     }
     let near = inverse(matrix, m)?;
     let near = |i: usize, k: usize| Range::from(near[i * m + k]);
-    let first: Vec<Range> =
-        (0..m).map(|i| (0..m).map(|k| near(i, k) * right[k]).sum()).collect();
+    let first: Vec<Range> = (0..m).map(|i| (0..m).map(|k| near(i, k) * right[k]).sum()).collect();
     let rest = |i: usize, j: usize| {
         let product: Range = (0..m).map(|k| near(i, k) * matrix[k * m + j]).sum();
         Range::from(f64::from(u8::from(i == j))) - product

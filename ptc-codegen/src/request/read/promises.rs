@@ -28,9 +28,9 @@ impl Reader<'_> {
         let measured = self.rows_measured().or(states);
         Promises {
             sample_time: self.positive("sample_time"),
-            error: self.of_chains("error", outputs).unwrap_or_else(|| {
-                self.one_or_each("error", n, finite_positive, "finite and > 0")
-            }),
+            error: self
+                .of_chains("error", outputs)
+                .unwrap_or_else(|| self.one_or_each("error", n, finite_positive, "finite and > 0")),
             noise: self.one_or_each("noise", measured, not_negative, "finite and >= 0"),
             noise_rms: self.one_or_each("noise_rms", measured, not_negative, "finite and >= 0"),
             sensor_step: self.one_or_each("sensor_step", measured, not_negative, "finite and >= 0"),
@@ -38,9 +38,7 @@ impl Reader<'_> {
             delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
             g_error: self.g_error(),
             jitter: self.jitter(),
-            x0_max: self
-                .of_chains("x0_max", outputs)
-                .unwrap_or_else(|| self.bounds("x0_max", n)),
+            x0_max: self.of_chains("x0_max", outputs).unwrap_or_else(|| self.bounds("x0_max", n)),
             x_max: self.bounds("x_max", states),
             allow: self.allowed(),
             // Read with the table [plant].
@@ -145,11 +143,7 @@ impl Reader<'_> {
     }
 
     /// Bounds of the chain of each output, one after the other, where each has a list of its own.
-    fn of_chains(
-        &mut self,
-        key: &'static str,
-        outputs: Option<&[usize]>,
-    ) -> Option<Vec<Fixed>> {
+    fn of_chains(&mut self, key: &'static str, outputs: Option<&[usize]>) -> Option<Vec<Fixed>> {
         let (node, orders) = (self.keys.get(key).copied()?, outputs?);
         let rows = items(node);
         let is_own = rows.iter().any(|row| matches!(row.value, Value::List(_)));
@@ -161,7 +155,8 @@ impl Reader<'_> {
         let lengths = rows.iter().map(|row| items(row).len());
         if !is_own || !lengths.eq(orders.iter().copied()) {
             let all: Vec<_> = orders.iter().map(ToString::to_string).collect();
-            let message = format!("`{key}` is no list for each output of the orders {}", all.join(", "));
+            let message =
+                format!("`{key}` is no list for each output of the orders {}", all.join(", "));
             let help = format!("give a list for each output, of {} numbers", all.join(" and "));
             self.wrong(key, Some(node.place), message, help);
             return Some(Vec::new());

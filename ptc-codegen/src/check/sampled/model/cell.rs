@@ -39,9 +39,9 @@ impl<'a> OnCells<'a> {
     }
 
     /// The values in a cell, with what is held, or wanted, within bounds; `None` where one is not enclosed.
-    pub(super) fn at(&mut self, cell: &[Range], held: &[f64]) -> Vec<Option<Rounded>> {
+    pub(super) fn at(&mut self, cell: &[Range], held: &[Range]) -> Vec<Option<Rounded>> {
         let (errors, unit) = (self.errors, self.unit);
-        let of = |j: usize| Some(Rounded::of(Range::from(*held.get(j)?).both_signs()));
+        let of = |j: usize| held.get(j).copied().map(Rounded::of);
         self.enclosure.run(Stage::Step, &|input| match input {
             // Inputs stand behind the states.
             Input::State(j) if j > cell.len() => of(j - cell.len() - 1),

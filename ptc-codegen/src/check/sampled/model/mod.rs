@@ -12,24 +12,23 @@
 
 mod beside;
 mod cell;
+mod chain;
 mod faces;
+mod forces;
 mod motion;
 mod rates;
 mod report;
-
-use num_traits::Zero;
 
 use super::cells::Worst;
 use super::followed::Followed;
 use super::judge::Loop;
 use super::outcome::{NAME, UNKNOWN};
-use crate::algebra::BigRational;
 use crate::check::{Outcome, Verdict};
 use crate::internal::fault;
-use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Clock, PlantBounds, Promises, Reference, Spec};
+use crate::request::{After, Reference, Spec};
 use beside::Beside;
 pub(super) use cell::divided;
+use chain::{chain, few_samples};
 use motion::Motion;
 use rates::{Rates, Reached};
 
@@ -107,7 +106,8 @@ impl<'a> Envelope<'a> {
         }
         let several = motion.inputs.len() > 1;
         if promises.x_max.is_empty() {
-            let of = if several { "the last rates of the chains are" } else { "the rate of f + g u is" };
+            let of =
+                if several { "the last rates of the chains are" } else { "the rate of f + g u is" };
             return lacks("x_max", &format!(", within which {of} bounded"));
         }
         let unproved = |why: &str| Err(Lacking::Proof(why.to_owned()));
@@ -125,6 +125,9 @@ impl<'a> Envelope<'a> {
         }
         if spec.reference == Some(Reference::Input) {
             return unproved(UNKNOWN);
+        }
+        if several {
+            few_samples(&designs)?;
         }
         let rates = Rates::new(spec, motion).map_err(Lacking::Proof)?;
         let sensors = rates.sensors().map_err(Lacking::Proof)?;
@@ -225,42 +228,4 @@ fn reached(worst: &Worst, after: After) -> Result<(f64, Vec<f64>), String> {
     let after = after.ok_or("no bounds are known to hold for ever")?;
     let both = way.x.iter().zip(&after.x);
     Ok((way.u.max(after.u), both.map(|(a, b)| a.max(*b)).collect()))
-}
-
-/// The chain that w moves, under a force that is any signal within a bound.
-fn chain(spec: &Spec, sensors: &[f64], force: f64) -> Spec {
-    // Bounds that are not finite are refused where they arise.
-    let exact = |value: f64| {
-        BigRational::from_float(value).unwrap_or_else(|| fault("a bound that is not finite"))
-    };
-    let fixed = |value: f64| Fixed::Number { value: exact(value), text: value.to_string() };
-    let zero = BigRational::zero;
-    let mut chain = Spec {
-        model: None,
-        drift: None,
-        input_gain: None,
-        reference: None,
-        promises: Promises {
-            noise: sensors.iter().copied().map(fixed).collect(),
-            noise_rms: Vec::new(),
-            sensor_step: Vec::new(),
-            u_step: None,
-            g_error: Vec::new(),
-            x_max: Vec::new(),
-            plant: (force > 0.0).then(|| PlantBounds::Bounded {
-                middle: zero(),
-                constant: zero(),
-                varying: exact(force),
-                gain: None,
-            }),
-            ..spec.promises.clone()
-        },
-        ..spec.clone()
-    };
-    // u is clipped, not w.
-    chain.fixed.insert(Parameter::UMax, Fixed::Infinite);
-    if let Clock::Samples(sampled) = &mut chain.clock {
-        sampled.measured = spec.n;
-    }
-    chain
 }

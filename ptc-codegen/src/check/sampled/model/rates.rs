@@ -1,7 +1,6 @@
 //! How large the inputs, and the rates of what they move, may be on the envelope.
 
-use super::super::rounded::Rounded;
-use super::super::systems::solution;
+use super::super::rounded::{ROUNDED, Rounded};
 use super::cell::{OnCells, cells, size};
 use super::motion::Motion;
 use crate::expression::Expression;
@@ -19,15 +18,15 @@ const NARROWER: u32 = 3;
 
 /// What is bounded on the envelope.
 pub(super) struct Rates<'a> {
-    spec: &'a Spec,
-    motion: &'a Motion,
+    pub(super) spec: &'a Spec,
+    pub(super) motion: &'a Motion,
     /// The chains, and the inputs from what is wanted, as they are emitted.
-    emitted: Program,
+    pub(super) emitted: Program,
     /// The rates of the sums, the matrix, how the sums, and then the coordinates, go with each state.
-    exact: Program,
+    pub(super) exact: Program,
     envelope: Vec<Range>,
     /// The bound of the error of each state that is measured.
-    errors: Vec<f64>,
+    pub(super) errors: Vec<f64>,
     cells: usize,
 }
 
@@ -132,11 +131,13 @@ impl<'a> Rates<'a> {
     /// That there are none.
     pub(super) fn sizes(&self, reached: &Reached) -> Result<Sizes, String> {
         let cells = self.within(&reached.chains)?;
-        let inputs = self.inputs(&cells, &reached.wanted)?;
-        let acting: Vec<_> = inputs.iter().map(|input| input.acting).collect();
-        let of_chains = reached.wanted.iter().zip(&reached.force).map(|(w, force)| w + force);
-        let held = if self.motion.is_mechanical { of_chains.collect() } else { acting };
-        let force = self.forces(&cells, &held, &inputs)?;
+        let around = |bounds: &[f64]| -> Vec<_> {
+            bounds.iter().map(|bound| Range::from(*bound).both_signs()).collect()
+        };
+        let inputs = self.inputs(&cells, &around(&reached.wanted))?;
+        let last = reached.wanted.iter().zip(&reached.force).map(|(w, force)| w + force);
+        let last: Vec<_> = last.map(|bound| Range::from(bound * ROUNDED).both_signs()).collect();
+        let force = self.forces(&cells, &last, &inputs)?;
         // The sums above round too.
         let wider = |value: f64| value * (1.0 + 1e-12);
         Ok(Sizes {
@@ -147,7 +148,7 @@ impl<'a> Rates<'a> {
 
     /// # Errors
     /// That an input has no bound.
-    fn inputs(&self, cells: &[Vec<Range>], wanted: &[f64]) -> Result<Vec<Of>, String> {
+    fn inputs(&self, cells: &[Vec<Range>], wanted: &[Range]) -> Result<Vec<InputBound>, String> {
         let controls = self.emitted.controls();
         let mut most = vec![(0.0_f64, 0.0_f64); controls.len()];
         let mut emitted = self.on(&self.emitted, &controls)?;
@@ -173,7 +174,7 @@ impl<'a> Rates<'a> {
         let off = (0..promises.g_error.len())
             .filter_map(|i| one_or_each(&promises.g_error, i))
             .fold(0.0, |most: f64, part| most.max((part - 1.0).abs()));
-        let of = |(u, inexact): (f64, f64)| Of {
+        let of = |(u, inexact): (f64, f64)| InputBound {
             u,
             // What acts on the plant has been through the actuator and the true input gain.
             acting: (1.0 + off) * (u + step),
@@ -182,77 +183,17 @@ impl<'a> Rates<'a> {
         Ok(most.into_iter().map(of).collect())
     }
 
-    /// How far the last rates get from what is wanted of them: at a sample by what the sensors and the inputs are
-    /// off, behind it by the rates of the sums.
-    ///
-    /// # Errors
-    /// That there is no bound.
-    fn forces(
-        &self,
-        cells: &[Vec<Range>],
-        held: &[f64],
-        inputs: &[Of],
-    ) -> Result<Vec<f64>, String> {
-        let (m, states) = (inputs.len(), self.errors.len());
-        let behind = self.exact.watched.len() - self.motion.coordinates.len() * states;
-        let mut exact = self.on(&self.exact, &self.exact.watched[..behind])?;
-        let (mut rates, mut at_sample) = (vec![0.0_f64; m], vec![0.0_f64; m]);
-        for cell in cells {
-            let found = exact.at(cell, held);
-            let (moved, found) = found.split_at(m);
-            let (matrix, slopes) = found.split_at(m * m);
-            let high = |value: &Option<Rounded>| size(value, |value| value.exact.size().high());
-            let off = |k: usize| {
-                let seen = self.seen(&slopes[k * states..][..states]);
-                match self.motion.is_mechanical {
-                    true => inputs[k].off + seen,
-                    false => {
-                        let row = matrix[k * m..].iter().zip(inputs);
-                        row.map(|(gain, input)| high(gain) * input.off).sum::<f64>() + seen
-                    }
-                }
-            };
-            let moved: Vec<_> = moved.iter().map(high).collect();
-            let off: Vec<_> = (0..m).map(off).collect();
-            for (most, found) in [(&mut rates, moved), (&mut at_sample, off)] {
-                let found = self.of_chains(matrix, found);
-                most.iter_mut().zip(found).for_each(|(most, found)| *most = greater(*most, found));
-            }
-        }
-        let h = one_or_each(self.spec.promises.sample_time.as_slice(), 0).unwrap_or(f64::INFINITY);
-        let force = at_sample.iter().zip(&rates).map(|(off, rate)| h * rate + off);
-        let force: Vec<_> = force.collect();
-        match force.iter().all(|force| force.is_finite()) {
-            true => Ok(force),
-            false => Err(match (m, self.motion.is_mechanical) {
-                (1, _) => "no bound of the rate of f + g u is found within x_max".to_owned(),
-                (_, true) => "no bound of the rate of q'' is found within x_max: M may be singular there, or what it is made of has no value".to_owned(),
-                (_, false) => {
-                    "no bound of the rates that the inputs move is found within x_max".to_owned()
-                }
-            }),
-        }
-    }
-
-    /// What sums within these bounds are to the chains: of a mechanical plant the solutions of M s = sum.
-    fn of_chains(&self, matrix: &[Option<Rounded>], sums: Vec<f64>) -> Vec<f64> {
-        if !self.motion.is_mechanical {
-            return sums;
-        }
-        let entries: Option<Vec<_>> = matrix.iter().map(|entry| Some(entry.as_ref()?.exact)).collect();
-        let around: Vec<_> = sums.iter().map(|sum| Range::from(*sum).both_signs()).collect();
-        let found = entries.and_then(|entries| solution(&entries, &around));
-        let infinite = || vec![f64::INFINITY; sums.len()];
-        found.map_or_else(infinite, |found| found.iter().map(|s| s.size().high()).collect())
-    }
-
     /// Values of a program over cells around which the sensors err.
-    fn on<'b>(&'b self, program: &'b Program, values: &[Value]) -> Result<OnCells<'b>, String> {
+    pub(super) fn on<'b>(
+        &'b self,
+        program: &'b Program,
+        values: &[Value],
+    ) -> Result<OnCells<'b>, String> {
         OnCells::new(self.spec, program, values, &self.errors)
     }
 
     /// What the errors of the sensors do by these slopes.
-    fn seen(&self, slopes: &[Option<Rounded>]) -> f64 {
+    pub(super) fn seen(&self, slopes: &[Option<Rounded>]) -> f64 {
         let part = |(slope, error): (&Option<Rounded>, &f64)| match *error {
             0.0 => 0.0,
             error => error * size(slope, |value| value.exact.size().high()),
@@ -262,15 +203,15 @@ impl<'a> Rates<'a> {
 }
 
 /// Bounds of one input.
-struct Of {
+pub(super) struct InputBound {
     /// Of its size as the program computes it, and as it acts.
-    u: f64,
-    acting: f64,
+    pub(super) u: f64,
+    pub(super) acting: f64,
     /// How far what acts may be from what was to act.
-    off: f64,
+    pub(super) off: f64,
 }
 
 /// The greater of two bounds; infinite where one is no number, which `max` would leave out.
-fn greater(a: f64, b: f64) -> f64 {
+pub(super) fn greater(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }

@@ -76,9 +76,7 @@ fn above(outputs: &[Output], totals: &[Vec<f64>]) -> Option<(String, f64)> {
 /// The bound of each input, where it has one.
 fn limits(spec: &Spec) -> impl Iterator<Item = Option<f64>> {
     let shared = spec.fixed.get(&Parameter::UMax).and_then(Fixed::number);
-    let of = move |j: usize| {
-        spec.limit(j).or(shared).map(|limit| round(limit, spec.precision))
-    };
+    let of = move |j: usize| spec.limit(j).or(shared).map(|limit| round(limit, spec.precision));
     (0..).map(of)
 }
 
