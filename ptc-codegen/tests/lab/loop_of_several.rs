@@ -218,7 +218,7 @@ fn runs_stay_within_the_bounds() {
         let near = |reached: &[f64], bounds: &[f64], most: f64| {
             reached.iter().zip(bounds).all(|(x, bound)| *bound < most * x)
         };
-        let near = near(&reached, &way, 3.0) && near(&of_inputs, &most, 4.0);
+        let near = near(&reached, &way, 3.0) && near(&of_inputs, &most, 10.0);
         assert!(near, "{text}{reached:?} {way:?} {of_inputs:?} {most:?}");
     }
 }
@@ -287,7 +287,7 @@ fn verdicts_turn_at_the_bounds() {
 #[test]
 fn nothing_is_proved_where_it_is_not_shown() {
     let arm = &cases()[0].text;
-    let singular = loop_of(&arm.replace("\"0.375\"]", "\"0.3*cos(q1)\"]"));
+    let singular = loop_of(&arm.replace("\"0.375\"]", "\"0.22*cos(q1)\"]"));
     let why = singular.summary.contains("M may be singular");
     assert!(singular.verdict == Verdict::Undecided && why, "{singular:?}");
     let wide = loop_of(&arm.replace("x_max = [0.5, 0.5", "x_max = [0.301, 0.5"));
