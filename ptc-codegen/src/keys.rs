@@ -234,7 +234,7 @@ pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "error",
         meaning: "required bound of |x_i| at the deadline, in units of x_i; sets eps",
-        legal: "a number > 0, or one for each state, with x0_max",
+        legal: "a number > 0, or one for each state, with x0_max; with several outputs in samples also a list for each",
         example: "1e-3",
     },
     KeyInfo {
@@ -324,7 +324,7 @@ pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "x0_max",
         meaning: "bounds of |x_i| at the start",
-        legal: "n numbers > 0",
+        legal: "n numbers > 0; with several outputs in samples also a list for each",
         example: "1,2,5",
     },
     KeyInfo {

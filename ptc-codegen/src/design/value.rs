@@ -13,7 +13,7 @@ use crate::parameter::Fixed;
 use crate::syntax::{Argument, Node, Value, number, parse};
 
 /// The keys whose value may be a list of rows.
-const MATRICES: [&str; 5] = ["A", "C", "gains", "inertia", "poles"];
+const MATRICES: [&str; 7] = ["A", "C", "error", "gains", "inertia", "poles", "x0_max"];
 
 /// The keys whose value may be a table in braces.
 const TABLES: [&str; 2] = ["model.dynamics", "plant.dynamics"];

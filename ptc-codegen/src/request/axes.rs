@@ -146,6 +146,18 @@ impl Spec {
         self.fixed.retain(|p, _| !matches!(p, Parameter::Gain(i) if *i > output.coordinates.len()));
         // They are bounds of the whole plant.
         self.promises.x_max.clear();
+        let orders = coupled.orders();
+        for bounds in [&mut self.promises.x0_max, &mut self.promises.error] {
+            *bounds = of_chain(bounds, &orders, index).to_vec();
+        }
+    }
+
+    /// The bounds of the chain of each output, where each has its own.
+    pub(super) fn bounds_of_chains<'a>(&self, bounds: &'a [Fixed]) -> Option<Vec<&'a [Fixed]>> {
+        let orders = self.decoupled()?.orders();
+        let is_own = bounds.len() == orders.iter().sum::<usize>();
+        let all = (0..orders.len()).map(|index| of_chain(bounds, &orders, index));
+        is_own.then(|| all.collect())
     }
 
     /// The controllers of one axis that differ: one where all axes are chains that share everything.
@@ -156,5 +168,14 @@ impl Spec {
             }
             _ => vec![self.axis(0)],
         }
+    }
+}
+
+/// Those of the bounds of the chains of all outputs that are of one; where they share bounds, these.
+fn of_chain<'a>(bounds: &'a [Fixed], orders: &[usize], index: usize) -> &'a [Fixed] {
+    let from: usize = orders[..index].iter().sum();
+    match bounds.len() == orders.iter().sum::<usize>() {
+        true => &bounds[from..][..orders[index]],
+        false => bounds,
     }
 }

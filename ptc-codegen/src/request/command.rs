@@ -211,7 +211,14 @@ impl Spec {
         ];
         words.extend(promises.delay.as_ref().map(|delay| format!("--delay={delay}")));
         for (flag, values) in lists {
-            words.extend(list(values.iter()).map(|values| format!("{flag}={values}")));
+            let of_chains = ["--error", "--x0-max"].contains(&flag);
+            words.extend(match self.bounds_of_chains(values).filter(|_| of_chains) {
+                Some(rows) => {
+                    let rows: Vec<_> = rows.iter().filter_map(|row| list(row.iter())).collect();
+                    Some(format!("{flag}=\"[[{}]]\"", rows.join("],[")))
+                }
+                None => list(values.iter()).map(|values| format!("{flag}={values}")),
+            });
         }
         if !promises.allow.is_empty() {
             words.push(format!("--allow={}", promises.allow.join(",")));

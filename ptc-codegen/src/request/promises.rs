@@ -11,7 +11,8 @@ use crate::parameter::Fixed;
 pub struct Promises {
     /// Sample period of the loop, s.
     pub sample_time: Option<Fixed>,
-    /// Wanted bounds of |x_i| at the deadline, one for all or one each; empty where not given.
+    /// Wanted bounds of |x_i| at the deadline, one for all or one each; empty where not given. Those of the chains
+    /// of several outputs may stand one after the other, as those at the start may.
     pub error: Vec<Fixed>,
     /// Bounds of the noise of each measured state, or one for all; empty for none.
     pub noise: Vec<Fixed>,

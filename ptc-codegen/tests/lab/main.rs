@@ -16,6 +16,7 @@ mod loop_of_linear;
 mod loop_of_model;
 mod loop_of_plant;
 mod loop_of_reference;
+mod loop_of_several;
 mod margins;
 mod models;
 mod references;

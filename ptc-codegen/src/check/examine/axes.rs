@@ -2,8 +2,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::{Report, envelope, examine_expanded};
-use crate::check::{Outcome, Verdict, zeros};
+use super::{Report, envelope, examine_expanded, in_samples};
+use crate::check::{Outcome, Verdict, sampled, zeros};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Spec};
@@ -41,6 +41,10 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     if let Some(coupled) = spec.decoupled() {
         // These are of the whole plant.
         outcomes.retain(|outcome| outcome.name != "envelope");
+        let looped = outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
+        if let Some(looped) = looped.filter(|_| spec.sampled().is_some()) {
+            *looped = in_samples::of_several(&spec);
+        }
         outcomes.push(match spec.sampled() {
             Some(_) => envelope::in_samples(&spec),
             None => envelope::outcome(&spec, expanded),

@@ -37,18 +37,14 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
         (None, _) if moves => "`loop` bounds what the period leaves of a reference that moves",
         (None, _) => "the law is exact in samples, at any period",
         (Some(_), false) => "`loop` bounds what the period leaves of a model that is not linear",
-        (Some(_), true) => "what the period leaves of a plant with several inputs is not examined",
+        (Some(_), true) => "`loop` bounds what the period leaves of a plant with several inputs",
     };
     let exact = |name| Outcome::not_checked(name, reason);
     let mut spec = spec.clone();
-    let known = |spec: &Spec, p: &Parameter| spec.fixed.contains_key(p);
-    let open = spec.parameters().into_iter().find(|p| *p != Parameter::UMax && !known(&spec, p));
-    let (looped, worst) = match open {
+    let (looped, worst) = match open(&spec) {
+        // All outputs together decide it.
         _ if of_several => (exact(sampled::NAME), None),
-        Some(open) => {
-            let reason = format!("`{}` is left to run time", open.spelling());
-            (Outcome::not_checked(sampled::NAME, reason), None)
-        }
+        Some(open) => (open, None),
         None => looped(&mut spec),
     };
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
@@ -62,6 +58,20 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
     ];
     outcomes.extend(zeros::outcome(&continuous));
     Report { spec, expanded: None, outcomes, greatest: None, worst }
+}
+
+/// The check of the loop that runs of a plant with several inputs.
+pub(super) fn of_several(spec: &Spec) -> Outcome {
+    let open = spec.designs().iter().chain([spec]).find_map(open);
+    open.unwrap_or_else(|| sampled::outcome(spec, None).0)
+}
+
+/// The outcome where a number is left to run time.
+fn open(spec: &Spec) -> Option<Outcome> {
+    let is_open = |p: &Parameter| *p != Parameter::UMax && !spec.fixed.contains_key(p);
+    let open = spec.parameters().into_iter().find(is_open)?;
+    let reason = format!("`{}` is left to run time", open.spelling());
+    Some(Outcome::not_checked(sampled::NAME, reason))
 }
 
 /// The check of the loop that runs, with the eps that is best for it where that is left open.

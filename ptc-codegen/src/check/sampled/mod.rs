@@ -26,6 +26,7 @@ mod proved;
 mod reach;
 mod relative;
 mod rounded;
+mod systems;
 mod trajectory;
 mod transition;
 mod trust;

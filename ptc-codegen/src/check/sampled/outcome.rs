@@ -29,8 +29,8 @@ pub(super) fn outcome_of(
     expanded: Option<&Expanded>,
     way: bool,
 ) -> (Outcome, Option<Worst>) {
-    if let Some(model) = spec.model_in_samples() {
-        return (super::model::outcome(spec, model), None);
+    if spec.model_in_samples().is_some() || spec.decoupled().is_some() {
+        return (super::model::outcome(spec), None);
     }
     let limited =
         spec.fixed.get(&Parameter::UMax).is_some_and(|limit| !matches!(limit, Fixed::Infinite));

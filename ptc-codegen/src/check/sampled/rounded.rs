@@ -5,8 +5,11 @@
 //! then linear in the magnitudes of the states, so that the errors found for the unit vectors bound
 //! that of every state, |u_emitted - sum_j gain_j x_j| <= sum_j error_j |x_j|.
 
+use std::collections::{BTreeMap, HashMap};
+
 use astro_float_num::Consts;
 
+use super::systems::eliminated;
 use crate::algebra::BigRational;
 use crate::expression::Function;
 use crate::expression::enclosure::{Interval, Range};
@@ -73,9 +76,17 @@ pub(super) struct StagedValues<'a> {
     unit: f64,
     /// By value; `None` if it is not computed, or no enclosure is known.
     values: Vec<Option<Rounded>>,
+    /// The solutions of systems, where they are enclosed.
+    solved: BTreeMap<Value, Vec<Rounded>>,
     due: [Vec<Value>; 5],
     cache: Consts,
+    /// Functions on what they were called with: cells side by side share the ranges of most. Looked up, never
+    /// iterated.
+    called: HashMap<(Function, [u64; 2]), Range>,
 }
+
+/// Calls that are kept, at most.
+const KEPT: usize = 10_000;
 
 impl<'a> StagedValues<'a> {
     /// For the values of `program` that `outputs` need; `None` if memory for constants is lacking.
@@ -86,7 +97,8 @@ impl<'a> StagedValues<'a> {
         }
         let unit = unit_roundoff(program.precision);
         let values = vec![None; program.values.len()];
-        Some(Self { program, unit, values, due, cache: Consts::new().ok()? })
+        let (solved, called) = (BTreeMap::new(), HashMap::new());
+        Some(Self { program, unit, values, solved, due, cache: Consts::new().ok()?, called })
     }
 
     /// Computes the values of a stage; those of earlier stages are known.
@@ -142,11 +154,8 @@ impl<'a> StagedValues<'a> {
             }
             Op::Call(function, a) => {
                 let (function, a) = (*function, at(*a)?);
-                let on = |range: Range, cache: &mut Consts| {
-                    Range::from(&Interval::from(range).call(function, cache))
-                };
-                let cache = &mut self.cache;
-                let (exact, near) = (on(a.exact, cache), on(a.emitted(), cache));
+                let (exact, near) =
+                    (self.call(function, a.exact), self.call(function, a.emitted()));
                 let moved = steepest(function, a.emitted(), near).map(|slope| up(slope * a.error));
                 Some(called(exact, near, moved, unit))
             }
@@ -165,13 +174,31 @@ impl<'a> StagedValues<'a> {
                 let moved = (b.error == 0.0).then(|| up(slope * a.error));
                 Some(called(on(a.exact, b.exact, cache), near, moved, unit))
             }
-            Op::Law(_)
-            | Op::Rows { .. }
-            | Op::Elimination { .. }
-            | Op::Element(..)
-            | Op::Unknown
-            | Op::Root(_) => None,
+            Op::Elimination { matrix, right } => {
+                self.solved.remove(&value);
+                let all = |values: &[Value]| values.iter().map(|value| at(*value)).collect();
+                let (matrix, right): (Option<Vec<_>>, Option<Vec<_>>) = (all(matrix), all(right));
+                let solved = eliminated(&matrix?, &right?, program.precision)?;
+                self.solved.insert(value, solved);
+                None
+            }
+            Op::Element(array, index) => self.solved.get(array)?.get(*index).copied(),
+            Op::Law(_) | Op::Rows { .. } | Op::Unknown | Op::Root(_) => None,
         }
+    }
+}
+
+impl StagedValues<'_> {
+    fn call(&mut self, function: Function, on: Range) -> Range {
+        let key = (function, on.ends().map(f64::to_bits));
+        if let Some(known) = self.called.get(&key) {
+            return *known;
+        }
+        let found = Range::from(&Interval::from(on).call(function, &mut self.cache));
+        if self.called.len() < KEPT {
+            self.called.insert(key, found);
+        }
+        found
     }
 }
 

@@ -179,7 +179,8 @@ impl<'a> Reader<'a> {
             (None, None) if self.has_model() => None,
             (None, None) => n,
         };
-        let promises = self.promises(n, states);
+        let outputs = coupled.as_ref().filter(|_| samples).map(Coupled::orders);
+        let promises = self.promises(n, states, outputs.as_deref());
         // A sample of delay is a state more of a chain, or of a plant that is linear.
         let one = !self.has_model() && !self.keys.contains_key("axes");
         let keeps = samples && (whole || one);

@@ -16,13 +16,21 @@ const MAX_DELAY: usize = 16;
 
 impl Reader<'_> {
     /// Bounds and periods that checks hold the design to.
-    /// Bounds of the whole run are of the states of the plant, all others of the chain.
-    pub(super) fn promises(&mut self, n: Option<usize>, states: Option<usize>) -> Promises {
+    /// Bounds of the whole run are of the states of the plant, all others of the chain, or of those of `outputs`
+    /// with these orders.
+    pub(super) fn promises(
+        &mut self,
+        n: Option<usize>,
+        states: Option<usize>,
+        outputs: Option<&[usize]>,
+    ) -> Promises {
         // A linear plant has as many sensors as C has rows; all states of a model are measured.
         let measured = self.rows_measured().or(states);
         Promises {
             sample_time: self.positive("sample_time"),
-            error: self.one_or_each("error", n, finite_positive, "finite and > 0"),
+            error: self
+                .of_chains("error", outputs)
+                .unwrap_or_else(|| self.one_or_each("error", n, finite_positive, "finite and > 0")),
             noise: self.one_or_each("noise", measured, not_negative, "finite and >= 0"),
             noise_rms: self.one_or_each("noise_rms", measured, not_negative, "finite and >= 0"),
             sensor_step: self.one_or_each("sensor_step", measured, not_negative, "finite and >= 0"),
@@ -30,7 +38,7 @@ impl Reader<'_> {
             delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
             g_error: self.g_error(),
             jitter: self.jitter(),
-            x0_max: self.bounds("x0_max", n),
+            x0_max: self.of_chains("x0_max", outputs).unwrap_or_else(|| self.bounds("x0_max", n)),
             x_max: self.bounds("x_max", states),
             allow: self.allowed(),
             // Read with the table [plant].
@@ -134,6 +142,28 @@ impl Reader<'_> {
         numbers
     }
 
+    /// Bounds of the chain of each output, one after the other, where each has a list of its own.
+    fn of_chains(&mut self, key: &'static str, outputs: Option<&[usize]>) -> Option<Vec<Fixed>> {
+        let (node, orders) = (self.keys.get(key).copied()?, outputs?);
+        let rows = items(node);
+        let is_own = rows.iter().any(|row| matches!(row.value, Value::List(_)));
+        // Outputs of one order may share a list, and all a number that is an error.
+        let one = orders.iter().all(|order| *order == orders[0]);
+        if !is_own && (one || key == "error" && rows.len() == 1) {
+            return None;
+        }
+        let lengths = rows.iter().map(|row| items(row).len());
+        if !is_own || !lengths.eq(orders.iter().copied()) {
+            let all: Vec<_> = orders.iter().map(ToString::to_string).collect();
+            let message =
+                format!("`{key}` is no list for each output of the orders {}", all.join(", "));
+            let help = format!("give a list for each output, of {} numbers", all.join(" and "));
+            self.wrong(key, Some(node.place), message, help);
+            return Some(Vec::new());
+        }
+        Some(rows.iter().flat_map(|row| self.row_of_bounds(key, items(row))).collect())
+    }
+
     fn bounds(&mut self, key: &'static str, n: Option<usize>) -> Vec<Fixed> {
         let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
         let items = items(node);
@@ -148,6 +178,10 @@ impl Reader<'_> {
             self.wrong(key, Some(node.place), message, help);
             return Vec::new();
         }
+        self.row_of_bounds(key, items)
+    }
+
+    fn row_of_bounds(&mut self, key: &'static str, items: &[Node]) -> Vec<Fixed> {
         let mut bounds = Vec::with_capacity(items.len());
         for (index, item) in items.iter().enumerate() {
             match finite_positive(item) {

@@ -5,7 +5,7 @@ use crate::expression::enclosure::Range;
 use crate::program::{Input, Program, Stage, Value};
 use crate::request::Spec;
 
-/// Values of a program, as the states and the control go over cells.
+/// Values of a program, as the states go over cells, and what is held within bounds.
 pub(super) struct OnCells<'a> {
     enclosure: StagedValues<'a>,
     values: Vec<Value>,
@@ -38,18 +38,20 @@ impl<'a> OnCells<'a> {
         Ok(Self { enclosure, values: values.to_vec(), errors, unit })
     }
 
-    /// The values in a cell, with the control within a bound; `None` where one is not enclosed.
-    pub(super) fn at(&mut self, cell: &[Range], control: f64) -> Vec<Option<Rounded>> {
+    /// The values in a cell, with what is held, or wanted, within bounds; `None` where one is not enclosed.
+    pub(super) fn at(&mut self, cell: &[Range], held: &[Range]) -> Vec<Option<Rounded>> {
         let (errors, unit) = (self.errors, self.unit);
+        let of = |j: usize| held.get(j).copied().map(Rounded::of);
         self.enclosure.run(Stage::Step, &|input| match input {
+            // Inputs stand behind the states.
+            Input::State(j) if j > cell.len() => of(j - cell.len() - 1),
             Input::State(j) => {
                 let around = Range::from(errors.get(j - 1).copied().unwrap_or(0.0)).both_signs();
                 let exact = *cell.get(j - 1)? + around;
                 Some(Rounded { exact, error: (unit * exact.size().high()).next_up() })
             }
-            Input::Control | Input::Wanted(_) => {
-                Some(Rounded::of(Range::from(control).both_signs()))
-            }
+            Input::Control => of(0),
+            Input::Wanted(output) => of(output - 1),
             _ => None,
         });
         self.values.iter().map(|value| self.enclosure.get(*value)).collect()
@@ -57,7 +59,7 @@ impl<'a> OnCells<'a> {
 
     /// Whether one of the values is beyond its bound in all of a cell.
     pub(super) fn is_beyond(&mut self, cell: &[Range], bounds: &[f64]) -> bool {
-        let found = self.at(cell, 0.0);
+        let found = self.at(cell, &[]);
         found
             .iter()
             .zip(bounds)

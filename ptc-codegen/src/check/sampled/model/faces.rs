@@ -1,26 +1,26 @@
-//! Whether states whose chain is within bounds stay within the envelope.
+//! Whether states whose chains are within bounds stay within the envelope.
 
 use super::cell::{OnCells, divided};
+use super::motion::Motion;
 use crate::expression::enclosure::Range;
 use crate::lower::plant;
-use crate::model::Model;
 use crate::program::passes;
 use crate::request::{Spec, one_or_each};
 
 /// Cells of the faces that are looked at, at most.
 const CELLS: usize = 20_000;
 
-/// That no state on a face of the envelope has a chain within these bounds: one that moves within them, and
+/// That no state on a face of the envelope has all chains within these bounds: one that moves within them, and
 /// starts in the envelope, does not leave it.
 ///
 /// # Errors
 /// Where one may have.
-pub(super) fn stays(spec: &Spec, model: &Model, chain: &[f64]) -> Result<(), String> {
-    let program = passes::optimise(plant(spec, &model.coordinates), &mut |_, _| {});
+pub(super) fn stays(spec: &Spec, motion: &Motion, chains: &[f64]) -> Result<(), String> {
+    let program = passes::optimise(plant(spec, &motion.coordinates), &mut |_, _| {});
     let mut coordinates = OnCells::new(spec, &program, &program.watched, &[])?;
     let bound = |j: usize| one_or_each(&spec.promises.x_max, j).unwrap_or(f64::INFINITY);
     let whole: Vec<_> = (0..spec.states()).map(|j| Range::from(bound(j)).both_signs()).collect();
-    for (j, name) in model.states.iter().enumerate() {
+    for (j, name) in motion.states.iter().enumerate() {
         for end in [whole[j].low(), whole[j].high()] {
             let mut face = whole.clone();
             face[j] = Range::from(end);
@@ -28,7 +28,7 @@ pub(super) fn stays(spec: &Spec, model: &Model, chain: &[f64]) -> Result<(), Str
             let mut seen = 0;
             while let Some(cell) = open.pop() {
                 seen += 1;
-                if coordinates.is_beyond(&cell, chain) {
+                if coordinates.is_beyond(&cell, chains) {
                     continue;
                 }
                 let wide = |i: &usize| (cell[*i].high() - cell[*i].low()) / bound(*i);

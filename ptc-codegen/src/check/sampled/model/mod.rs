@@ -1,35 +1,38 @@
-//! The worst case of a model that is not linear, whose f and g the law knows at the samples alone.
+//! The worst case of models that are not linear, or have several inputs, whose f and g the law knows at the samples
+//! alone.
 //!
 //! Behind sample k the last rate of the chain is w_k + e(t), e(t) = (f + g u_k)(t) - (f + g u_k)(t_k): the
 //! loop is that of a chain with an unknown force e. On the envelope |e| <= h max |d(f + g u)/dt|, with |u| at
 //! most what |w|, f and g allow, and |w| and the chain within the bounds of the loop under such a force. A force that
 //! is consistent with itself bounds the loop, by induction over time, as long as the states stay within the
 //! envelope; they do where no state on its faces has a chain within the bounds that follow.
+//!
+//! Several outputs have a chain and a force each, f is the vector of their drifts and g the decoupling matrix. All
+//! u, and so each force, follow from all w: the forces have to be consistent together.
 
 mod beside;
 mod cell;
+mod chain;
 mod faces;
+mod forces;
+mod motion;
 mod rates;
-
-use num_traits::Zero;
+mod report;
 
 use super::cells::Worst;
 use super::followed::Followed;
 use super::judge::Loop;
-use super::outcome::{NAME, UNKNOWN, followed, split};
-use crate::algebra::BigRational;
-use crate::check::{Outcome, Verdict, list};
-use crate::diagnostic::digits;
+use super::outcome::{NAME, UNKNOWN};
+use crate::check::{Outcome, Verdict};
 use crate::internal::fault;
-use crate::model::Model;
-use crate::parameter::{Fixed, Parameter};
-use crate::program::number::round;
-use crate::request::{After, Clock, PlantBounds, Promises, Reference, Spec, one_or_each};
+use crate::request::{After, Reference, Spec};
 use beside::Beside;
 pub(super) use cell::divided;
-use rates::{Rates, Sizes};
+use chain::{chain, few_samples};
+use motion::Motion;
+use rates::{Rates, Reached};
 
-/// Rounds in which a force is widened until it is consistent with itself.
+/// Rounds in which forces are widened until they are consistent with themselves.
 const ROUNDS: u32 = 10;
 
 /// A force from which on none is consistent with itself.
@@ -39,19 +42,20 @@ const FAR: f64 = 1e100;
 const WIDER: f64 = 0.02;
 
 /// The check of a design with such a model.
-pub(super) fn outcome(spec: &Spec, model: &Model) -> Outcome {
-    let found = Envelope::new(spec, model).and_then(|envelope| {
-        let found = envelope.bounded(After::Zero, 0.0)?;
-        let afterwards = envelope.afterwards(found.force);
-        Ok((found, afterwards))
+pub(super) fn outcome(spec: &Spec) -> Outcome {
+    let motion = Motion::new(spec).unwrap_or_else(|| fault("a loop of a model without a model"));
+    let found = Envelope::new(spec, &motion).and_then(|envelope| {
+        let from = vec![0.0; envelope.outputs.len()];
+        let found = envelope.bounded(After::Zero, from)?;
+        let afterwards = envelope.afterwards(&found.force);
+        Ok(report::judged(spec, &motion, (&envelope.outputs, &found), afterwards.as_ref()))
     });
-    match found {
-        Ok((found, afterwards)) => judged(spec, model, &found, afterwards.as_ref()),
-        Err(Lacking::Value(reason)) => Outcome::not_checked(NAME, reason),
-        Err(Lacking::Proof(reason)) => {
+    found.unwrap_or_else(|lacking| match lacking {
+        Lacking::Value(reason) => Outcome::not_checked(NAME, reason),
+        Lacking::Proof(reason) => {
             Outcome { verdict: Verdict::Undecided, ..Outcome::not_checked(NAME, reason) }
         }
-    }
+    })
 }
 
 /// Why there are no bounds: a value that is not given, or what is not shown.
@@ -60,30 +64,37 @@ enum Lacking {
     Proof(String),
 }
 
-/// The bounds of a loop.
+/// The bounds of the loops.
 struct Bounded {
-    /// Of the chain that w moves.
-    worst: Worst,
-    sizes: Sizes,
-    /// Of e, errors of sensors, actuator and g, and rounding: the force.
-    force: f64,
+    /// Of the chain of each output, which w moves.
+    worst: Vec<Worst>,
+    /// Of |u|, of each input.
+    u: Vec<f64>,
+    /// Of e, errors of sensors, actuator and g, and rounding: the force on each chain.
+    force: Vec<f64>,
 }
 
-/// Of |x_i| and |u| from the deadline on.
-type Afterwards = (Vec<f64>, f64);
+/// Of |x_i| of each output, and of |u| of each input, from the deadline on.
+type Afterwards = (Vec<Vec<f64>>, Vec<f64>);
 
-/// What bounds the force on the envelope.
-struct Envelope<'a> {
-    spec: &'a Spec,
-    model: &'a Model,
-    rates: Rates<'a>,
+/// One output, whose chain its law moves.
+struct Output {
+    spec: Spec,
     /// What is measured of the chain may be off by.
     sensors: Vec<f64>,
     followed: Option<Beside>,
 }
 
+/// What bounds the forces on the envelope.
+struct Envelope<'a> {
+    spec: &'a Spec,
+    motion: &'a Motion,
+    rates: Rates<'a>,
+    outputs: Vec<Output>,
+}
+
 impl<'a> Envelope<'a> {
-    fn new(spec: &'a Spec, model: &'a Model) -> Result<Self, Lacking> {
+    fn new(spec: &'a Spec, motion: &'a Motion) -> Result<Self, Lacking> {
         let promises = &spec.promises;
         let lacks =
             |key: &str, why: &str| Err(Lacking::Value(format!("`{key}` is not given{why}")));
@@ -93,71 +104,116 @@ impl<'a> Envelope<'a> {
         if promises.x0_max.is_empty() {
             return lacks("x0_max", "");
         }
+        let several = motion.inputs.len() > 1;
         if promises.x_max.is_empty() {
-            return lacks("x_max", ", within which the rate of f + g u is bounded");
+            let of =
+                if several { "the last rates of the chains are" } else { "the rate of f + g u is" };
+            return lacks("x_max", &format!(", within which {of} bounded"));
         }
+        let unproved = |why: &str| Err(Lacking::Proof(why.to_owned()));
         if promises.jitter.is_some() {
-            let why = "what jitter leaves of a model that is not linear is not examined";
-            return Err(Lacking::Proof(why.to_owned()));
+            return unproved("what jitter leaves of a model that is not linear is not examined");
         }
         if promises.plant.is_some() {
-            let why = "the plant of [plant] may differ from the model, and what that leaves is not examined";
-            return Err(Lacking::Proof(why.to_owned()));
+            return unproved(
+                "the plant of [plant] may differ from the model, and what that leaves is not examined",
+            );
+        }
+        let designs = spec.designs();
+        if several && designs.iter().any(|own| own.reference.is_some()) {
+            return unproved("what references of several outputs leave is not examined");
         }
         if spec.reference == Some(Reference::Input) {
-            return Err(Lacking::Proof(UNKNOWN.to_owned()));
+            return unproved(UNKNOWN);
         }
-        let own = spec.sampled().unwrap_or_else(|| fault("a model in samples without samples"));
-        let followed = Followed::new(spec, own).map_err(Lacking::Proof)?;
-        let rates = Rates::new(spec, model).map_err(Lacking::Proof)?;
-        let mut sensors = rates.sensors().map_err(Lacking::Proof)?;
-        let followed = followed.map(|followed| Beside::new(spec, &followed));
-        if let Some(beside) = &followed {
-            sensors.iter_mut().zip(&beside.off).for_each(|(sensor, off)| *sensor += off);
+        if several {
+            few_samples(&designs)?;
         }
-        Ok(Self { spec, model, rates, sensors, followed })
+        let rates = Rates::new(spec, motion).map_err(Lacking::Proof)?;
+        let sensors = rates.sensors().map_err(Lacking::Proof)?;
+        let mut sensors = sensors.into_iter();
+        let outputs = designs.into_iter().map(|own| {
+            let sensors = sensors.by_ref().take(own.n).collect();
+            Output::new(own, sensors).map_err(Lacking::Proof)
+        });
+        let outputs = outputs.collect::<Result<_, _>>()?;
+        Ok(Self { spec, motion, rates, outputs })
     }
 
-    /// The bounds under a force that is consistent with itself, `from` or a larger one: to the deadline, or for
+    /// The bounds under forces that are consistent with themselves, `force` or larger ones: to the deadline, or for
     /// as long as the law goes on.
-    fn bounded(&self, after: After, from: f64) -> Result<Bounded, Lacking> {
-        let mut force = from;
+    fn bounded(&self, after: After, mut force: Vec<f64>) -> Result<Bounded, Lacking> {
         for _ in 0..ROUNDS {
-            let chain = Spec { after, ..chain(self.spec, &self.sensors, force) };
-            let closed = Loop::new(&chain, None).map_err(Lacking::Value)?;
-            let worst = closed.worst(true).map_err(Lacking::Proof)?;
-            let (wanted, x) = reached(&worst, after).map_err(Lacking::Proof)?;
-            let (wanted, x) = match &self.followed {
-                Some(beside) => beside.of_plant(wanted, &x),
-                None => (wanted, x),
-            };
-            let mut sizes = self.rates.sizes(wanted, &x).map_err(Lacking::Proof)?;
-            if let Some(beside) = &self.followed {
-                sizes.force += beside.force(wanted);
+            let loops = self.outputs.iter().zip(&force);
+            let loops = loops.map(|(output, force)| output.reached(after, *force));
+            let loops = loops.collect::<Result<Vec<_>, _>>()?;
+            let (worst, loops): (Vec<_>, Vec<_>) = loops.into_iter().unzip();
+            let (wanted, chains): (Vec<_>, Vec<_>) = loops.into_iter().unzip();
+            let reached = Reached { wanted, chains: chains.concat(), force };
+            let mut sizes = self.rates.sizes(&reached).map_err(Lacking::Proof)?;
+            let all = self.outputs.iter().zip(&reached.wanted).zip(&mut sizes.force);
+            for ((output, wanted), force) in all {
+                *force += output.followed.as_ref().map_or(0.0, |own| own.force(*wanted));
             }
-            if sizes.force <= force {
-                faces::stays(self.spec, self.model, &x).map_err(Lacking::Proof)?;
-                return Ok(Bounded { worst, sizes, force });
+            if sizes.force.iter().zip(&reached.force).all(|(needed, force)| needed <= force) {
+                faces::stays(self.spec, self.motion, &reached.chains).map_err(Lacking::Proof)?;
+                return Ok(Bounded { worst, u: sizes.u, force: reached.force });
             }
-            force = (1.0 + WIDER) * sizes.force;
-            if force > FAR {
+            force = sizes.force.iter().map(|needed| (1.0 + WIDER) * needed).collect();
+            if force.iter().any(|force| *force > FAR) {
                 break;
             }
         }
-        Err(Lacking::Proof(
-            "what f + g u may change by between samples grows with the u that it takes: a shorter sample_time, or closer x_max and x0_max, may bound it".to_owned(),
-        ))
+        let what = if self.outputs.len() > 1 {
+            "what the last rates of the chains may change by between samples grows"
+        } else {
+            "what f + g u may change by between samples grows"
+        };
+        Err(Lacking::Proof(format!(
+            "{what} with the u that it takes: a shorter sample_time, or closer x_max and x0_max, may bound it"
+        )))
     }
 
     /// What holds from the deadline on, where it is known; of a reference what it does before the deadline
     /// alone is.
-    fn afterwards(&self, from: f64) -> Option<Afterwards> {
-        if self.spec.after != After::Hold || self.spec.reference.is_some() {
+    fn afterwards(&self, from: &[f64]) -> Option<Afterwards> {
+        let follows = self.outputs.iter().any(|output| output.spec.reference.is_some());
+        if self.spec.after != After::Hold || follows {
             return None;
         }
-        let after = self.bounded(After::Hold, from).ok()?.worst.after?;
-        let u = self.rates.sizes(after.u, &after.x).ok()?.u;
-        Some((after.x, u))
+        let Bounded { worst, force, .. } = self.bounded(After::Hold, from.to_vec()).ok()?;
+        let after = worst.into_iter().map(|worst| worst.after).collect::<Option<Vec<_>>>()?;
+        let (chains, wanted): (Vec<_>, Vec<_>) =
+            after.into_iter().map(|after| (after.x, after.u)).unzip();
+        let u = self.rates.sizes(&Reached { wanted, chains: chains.concat(), force }).ok()?.u;
+        Some((chains, u))
+    }
+}
+
+impl Output {
+    /// # Errors
+    /// Why what it follows has no bounds.
+    fn new(spec: Spec, mut sensors: Vec<f64>) -> Result<Self, String> {
+        let own = spec.sampled().unwrap_or_else(|| fault("a model in samples without samples"));
+        let followed = Followed::new(&spec, own)?;
+        let followed = followed.map(|followed| Beside::new(&spec, &followed));
+        if let Some(beside) = &followed {
+            sensors.iter_mut().zip(&beside.off).for_each(|(sensor, off)| *sensor += off);
+        }
+        Ok(Self { spec, sensors, followed })
+    }
+
+    /// The loop under such a force, and what is wanted of the last rate of the plant, and its chain, in it.
+    fn reached(&self, after: After, force: f64) -> Result<(Worst, (f64, Vec<f64>)), Lacking> {
+        let chain = Spec { after, ..chain(&self.spec, &self.sensors, force) };
+        let closed = Loop::new(&chain, None).map_err(Lacking::Value)?;
+        let worst = closed.worst(true).map_err(Lacking::Proof)?;
+        let (wanted, x) = reached(&worst, after).map_err(Lacking::Proof)?;
+        let of_plant = match &self.followed {
+            Some(beside) => beside.of_plant(wanted, &x),
+            None => (wanted, x),
+        };
+        Ok((worst, of_plant))
     }
 }
 
@@ -172,104 +228,4 @@ fn reached(worst: &Worst, after: After) -> Result<(f64, Vec<f64>), String> {
     let after = after.ok_or("no bounds are known to hold for ever")?;
     let both = way.x.iter().zip(&after.x);
     Ok((way.u.max(after.u), both.map(|(a, b)| a.max(*b)).collect()))
-}
-
-/// The chain that w moves, under a force that is any signal within a bound.
-fn chain(spec: &Spec, sensors: &[f64], force: f64) -> Spec {
-    // Bounds that are not finite are refused where they arise.
-    let exact = |value: f64| {
-        BigRational::from_float(value).unwrap_or_else(|| fault("a bound that is not finite"))
-    };
-    let fixed = |value: f64| Fixed::Number { value: exact(value), text: value.to_string() };
-    let zero = BigRational::zero;
-    let mut chain = Spec {
-        model: None,
-        drift: None,
-        input_gain: None,
-        reference: None,
-        promises: Promises {
-            noise: sensors.iter().copied().map(fixed).collect(),
-            noise_rms: Vec::new(),
-            sensor_step: Vec::new(),
-            u_step: None,
-            g_error: Vec::new(),
-            x_max: Vec::new(),
-            plant: (force > 0.0).then(|| PlantBounds::Bounded {
-                middle: zero(),
-                constant: zero(),
-                varying: exact(force),
-                gain: None,
-            }),
-            ..spec.promises.clone()
-        },
-        ..spec.clone()
-    };
-    // u is clipped, not w.
-    chain.fixed.insert(Parameter::UMax, Fixed::Infinite);
-    if let Clock::Samples(sampled) = &mut chain.clock {
-        sampled.measured = spec.n;
-    }
-    chain
-}
-
-fn judged(spec: &Spec, model: &Model, found: &Bounded, afterwards: Option<&Afterwards>) -> Outcome {
-    let Bounded { worst, sizes, force } = found;
-    let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
-    let errors = &spec.promises.error;
-    let error = |i: usize| one_or_each(errors, i).unwrap_or(f64::INFINITY);
-    let above = (0..spec.n).find(|i| totals[*i] > error(*i));
-    let limit = spec.fixed.get(&Parameter::UMax).and_then(Fixed::number);
-    let limit = limit.map(|limit| round(limit, spec.precision));
-    let clipped = limit.is_some_and(|limit| sizes.u >= limit);
-    let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
-    let (verdict, summary) = match above {
-        _ if errors.is_empty() => (Verdict::NotChecked, format!("`error` is not given: {all}")),
-        _ if clipped => (
-            Verdict::Undecided,
-            format!("|u| is only known to be below {}, above u_max", digits(sizes.u)),
-        ),
-        Some(i) => (
-            Verdict::Undecided,
-            format!("{all}, above error = {} for x{}", digits(error(i)), i + 1),
-        ),
-        None => (Verdict::Sound, all),
-    };
-    let n = spec.n;
-    let mut details = vec![
-        format!(
-            "the model over {} samples, from states within x_max whose chain is within x0_max, at any tick",
-            worst.samples
-        ),
-        format!(
-            "between samples {} is within {} of what it was at the sample, which leaves an error of order h^({}-i) in x_i",
-            if spec.reference.is_some() { "f + g u - r^(n)" } else { "f + g u" },
-            digits(*force),
-            n + 2
-        ),
-    ];
-    details.extend(followed(spec));
-    if !spec.fixed.contains_key(&Parameter::UMax) {
-        details.push("without a limit of u, which is left to run time".to_owned());
-    }
-    details.extend((0..n).map(|i| split(spec, worst, i)));
-    if let Some(way) = &worst.way {
-        let x = list(way.x.iter().copied());
-        let states = model.states.iter().map(|state| state.text()).collect::<Vec<_>>().join(", ");
-        details.push(format!(
-            "on the way, between samples too, |x| <= {x}, |{}| <= {}, and {states} stay within x_max",
-            model.input,
-            digits(sizes.u)
-        ));
-    }
-    if let Some((x, u)) =
-        afterwards.filter(|(_, u)| !clipped && limit.is_none_or(|limit| *u < limit))
-    {
-        let x = list(x.iter().copied());
-        details.push(format!(
-            "from the deadline on |x| <= {x}, |{}| <= {}",
-            model.input,
-            digits(*u)
-        ));
-    }
-    Outcome { name: NAME, verdict, summary, details, fix: None }
 }

@@ -1,0 +1,323 @@
+//! What the check `loop` bounds of plants with several inputs in samples, against runs of the plant from random
+//! states with random noise.
+
+use crate::support;
+
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::check::{Outcome, Verdict};
+use ptc_codegen::plant::{Plant, read_design};
+use ptc_codegen::simulate::{Loop, Sampled, Values};
+use support::entries;
+
+/// A design with its period, the bounds of the chains at the start, and the chains of its states and back.
+struct Case {
+    text: String,
+    h: f64,
+    start: &'static [f64],
+    chains: fn(&[f64]) -> Vec<f64>,
+    states: fn(&[f64]) -> Vec<f64>,
+}
+
+const ARM: &str = r#"
+states = ["q1", "q2", "w1", "w2"]
+inputs = ["M1", "M2"]
+inertia = [
+  ["2.135 + 0.9*cos(q2)", "0.375 + 0.45*cos(q2)"],
+  ["0.375 + 0.45*cos(q2)", "0.375"],
+]
+bias = [
+  "-0.45*sin(q2)*(2*w1*w2 + w2^2) + 20.601*cos(q1) + 7.3575*cos(q1 + q2)",
+  "0.45*sin(q2)*w1^2 + 7.3575*cos(q1 + q2)",
+]"#;
+
+const LEVELS: &str = r#"
+states = ["a", "b"]
+inputs = ["p", "q"]
+outputs = ["a", "b"]
+dynamics = { a = "p - 0.5*q - 0.4*sqrt(1 + a)", b = "0.3*p + q + 0.4*sqrt(1 + a) - 0.5*sqrt(1 + b)" }"#;
+
+const MIXER: &str = r#"
+states = ["h", "c", "e"]
+inputs = ["q", "p"]
+outputs = ["h", "e"]
+dynamics = { h = "q - 0.1*h", c = "p - c*(1 + h)", e = "(c - e)*(1 + h)" }"#;
+
+const FOUR: &str = r#"
+states = ["a", "b", "c", "d"]
+inputs = ["u1", "u2", "u3", "u4"]
+outputs = ["a", "b", "c", "d"]
+dynamics = { a = "(2 + sin(b))*u1 + 0.3*u2 - a^2", b = "u2 + 0.2*c*u3 - sin(a)", c = "2*u3 + 0.4*u4 + 0.1*u1 - c*d", d = "u4 - 0.3*cos(d)*u1 + a" }"#;
+
+/// The output of the first chain is no state.
+const CURVED: &str = r#"
+states = ["p", "v", "y"]
+inputs = ["u", "r"]
+outputs = ["p + p^3/5", "y"]
+dynamics = { p = "v", v = "u - p*v + 0.3*y*r", y = "r - y^3 + 0.2*v*u" }"#;
+
+fn case(
+    own: &str,
+    (h, tau): (f64, f64),
+    model: &str,
+    start: &'static [f64],
+    chains: fn(&[f64]) -> Vec<f64>,
+    states: fn(&[f64]) -> Vec<f64>,
+) -> Case {
+    let text = format!(
+        "mu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = {h:?}\nerror = 1e3\n{own}\n[params]\ntau = {tau:?}\n[model]{model}\n"
+    );
+    Case { text, h, start, chains, states }
+}
+
+/// A mechanical plant, levels, outputs of different orders, an elimination, and chains that are not the states.
+fn cases() -> Vec<Case> {
+    let same = |x: &[f64]| x.to_vec();
+    let swapped = |x: &[f64]| vec![x[0], x[2], x[1], x[3]];
+    vec![
+        case(
+            "poles = [-3, -4]\nnoise = [1e-6, 1e-6, 2e-5, 2e-5]\nu_step = 1e-2\nx0_max = [0.3, 0.2]\nx_max = [0.5, 0.5, 1.5, 1.5]",
+            (5e-3, 0.5),
+            ARM,
+            &[0.3, 0.2, 0.3, 0.2],
+            swapped,
+            swapped,
+        ),
+        case(
+            "poles = [-3]\nprecision = \"f32\"\nsensor_step = [2e-5, 1e-5]\ng_error = [0.999, 1.001]\nx0_max = [0.3]\nx_max = [0.4, 0.4]",
+            (2e-2, 2.0),
+            LEVELS,
+            &[0.3, 0.3],
+            same,
+            same,
+        ),
+        case(
+            "poles = [[-4], [-3, -4]]\nx0_max = [[0.1], [0.3, 0.1]]\nx_max = [0.5, 30, 3]",
+            (1e-2, 3.0),
+            MIXER,
+            &[0.1, 0.3, 0.1],
+            |x| vec![x[0], x[2], (x[1] - x[2]) * (1.0 + x[0])],
+            |x| vec![x[0], x[1] + x[2] / (1.0 + x[0]), x[1]],
+        ),
+        case(
+            "poles = [-2]\nnoise = 1e-6\nx0_max = [0.2]\nx_max = [0.3, 0.3, 0.3, 0.3]",
+            (1e-2, 1.0),
+            FOUR,
+            &[0.2, 0.2, 0.2, 0.2],
+            same,
+            same,
+        ),
+        case(
+            "poles = [[-3, -4], [-3]]\nx0_max = [[0.3, 0.2], [0.1]]\nx_max = [0.5, 2, 0.3]",
+            (5e-3, 1.0),
+            CURVED,
+            &[0.3, 0.2, 0.1],
+            |x| vec![x[0] + x[0].powi(3) / 5.0, x[1] * (1.0 + 0.6 * x[0] * x[0]), x[2]],
+            |x| {
+                let mut p = x[0];
+                for _ in 0..40 {
+                    p = x[0] - p.powi(3) / 5.0;
+                }
+                vec![p, x[1] / (1.0 + 0.6 * p * p), x[2]]
+            },
+        ),
+    ]
+}
+
+fn loop_of(text: &str) -> Outcome {
+    let (spec, _) = read_design(&entries(text)).unwrap_or_else(|found| panic!("{text}: {found:?}"));
+    let report = examine(&spec);
+    report.outcomes.into_iter().find(|outcome| outcome.name == "loop").expect("the check")
+}
+
+/// The bounds of all chains behind `|x| <= `, which are rounded to four digits.
+fn chains(line: &str) -> Vec<f64> {
+    let (_, behind) = line.split_once("|x| <= ").unwrap_or_else(|| panic!("{line}"));
+    let behind = behind.split(", |").next().unwrap_or_default();
+    let parts = behind.split("; ").flat_map(|one| one.split(" of output").next());
+    let numbers = parts.flat_map(|one| one.split(", ")).map(|word| word.parse().expect("a number"));
+    numbers.collect()
+}
+
+/// The bounds of all inputs.
+fn inputs(line: &str) -> Vec<f64> {
+    let all = line.split(", |").skip(2).filter_map(|one| one.split_once("| <= "));
+    all.map(|(_, u)| u.split(", ").next().expect("a bound").parse().expect("a number")).collect()
+}
+
+/// Bounds of the chains at the deadline, on the way, and of the inputs.
+fn bounds(outcome: &Outcome) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    assert_eq!(outcome.verdict, Verdict::Sound, "{outcome:?}");
+    let way = outcome.details.iter().find(|line| line.starts_with("on the way")).expect("a way");
+    (
+        chains(&outcome.summary),
+        chains(&way["on the way, between samples too, ".len()..]),
+        inputs(way),
+    )
+}
+
+/// Beyond what four digits hide.
+fn is_within(value: f64, bound: f64) -> bool {
+    value.abs() <= bound * 1.0005
+}
+
+/// The numbers of a key in a design.
+fn numbers(text: &str, key: &str) -> Vec<f64> {
+    let line = text.lines().find_map(|line| line.strip_prefix(key)?.trim().strip_prefix('='));
+    let words = line.unwrap_or("").split(['[', ']', ',', ' ']);
+    words.filter(|word| !word.is_empty()).map(|word| word.parse().expect("a number")).collect()
+}
+
+#[test]
+fn runs_stay_within_the_bounds() {
+    for Case { text, h, start, chains, states } in cases() {
+        let (last, way, most) = bounds(&loop_of(&text));
+        let (spec, _) = read_design(&entries(&text)).expect("a design");
+        let plant = Plant::own(&spec);
+        let mut sampled = Sampled::new(&spec, &plant).expect("a loop");
+        let values = Values::of(&spec, &plant);
+        let mut reached = vec![0.0_f64; way.len()];
+        let mut of_inputs = vec![0.0_f64; most.len()];
+        for seed in 0..24_u32 {
+            let side = |i: usize| if seed >> i & 1 == 0 { 1.0 } else { -1.0 };
+            let part = if seed < 16 { 1.0 } else { 0.3 };
+            let x0: Vec<_> = start.iter().enumerate().map(|(i, x)| part * side(i) * x).collect();
+            let around = Loop {
+                period: h,
+                seed: u64::from(seed),
+                noise: numbers(&text, "noise"),
+                sensor_step: numbers(&text, "sensor_step"),
+                u_step: numbers(&text, "u_step").first().copied().unwrap_or(0.0),
+                gain: match numbers(&text, "g_error").as_slice() {
+                    [low, high] => [*low, *high],
+                    _ => [1.0; 2],
+                },
+                parts: 4,
+                ..Loop::default()
+            };
+            let mut end = Vec::new();
+            let run = sampled.run(&values, &states(&x0), &around, &mut |sample| {
+                end = chains(sample.x);
+                for ((x, bound), reached) in end.iter().zip(&way).zip(&mut reached) {
+                    assert!(is_within(*x, *bound), "{text}{end:?} {way:?}");
+                    *reached = reached.max(x.abs());
+                }
+                // From the deadline on u is that of held gains, which the bound leaves out.
+                if sample.time_to_go > h / 2.0 {
+                    for ((u, bound), reached) in sample.u.iter().zip(&most).zip(&mut of_inputs) {
+                        assert!(is_within(*u, *bound), "{text}{:?} {most:?}", sample.u);
+                        *reached = reached.max(u.abs());
+                    }
+                }
+            });
+            run.unwrap_or_else(|failure| panic!("{text}{failure}"));
+            for (x, bound) in end.iter().zip(&last) {
+                assert!(is_within(*x, *bound), "{text}{end:?} {last:?}");
+            }
+        }
+        // Bounds on the way that say something.
+        let near = |reached: &[f64], bounds: &[f64], most: f64| {
+            reached.iter().zip(bounds).all(|(x, bound)| *bound < most * x)
+        };
+        let near = near(&reached, &way, 3.0) && near(&of_inputs, &most, 10.0);
+        assert!(near, "{text}{reached:?} {way:?} {of_inputs:?} {most:?}");
+    }
+}
+
+/// Every claim turns where its bound does.
+#[test]
+fn verdicts_turn_at_the_bounds() {
+    let case = &cases()[2];
+    let (last, _, most) = bounds(&loop_of(&case.text));
+    let with = |from: &str, to: &str| {
+        assert!(case.text.contains(from), "{from}");
+        loop_of(&case.text.replacen(from, to, 1))
+    };
+    let error = |part: f64| {
+        let [a, b, c] = [0, 1, 2].map(|i| part * last[i]);
+        with("error = 1e3", &format!("error = [[{a:?}], [{b:?}, {c:?}]]"))
+    };
+    assert_eq!(error(1.01).verdict, Verdict::Sound);
+    let above = error(0.99);
+    assert!(
+        above.verdict == Verdict::Undecided && above.summary.ends_with("for x1_1"),
+        "{above:?}"
+    );
+    let second = with("error = 1e3", &format!("error = [[1], [1, {:?}]]", 0.99 * last[2]));
+    assert!(second.verdict == Verdict::Undecided && second.summary.ends_with("for x2_2"));
+    let limits = |a: f64, b: f64| {
+        with("[params]", &format!("limits = [{:?}, {:?}]\n[params]", a * most[0], b * most[1]))
+    };
+    assert_eq!(limits(1.01, 1.01).verdict, Verdict::Sound);
+    for (a, b, name) in [(0.99, 1.01, "|q|"), (1.01, 0.99, "|p|")] {
+        let clipped = limits(a, b);
+        let why = clipped.summary.starts_with(name) && clipped.summary.contains("above its limit");
+        assert!(clipped.verdict == Verdict::Undecided && why, "{clipped:?}");
+    }
+    let shared = with("[params]", &format!("[params]\nu_max = {:?}", 0.99 * most[1]));
+    assert!(shared.summary.contains("above u_max of"), "{shared:?}");
+    for (from, to, verdict, why) in [
+        (
+            "x_max = [0.5, 30, 3]",
+            "x_max = [0.099, 30, 3]",
+            Verdict::Undecided,
+            "h is not shown to stay within x_max",
+        ),
+        ("x_max = [0.5, 30, 3]", "", Verdict::NotChecked, "`x_max` is not given"),
+        ("x0_max = [[0.1], [0.3, 0.1]]", "", Verdict::NotChecked, "`x0_max` is not given"),
+        ("error = 1e3\n", "", Verdict::NotChecked, "`error` is not given: at the deadline |x| <="),
+        ("p - c*(1 + h)", "h*p", Verdict::Undecided, "matrix may be singular"),
+        ("p - c*(1 + h)", "p - abs(c)", Verdict::Undecided, "kink"),
+        ("0.1*h", "1e4*h^3", Verdict::Undecided, "a shorter sample_time"),
+        ("error", "jitter = 1e-5\nerror", Verdict::Undecided, "jitter"),
+        ("tau = 3.0", "", Verdict::NotChecked, "left to run time"),
+        ("tau = 3.0", "tau = 300", Verdict::Undecided, "samples are more"),
+    ] {
+        let text = case.text.replacen(from, to, 1);
+        let text =
+            if from.starts_with("x0_max") { text.replace("error = 1e3\n", "") } else { text };
+        assert!(case.text.contains(from), "{from}");
+        let found = loop_of(&text);
+        assert!(found.verdict == verdict && found.summary.contains(why), "{to}: {found:?}");
+    }
+    let other = loop_of(&format!("{}[plant]\ndynamics = {{ c = \"p - c\" }}\n", case.text));
+    assert!(other.verdict == Verdict::Undecided && other.summary.contains("[plant]"), "{other:?}");
+}
+
+/// A matrix that is singular somewhere in the envelope, and zero dynamics, which nothing keeps within x_max.
+#[test]
+fn nothing_is_proved_where_it_is_not_shown() {
+    let arm = &cases()[0].text;
+    let singular = loop_of(&arm.replace("\"0.375\"]", "\"0.22*cos(q1)\"]"));
+    let why = singular.summary.contains("M may be singular");
+    assert!(singular.verdict == Verdict::Undecided && why, "{singular:?}");
+    let wide = loop_of(&arm.replace("x_max = [0.5, 0.5", "x_max = [0.301, 0.5"));
+    assert!(wide.summary.contains("q1 is not shown to stay"), "{wide:?}");
+    let beside = LEVELS
+        .replace("\"a\", \"b\"]\ninputs", "\"a\", \"b\", \"z\"]\ninputs")
+        .replace(" }", ", z = \"a - z\" }");
+    let text = cases()[1].text.replace(LEVELS, &beside).replace("[0.4, 0.4]", "[0.4, 0.4, 1]");
+    let text = text.replace("[2e-5, 1e-5]", "1e-5");
+    let found = loop_of(&text);
+    assert!(found.summary.contains("z is not shown to stay"), "{found:?}");
+}
+
+/// Lists for each output are read, refused where they do not fit, and written as they are read.
+#[test]
+fn bounds_of_each_output() {
+    let text = &cases()[2].text;
+    let (spec, _) = read_design(&entries(text)).expect("a design");
+    let command = spec.command();
+    assert!(command.contains("--x0-max=\"[[0.1],[0.3,0.1]]\""), "{command}");
+    for (from, to) in [
+        ("[[0.1], [0.3, 0.1]]", "[[0.1], [0.3]]"),
+        ("[[0.1], [0.3, 0.1]]", "[0.1, 0.3, 0.1]"),
+        ("error = 1e3", "error = [1, 2]"),
+    ] {
+        let found = read_design(&entries(&text.replace(from, to))).expect_err("a mistake");
+        let told = found.iter().any(|one| one.message.contains("no list for each output"));
+        assert!(told, "{to}: {found:?}");
+    }
+    let time = text.replace("clock = \"samples\"\n", "eps = 0.1\n");
+    let found = read_design(&entries(&time)).expect_err("a mistake");
+    assert!(found.iter().any(|one| one.message.contains("different orders")), "{found:?}");
+}
