@@ -59,7 +59,8 @@ fn the_checks_say_what_they_do_not_know() {
         assert!(found.summary.contains(summary), "{}", found.summary);
     }
     let looped = of(&arm("m2 = 1.5"), "loop");
-    assert_eq!(looped.verdict, Verdict::NotChecked, "{}", looped.summary);
+    assert_eq!(looped.verdict, Verdict::Undecided, "{}", looped.summary);
+    assert!(looped.summary.contains("a shorter sample_time"), "{}", looped.summary);
     // What is left to run time may be anything, unless it has bounds.
     let open =
         tank("[0.5, 50, 50]", "").replace("e = \"(c - e)*(1 + h)\"", "e = \"(c - e)*(k + h)\"");
