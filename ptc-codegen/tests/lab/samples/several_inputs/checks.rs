@@ -18,10 +18,14 @@ fn the_checks_say_what_they_do_not_know() {
         let top = format!("sample_time = 0.05\nx_max = {x_max}\nnoise = [1e-3, 0.1, 0.1]");
         changed(&example("tank.toml"), &top, limit)
     };
-    for name in ["sampling", "deadline", "loop"] {
+    for (name, why) in [
+        ("sampling", "several inputs"),
+        ("deadline", "several inputs"),
+        ("loop", "`x0_max` is not given"),
+    ] {
         let found = of(&tank("[0.9, 50, 50]", ""), name);
         assert_eq!(found.verdict, Verdict::NotChecked, "{name}: {}", found.summary);
-        assert!(found.summary.contains("several inputs"), "{name}: {}", found.summary);
+        assert!(found.summary.contains(why), "{name}: {}", found.summary);
     }
     let arm = |mass: &str| {
         let top = "mu = \"exp(a=1)\"\npoles = [-3, -4]\nsample_time = 0.05\nx0_max = [1, 1]\nerror = 0.1\nx_max = [3, 3, 9, 9]";
@@ -65,7 +69,8 @@ fn the_checks_say_what_they_do_not_know() {
         );
     }
     let looped = of(&arm("m2 = 1.5"), "loop");
-    assert_eq!(looped.verdict, Verdict::NotChecked, "{}", looped.summary);
+    assert_eq!(looped.verdict, Verdict::Undecided, "{}", looped.summary);
+    assert!(looped.summary.contains("a shorter sample_time"), "{}", looped.summary);
     // What is left to run time may be anything, unless it has bounds.
     let open =
         tank("[0.5, 50, 50]", "").replace("e = \"(c - e)*(1 + h)\"", "e = \"(c - e)*(k + h)\"");
