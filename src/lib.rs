@@ -125,7 +125,7 @@ pub use error::Error;
 /// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
 /// | `after` | what follows the deadline | `hold`: the gains stay; `zero`: u = 0; `extern`: `step` takes a closure of x and t | `hold` |
 /// | `sample_time` | sample period of the loop in s; sets the default of `eps` | a number > 0 | |
-/// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, or one for each state, with `x0_max` | |
+/// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, or one for each state, with `x0_max`; with several outputs in samples also a list for each | |
 /// | `noise` | bounds of the noise of each measured state | a number >= 0, or one for each state | |
 /// | `noise_rms` | standard deviations of random noise of each measured state | a number >= 0, or one for each state | |
 /// | `g_error` | least and greatest true input gain, in parts of `g` | two numbers > 0, the smaller one first | |
@@ -140,7 +140,7 @@ pub use error::Error;
 /// | `observer_samples` | samples after which the estimates are exact; with `clock = samples` | an integer | half of all; none with `what = observer` |
 /// | `observer_eps` | time-to-go in s at which the gains of the observer are held; with `clock = samples` | a number > 0 | |
 /// | `after_observer` | poles of the observer in 1/s once the estimates are exact; with `clock = samples` | one for each state that is estimated, with real parts < 0 | the last gains stay |
-/// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0 | |
+/// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0; with several outputs in samples also a list for each | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
 /// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope`, `zeros` | none |
 ///
