@@ -241,14 +241,6 @@ fn mistakes_are_shown_at_their_lines() {
         (
             MIX,
             "mu =",
-            "reference = \"input\"\nclock = \"samples\"\nmu =",
-            3,
-            "need a clock in time",
-            "leave `clock` out",
-        ),
-        (
-            MIX,
-            "mu =",
             "reference = \"input\"\nafter = \"zero\"\nmu =",
             3,
             "hold their gains",
