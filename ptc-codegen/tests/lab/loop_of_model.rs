@@ -117,23 +117,8 @@ fn runs_stay_within_the_bounds() {
             let side = |i: usize| if seed >> i & 1 == 0 { 1.0 } else { -1.0 };
             let part = if seed < 12 { 1.0 } else { 0.3 };
             let x0: Vec<_> = start.iter().enumerate().map(|(i, x)| part * side(i) * x).collect();
-            let number = |key: &str| {
-                let line = text.lines().find(|line| line.starts_with(key));
-                line.map(|line| numbers(&line.replace('[', ""), "= ")).unwrap_or_default()
-            };
-            let around = Loop {
-                period: h,
-                seed: u64::from(seed),
-                noise: number("noise"),
-                sensor_step: number("sensor_step"),
-                u_step: number("u_step").first().copied().unwrap_or(0.0),
-                gain: match number("g_error").as_slice() {
-                    [low, high] => [*low, *high],
-                    _ => [1.0; 2],
-                },
-                parts: 4,
-                ..Loop::default()
-            };
+            let own = Loop::of(&spec).expect("a period");
+            let around = Loop { seed: u64::from(seed), parts: 4, ..own };
             let mut end = Vec::new();
             let run = sampled.run(&values, &x0, &around, &mut |sample| {
                 end = chain(sample.x);

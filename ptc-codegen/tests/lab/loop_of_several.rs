@@ -160,13 +160,6 @@ fn is_within(value: f64, bound: f64) -> bool {
     value.abs() <= bound * 1.0005
 }
 
-/// The numbers of a key in a design.
-fn numbers(text: &str, key: &str) -> Vec<f64> {
-    let line = text.lines().find_map(|line| line.strip_prefix(key)?.trim().strip_prefix('='));
-    let words = line.unwrap_or("").split(['[', ']', ',', ' ']);
-    words.filter(|word| !word.is_empty()).map(|word| word.parse().expect("a number")).collect()
-}
-
 #[test]
 fn runs_stay_within_the_bounds() {
     for Case { text, h, start, chains, states } in cases() {
@@ -181,19 +174,8 @@ fn runs_stay_within_the_bounds() {
             let side = |i: usize| if seed >> i & 1 == 0 { 1.0 } else { -1.0 };
             let part = if seed < 16 { 1.0 } else { 0.3 };
             let x0: Vec<_> = start.iter().enumerate().map(|(i, x)| part * side(i) * x).collect();
-            let around = Loop {
-                period: h,
-                seed: u64::from(seed),
-                noise: numbers(&text, "noise"),
-                sensor_step: numbers(&text, "sensor_step"),
-                u_step: numbers(&text, "u_step").first().copied().unwrap_or(0.0),
-                gain: match numbers(&text, "g_error").as_slice() {
-                    [low, high] => [*low, *high],
-                    _ => [1.0; 2],
-                },
-                parts: 4,
-                ..Loop::default()
-            };
+            let own = Loop::of(&spec).expect("a period");
+            let around = Loop { seed: u64::from(seed), parts: 4, ..own };
             let mut end = Vec::new();
             let run = sampled.run(&values, &states(&x0), &around, &mut |sample| {
                 end = chains(sample.x);

@@ -10,7 +10,7 @@
 pub(crate) mod bounds;
 mod cells;
 mod computed;
-mod regular;
+pub(super) mod regular;
 mod report;
 #[cfg(test)]
 mod tests;

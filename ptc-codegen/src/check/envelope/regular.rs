@@ -26,7 +26,7 @@ use crate::parameter::Precision;
 use crate::program::elimination::eliminate;
 
 /// More than the roundings of a few sums and products of positive numbers.
-const MORE: f64 = 1.0 + 1e-12;
+pub(in crate::check) const MORE: f64 = 1.0 + 1e-12;
 
 /// Bounds of matrices that are regular with all in reach of roundings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,11 +48,9 @@ impl Regular {
         }
         let m = entries.len().isqrt();
         let most = entries.iter().copied().map(size).fold(0.0, f64::max);
-        let (growth, count) = (growth(m), count(m));
-        let (relative, absolute) = (precision.epsilon(), precision.least_normal());
-        let reach = 2.0 * growth * most * relative;
-        let reach = (reach + absolute * (2.0 * count + growth * most)) * MORE;
-        let Some(near) = inverse(entries, m) else { return Err(f64::INFINITY) };
+        let reach = reach(m, most, precision);
+        let middle: Vec<f64> = entries.iter().map(|x| x.range.middle()).collect();
+        let Some(near) = inverse(&middle, m) else { return Err(f64::INFINITY) };
         let rest: Vec<_> =
             (0..m).flat_map(|i| rest(&near[i * m..][..m], i, entries, reach)).collect();
         let (q, weights) = contraction(&rest, m);
@@ -83,22 +81,18 @@ impl Regular {
             return None;
         }
         let wanted = right.iter().copied().map(size).fold(0.0, f64::max);
-        let (growth, count) = (growth(m), count(m));
-        let (relative, absolute) = (precision.epsilon(), precision.least_normal());
-        let sides = wanted * (1.0 + 2.0 * growth * relative);
-        let sides = sides + absolute * count * (4.0 * count + 2.0 + 2.0 * growth * most);
-        let solution = inverse * sides * MORE + absolute;
-        // Half of the range is more than the roundings of the sums.
-        let range = 0.5 * precision.greatest();
-        let sums = growth * (wanted + count * most * solution);
-        if !(solution < range && sums < range && growth * most < range) {
+        let sides = wanted + off(m, (most, wanted), precision);
+        let solution = inverse * sides * MORE + precision.least_normal();
+        if !stays_in_range(m, (most, wanted), solution, precision) {
             return None;
         }
+        let range = 0.5 * precision.greatest();
         let around = |size: f64| Computed::from(Range::from(size).both_signs());
         let mut all = vec![around(solution); m];
         // A pivot of round k is one of its entries.
         let pivots = (0..m).scan(most, |pivot, _| Some(std::mem::replace(pivot, 2.0 * *pivot)));
-        let determinant = pivots.fold(MORE, |product, pivot| product * pivot) + absolute;
+        let determinant = pivots.fold(MORE, |product, pivot| product * pivot);
+        let determinant = determinant + precision.least_normal();
         let stays = determinant < range;
         all.push(if stays { around(determinant) } else { Computed::ANY });
         Some(all)
@@ -107,6 +101,35 @@ impl Regular {
 
 fn size(entry: Computed) -> f64 {
     entry.range.size().high()
+}
+
+/// D of the theorem, of matrices with m rows whose entries are at most `most`.
+pub(in crate::check) fn reach(m: usize, most: f64, precision: Precision) -> f64 {
+    let growth = growth(m);
+    let (relative, absolute) = (precision.epsilon(), precision.least_normal());
+    (2.0 * growth * most * relative + absolute * (2.0 * count(m) + growth * most)) * MORE
+}
+
+/// How far a right side that is at most `wanted` is from that of the system that is solved exactly.
+pub(in crate::check) fn off(m: usize, (most, wanted): (f64, f64), precision: Precision) -> f64 {
+    let (growth, count) = (growth(m), count(m));
+    let (relative, absolute) = (precision.epsilon(), precision.least_normal());
+    let sides = absolute * count * (4.0 * count + 2.0 + 2.0 * growth * most);
+    (2.0 * growth * wanted * relative + sides) * MORE
+}
+
+/// Whether no sum overflows on the way to a solution of this size.
+pub(in crate::check) fn stays_in_range(
+    m: usize,
+    (most, wanted): (f64, f64),
+    solution: f64,
+    precision: Precision,
+) -> bool {
+    let growth = growth(m);
+    let sums = growth * (wanted + count(m) * most * solution);
+    // Half of the range is more than the roundings of the sums.
+    let range = 0.5 * precision.greatest();
+    solution < range && sums < range && growth * most < range
 }
 
 /// 2^m, more than entries grow.
@@ -118,13 +141,12 @@ fn count(m: usize) -> f64 {
     u32::try_from(m).map_or(f64::INFINITY, f64::from)
 }
 
-/// An approximate inverse of the midpoint, row by row.
-fn inverse(entries: &[Computed], m: usize) -> Option<Vec<f64>> {
-    let middle: Vec<f64> = entries.iter().map(|x| x.range.middle()).collect();
+/// An approximate inverse of a matrix with m rows, row by row.
+pub(in crate::check) fn inverse(matrix: &[f64], m: usize) -> Option<Vec<f64>> {
     let mut inverse = vec![0.0; m * m];
     for j in 0..m {
         let unit: Vec<f64> = (0..m).map(|i| f64::from(u8::from(i == j))).collect();
-        let column = eliminate(&middle, &unit, Precision::F64);
+        let column = eliminate(matrix, &unit, Precision::F64);
         (0..m).for_each(|i| inverse[i * m + j] = column[i]);
     }
     inverse.iter().all(|entry| entry.is_finite()).then_some(inverse)

@@ -186,9 +186,7 @@ impl<'a> StagedValues<'a> {
             Op::Law(_) | Op::Rows { .. } | Op::Unknown | Op::Root(_) => None,
         }
     }
-}
 
-impl StagedValues<'_> {
     fn call(&mut self, function: Function, on: Range) -> Range {
         let key = (function, on.ends().map(f64::to_bits));
         if let Some(known) = self.called.get(&key) {

@@ -4,9 +4,9 @@
 //! |R b| + |C| w < w for some w > 0, the spectral radius of |C| is below 1: every A is regular, and |y| <= w.
 
 use super::rounded::Rounded;
+use crate::check::envelope::regular::{MORE, inverse, off, reach, stays_in_range};
 use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
-use crate::program::elimination::eliminate;
 
 /// Rounds in which w is widened.
 const ROUNDS: u32 = 200;
@@ -25,7 +25,8 @@ pub(super) fn solution(matrix: &[Range], right: &[Range]) -> Option<Vec<Range>> 
     if !matrix.iter().chain(right).all(Range::is_bounded) {
         return None;
     }
-    let near = inverse(matrix, m)?;
+    let middle: Vec<f64> = matrix.iter().map(|entry| entry.middle()).collect();
+    let near = inverse(&middle, m)?;
     let near = |i: usize, k: usize| Range::from(near[i * m + k]);
     let first: Vec<Range> = (0..m).map(|i| (0..m).map(|k| near(i, k) * right[k]).sum()).collect();
     let rest = |i: usize, j: usize| {
@@ -61,55 +62,36 @@ fn around(first: &[Range], image: &dyn Fn(&[Range], usize) -> Range) -> Option<V
     None
 }
 
-/// An approximate inverse of the middle, row by row.
-fn inverse(matrix: &[Range], m: usize) -> Option<Vec<f64>> {
-    let middle: Vec<f64> = matrix.iter().map(|entry| entry.middle()).collect();
-    let mut inverse = vec![0.0; m * m];
-    for j in 0..m {
-        let unit: Vec<f64> = (0..m).map(|i| f64::from(u8::from(i == j))).collect();
-        let column = eliminate(&middle, &unit, Precision::F64);
-        (0..m).for_each(|i| inverse[i * m + j] = column[i]);
-    }
-    inverse.iter().all(|entry| entry.is_finite()).then_some(inverse)
-}
-
 /// What the emitted elimination gives; `None` where a matrix is not shown to be regular, or a sum to stay in range.
 ///
-/// It solves a system exactly whose matrix and right side are near those that it is given: see the theorem of the
-/// envelope check, `check/envelope/regular`, whose names are those here.
+/// It solves a system exactly whose matrix and right side are near those that it is given, by the theorem of
+/// `check/envelope/regular`.
 pub(super) fn eliminated(
     matrix: &[Rounded],
     right: &[Rounded],
     precision: Precision,
 ) -> Option<Vec<Rounded>> {
     let size = |all: &[Rounded]| all.iter().map(|x| x.emitted().size().high()).fold(0.0, f64::max);
-    let (most, wanted) = (size(matrix), size(right));
-    let m = u32::try_from(right.len()).ok().map(f64::from)?;
-    let growth = m.exp2();
-    let (relative, absolute) = (precision.epsilon(), precision.least_normal());
-    let more = 1.0 + 1e-12;
-    let of_matrix = more * (2.0 * growth * most * relative + absolute * (2.0 * m + growth * most));
-    let of_right = 2.0 * growth * wanted * relative;
-    let of_right = more * (of_right + absolute * m * (4.0 * m + 2.0 + 2.0 * growth * most));
+    let (m, sizes) = (right.len(), (size(matrix), size(right)));
+    let (of_matrix, of_right) = (reach(m, sizes.0, precision), off(m, sizes, precision));
     let moved = |all: &[Rounded], more: f64| -> Vec<_> {
         all.iter().map(|x| x.emitted() + Range::from(more).both_signs()).collect()
     };
     let emitted = solution(&moved(matrix, of_matrix), &moved(right, of_right))?;
     let largest = emitted.iter().map(|y| y.size().high()).fold(0.0, f64::max);
-    // Half of the range is more than the roundings of the sums.
-    if more * growth * (wanted + m * most * largest + most) >= 0.5 * precision.greatest() {
+    if !stays_in_range(m, sizes, largest, precision) {
         return None;
     }
     // A y' = b + db - dA y', for the y' that is computed.
-    let off = |(row, right): (&[Rounded], &Rounded)| {
+    let moved_by = |(row, right): (&[Rounded], &Rounded)| {
         let terms = row.iter().zip(&emitted);
         let terms = terms.map(|(entry, y)| (entry.error + of_matrix) * y.size().high());
-        Range::from(more * (right.error + of_right + terms.sum::<f64>())).both_signs()
+        Range::from(MORE * (right.error + of_right + terms.sum::<f64>())).both_signs()
     };
-    let off: Vec<_> = matrix.chunks(right.len()).zip(right).map(off).collect();
+    let moved_by: Vec<_> = matrix.chunks(m).zip(right).map(moved_by).collect();
     let exact = |all: &[Rounded]| all.iter().map(|x| x.exact).collect::<Vec<_>>();
     let (matrix, right) = (exact(matrix), exact(right));
-    let errors = solution(&matrix, &off)?;
+    let errors = solution(&matrix, &moved_by)?;
     let found = solution(&matrix, &right)?.into_iter().zip(errors);
     Some(found.map(|(exact, error)| Rounded { exact, error: error.size().high() }).collect())
 }
@@ -119,6 +101,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::program::elimination::eliminate;
 
     fn range(low: f64, high: f64) -> Range {
         Range::from(low).hull(&Range::from(high))

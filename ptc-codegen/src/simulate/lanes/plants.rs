@@ -15,7 +15,7 @@ use crate::simulate::{Failure, Values};
 pub(super) struct Plants {
     motions: Vec<Motion>,
     /// What each comes to over a length: a row of E, F B and F c for each state.
-    rows: Vec<Row>,
+    rows: Vec<Packed>,
     /// The length of each lane, in s; not a number where it has none.
     lengths: Pack,
     /// The states at the end of a length.
@@ -24,7 +24,7 @@ pub(super) struct Plants {
 
 /// A row of the plants of all lanes.
 #[derive(Clone, Debug)]
-struct Row {
+struct Packed {
     whole: Vec<Pack>,
     of_input: Pack,
     constant: Pack,
@@ -36,7 +36,7 @@ pub(super) type Times = [(f64, f64); LANES];
 impl Plants {
     pub(super) fn of(motion: &Motion) -> Self {
         let (n, none) = (motion.order(), Pack::all(0.0));
-        let row = Row { whole: vec![none; n], of_input: none, constant: none };
+        let row = Packed { whole: vec![none; n], of_input: none, constant: none };
         Self {
             motions: vec![motion.clone(); LANES],
             rows: vec![row; n],
@@ -75,7 +75,7 @@ impl Plants {
             alone[lane] = lanes[lane] && !self.knows(lane, times[lane].1 - times[lane].0);
         }
         for (next, row) in self.next.iter_mut().zip(&self.rows) {
-            let Row { whole, of_input, constant } = row;
+            let Packed { whole, of_input, constant } = row;
             // As the sum of an iterator begins.
             *next = Pack::all(-0.0);
             for (whole, x) in whole.iter().zip(&*x) {
@@ -110,7 +110,7 @@ impl Plants {
         let Some((own, rows)) = self.motions[lane].rows(length) else { return false };
         for (row, (whole, of_inputs, constant)) in self.rows.iter_mut().zip(rows) {
             row.whole.iter_mut().zip(whole).for_each(|(pack, own)| pack.0[lane] = *own);
-            row.of_input.0[lane] = of_inputs.iter().sum();
+            row.of_input.0[lane] = of_inputs.first().copied().unwrap_or(0.0);
             row.constant.0[lane] = constant;
         }
         self.lengths.0[lane] = own;

@@ -6,7 +6,7 @@ use ptc_codegen::code::{Code, Instance, Shape, Status};
 use ptc_codegen::plant::{Plant, as_one, read_design};
 use ptc_codegen::simulate::{Loop, Sampled, Values, tracking_error};
 
-use super::{axes, changed, code, decoupled, program};
+use super::{AT_RUN_TIME, axes, changed, code, decoupled, program};
 use crate::support::{entries, example, spec};
 
 /// tau and the sample period, exact in binary.
@@ -95,16 +95,9 @@ fn parameters_at_run_time_follow_as_fixed_ones() {
             [decoupled(&[&TIME[..], &further].concat()), axes(&[&TIME[..], &further].concat())];
         let open = [("mu", "exp"), reference];
         let open = [decoupled(&open), axes(&open)];
-        let given: [(&str, &[f64]); 5] = [
-            ("samples", &[64.0]),
-            ("h", &[1.0 / 128.0]),
-            ("a", &[1.0]),
-            ("k", &[12.0, 7.0]),
-            ("deadbeat", &[5.0]),
-        ];
         for (fixed, open) in fixed.iter().zip(&open) {
             let mut fixed = started(fixed);
-            let mut open = Instance::new(open, &given).expect("legal parameters");
+            let mut open = Instance::new(open, &AT_RUN_TIME).expect("legal parameters");
             for k in 0..66_u32 {
                 let tick = [f64::from(k)];
                 let x: [f64; 4] = [0, 1, 2, 3].map(|place| number(k, place));

@@ -24,6 +24,15 @@ outputs = ["a", "b", "c", "d"]
 dynamics = { a = "A*(2 + b^2) + B - a*c", b = "b1", b1 = "B*(3 + a) + C*d - b*d1", c = "C + D*a - c^2", d = "d1", d1 = "D*(2 - b) + A*c + a" }
 "#;
 
+/// What of two chains of order 2 is left to run time.
+const AT_RUN_TIME: [(&str, &[f64]); 5] = [
+    ("samples", &[64.0]),
+    ("h", &[1.0 / 128.0]),
+    ("a", &[1.0]),
+    ("k", &[12.0, 7.0]),
+    ("deadbeat", &[5.0]),
+];
+
 /// A design with other values of keys at its top and under [params].
 fn changed(text: &str, top: &str, params: &str) -> String {
     let own = [top, params].join("\n");

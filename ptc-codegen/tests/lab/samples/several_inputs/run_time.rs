@@ -2,7 +2,7 @@
 
 use ptc_codegen::code::{Instance, Status};
 
-use super::{FOUR, changed, decoupled, program};
+use super::{AT_RUN_TIME, FOUR, changed, decoupled, program};
 use crate::support::{example, spec};
 
 #[test]
@@ -38,15 +38,8 @@ fn inputs_that_do_not_decouple_are_refused_at_run_time() {
 fn parameters_at_run_time_act_as_fixed_ones() {
     let fixed = decoupled(&[("tau", "0.5"), ("sample_time", "1/128"), ("poles", "-3,-4")]);
     let open = decoupled(&[("mu", "exp")]);
-    let given: [(&str, &[f64]); 5] = [
-        ("samples", &[64.0]),
-        ("h", &[1.0 / 128.0]),
-        ("a", &[1.0]),
-        ("k", &[12.0, 7.0]),
-        ("deadbeat", &[5.0]),
-    ];
     let mut fixed = Instance::new(&fixed, &[]).expect("legal parameters");
-    let mut open = Instance::new(&open, &given).expect("legal parameters");
+    let mut open = Instance::new(&open, &AT_RUN_TIME).expect("legal parameters");
     for k in 0..66_u32 {
         let given = [("k", &[f64::from(k)][..]), ("x", &[0.3, -1.0, 2.0, 0.5])];
         let [found, wanted] = [&mut open, &mut fixed].map(|c| c.call("step", &given));
@@ -55,7 +48,8 @@ fn parameters_at_run_time_act_as_fixed_ones() {
             assert!((found / wanted - 1.0).abs() < 1e-14, "{k}: {found}, not {wanted}");
         }
     }
-    let short = [("samples", &[1.0][..]), given[1], given[2], given[3], given[4]];
+    let mut short = AT_RUN_TIME;
+    short[0] = ("samples", &[1.0]);
     let open = decoupled(&[("mu", "exp")]);
     assert_eq!(Instance::new(&open, &short).err(), Some(Status::Param));
 }
