@@ -14,7 +14,7 @@ pub mod sampled;
 pub mod sampling;
 mod zeros;
 
-use crate::diagnostic::digits;
+use crate::diagnostic::{digits, digits_up};
 
 /// What a check came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -80,6 +80,11 @@ impl Outcome {
 /// Numbers to four significant digits, with commas between them.
 fn list(values: impl IntoIterator<Item = f64>) -> String {
     values.into_iter().map(digits).collect::<Vec<_>>().join(", ")
+}
+
+/// Upper bounds in one line.
+fn bounds(values: impl IntoIterator<Item = f64>) -> String {
+    values.into_iter().map(digits_up).collect::<Vec<_>>().join(", ")
 }
 
 /// The middle of a positive bracket on the scale of its logarithm.

@@ -14,7 +14,7 @@ use super::{Outcome, Verdict, middle};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::is_hurwitz;
 use crate::algebra::{BigInt, BigRational};
-use crate::diagnostic::digits;
+use crate::diagnostic::{digits, digits_up};
 
 /// The guard to take is this many times the least one: at the least one the loop with held gains
 /// neither decays nor grows, and twice as far the period may be late by as much as itself.
@@ -167,7 +167,7 @@ impl Sampling {
                 Verdict::Unsound,
                 format!(
                     "held gains are unstable: a period of {period} s needs eps >= {} s, not {} s",
-                    digits(least),
+                    digits_up(least),
                     digits(eps)
                 ),
                 Some(self.advice(least)),
@@ -184,7 +184,7 @@ impl Sampling {
             ),
             (Some(least), None) => (
                 Verdict::Sound,
-                format!("a period of {period} s is stable for eps >= {} s", digits(least)),
+                format!("a period of {period} s is stable for eps >= {} s", digits_up(least)),
                 None,
             ),
         };

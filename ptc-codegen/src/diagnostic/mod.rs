@@ -174,7 +174,38 @@ pub fn counted(count: &dyn fmt::Display, one: &str) -> String {
 
 /// A number to four significant digits.
 pub fn digits(value: f64) -> String {
-    let rounded = format!("{value:.3e}").parse().unwrap_or(value);
+    shown(nearest(value))
+}
+
+/// The least number of four significant digits that is no smaller: an upper bound is one as it is printed.
+pub fn digits_up(value: f64) -> String {
+    shown(beyond(value, 1.0))
+}
+
+/// The greatest one that is no larger.
+pub fn digits_down(value: f64) -> String {
+    shown(beyond(value, -1.0))
+}
+
+/// The number of four significant digits that is next to a value on the side of `sign`.
+fn beyond(value: f64, sign: f64) -> f64 {
+    let rounded = nearest(value);
+    if sign * rounded >= sign * value || !value.is_finite() {
+        return rounded;
+    }
+    let text = format!("{value:.3e}");
+    let exponent = text.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let step = exponent.and_then(|exponent| format!("1e{}", exponent - 3).parse::<f64>().ok());
+    // The nearest one is at most half a step on the other side.
+    step.map_or(value, |step| nearest(value + sign * 0.6 * step))
+}
+
+/// The nearest number of four significant digits.
+fn nearest(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+fn shown(rounded: f64) -> String {
     // + 0 turns -0 into 0.
     let size = f64::abs(rounded);
     if size == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {
@@ -192,7 +223,25 @@ mod tests {
         let all = all.map(|(count, one)| super::counted(&count, one));
         assert_eq!(all, ["0 states", "1 state", "2 axes", "1 axis", "3 tries", "12 poles"]);
     }
-    use super::{near_miss, visible};
+    use super::{digits, digits_down, digits_up, near_miss, visible};
+
+    #[test]
+    fn bounds_are_rounded_away_from_what_they_bound() {
+        for (value, nearest, up, down) in [
+            (0.1, "0.1", "0.1", "0.1"),
+            (0.1 + 1e-15, "0.1", "0.1001", "0.1"),
+            (0.1 - 1e-15, "0.1", "0.1", "0.09999"),
+            (1.23449e-7, "1.234e-7", "1.235e-7", "1.234e-7"),
+            (-1.23449e-7, "-1.234e-7", "-1.234e-7", "-1.235e-7"),
+            (9.9991, "9.999", "10", "9.999"),
+            (99999.0, "1e5", "1e5", "99990"),
+            (0.0, "0", "0", "0"),
+            (5e-324, "5e-324", "5e-324", "5e-324"),
+            (f64::INFINITY, "inf", "inf", "inf"),
+        ] {
+            assert_eq!([digits(value), digits_up(value), digits_down(value)], [nearest, up, down]);
+        }
+    }
 
     #[test]
     fn what_is_hidden_is_written_out() {

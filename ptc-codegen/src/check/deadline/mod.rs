@@ -16,8 +16,8 @@ mod exponential;
 
 pub use closed_loop::ClosedLoop;
 
-use super::{Outcome, Verdict, list, middle};
-use crate::diagnostic::digits;
+use super::{Outcome, Verdict, bounds, middle};
+use crate::diagnostic::{digits, digits_down};
 
 /// The grid begins at this share of tau.
 const FLOOR: f64 = 1e-12;
@@ -82,18 +82,21 @@ impl Deadline {
                 format!(
                     "eps = {} s is too early to stop: |x| <= {error} from {} s on",
                     digits(eps),
-                    digits(largest)
+                    digits_down(largest)
                 ),
-                Some(format!("take eps <= {} s or place the poles further left", digits(largest))),
+                Some(format!(
+                    "take eps <= {} s or place the poles further left",
+                    digits_down(largest)
+                )),
             ),
             (Some(largest), _) => (
                 Verdict::Sound,
-                format!("|x| <= {error} for every eps <= {} s", digits(largest)),
+                format!("|x| <= {error} for every eps <= {} s", digits_down(largest)),
                 None,
             ),
         };
         let at = digits(self.largest_eps.unwrap_or(FLOOR * self.tau));
-        let bounds = list(self.bounds.iter().copied());
+        let bounds = bounds(self.bounds.iter().copied());
         let details = vec![format!("numeric bounds of |x_i| at T = {at} s: {bounds}")];
         Outcome { name: "deadline", verdict, summary, details, fix }
     }

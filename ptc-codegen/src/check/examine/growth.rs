@@ -2,8 +2,8 @@
 
 use super::known::{Decay, Rate, decay, fixed_gains, rounded_down};
 use crate::check::Outcome;
-use crate::check::digits;
 use crate::check::growth::{self, Growth, Modes, growth, growth_between};
+use crate::diagnostic::digits_down;
 use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Spec};
@@ -47,7 +47,7 @@ pub(super) fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>)
             let Some(limit) = at_rest.largest_rho else {
                 return lacks("the rate is left to run time, and none is slow enough");
             };
-            let text = digits(limit);
+            let text = digits_down(limit);
             let share = match spec.family() {
                 Some(Family::Exp | Family::Soft) => Some(1.0),
                 Some(Family::Tanh) => Some(0.5),

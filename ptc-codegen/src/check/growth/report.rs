@@ -2,7 +2,7 @@
 
 use super::super::{Outcome, Verdict, to_f64};
 use super::Growth;
-use crate::diagnostic::digits;
+use crate::diagnostic::{digits, digits_down};
 
 impl Growth {
     /// The line Re = -m rho.
@@ -54,7 +54,7 @@ impl Growth {
             Some(rho) if self.rho > 0.0 => format!(
                 "place every pole left of {line}, or, with these gains, take {} of at most {}",
                 self.rate,
-                digits(rho)
+                digits_down(rho)
             ),
             _ => format!("place every pole left of {line}"),
         }
@@ -92,7 +92,8 @@ pub fn open(rho: &str) -> Outcome {
 
 /// What is said where the decay rate of mu' is not found.
 pub fn without_rate(largest: Option<f64>) -> Outcome {
-    let up_to = largest.map(|rho| format!("; x and u go to 0 if it is at most {}", digits(rho)));
+    let up_to =
+        largest.map(|rho| format!("; x and u go to 0 if it is at most {}", digits_down(rho)));
     Outcome {
         name: "growth",
         verdict: Verdict::Undecided,

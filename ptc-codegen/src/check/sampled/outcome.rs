@@ -9,8 +9,8 @@ use super::judge::Loop;
 use super::worst::Bound;
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
-use crate::check::{Outcome, Verdict, list};
-use crate::diagnostic::digits;
+use crate::check::{Outcome, Verdict, bounds, list};
+use crate::diagnostic::{digits, digits_up};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, PlantBounds, Reference, Spec};
@@ -73,7 +73,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let (state, most) = share(&totals);
     let told =
         |i: usize, x: &[f64]| format!("the worst |x{}| at the deadline is {}", i + 1, digits(x[i]));
-    let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
+    let all = format!("at the deadline |x| <= {}", bounds(totals.iter().copied()));
     let unknown = match (&spec.promises.plant, &spec.reference) {
         (Some(PlantBounds::Unknown(why)), _) => {
             Some(format!("{why}; with f = 0 and the g of the law"))
@@ -143,9 +143,10 @@ pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option
         Some(way) if way.u < limit => {
             (Some(format!("u is never clipped: |u| < u_max = {}", digits(limit))), false)
         }
-        Some(way) => {
-            (Some(format!("|u| may reach {}, and u_max = {}", digits(way.u), digits(limit))), true)
-        }
+        Some(way) => (
+            Some(format!("|u| may reach {}, and u_max = {}", digits_up(way.u), digits(limit))),
+            true,
+        ),
         None => {
             (Some("there are too many samples to decide whether u is clipped".to_owned()), true)
         }
@@ -287,14 +288,14 @@ pub(super) fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     let parts = causes(spec, bound);
     let parts: Vec<_> =
         parts.iter().map(|(cause, part)| format!("{} {cause}", digits(*part))).collect();
-    format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
+    format!("|x{}| <= {}: {}", i + 1, digits_up(bound.total()), parts.join(" + "))
 }
 
 fn on_the_way(worst: &Worst) -> Option<String> {
     let way = worst.way.as_ref()?;
-    let x = list(way.x.iter().copied());
+    let x = bounds(way.x.iter().copied());
     let at = if way.between { "between samples too" } else { "at the samples" };
-    Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits(way.u)))
+    Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits_up(way.u)))
 }
 
 /// What holds after the deadline.
@@ -311,10 +312,10 @@ fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
         };
         return Some(why.to_owned());
     };
-    let x = list(after.x.iter().copied());
+    let x = bounds(after.x.iter().copied());
     let clipped = if after.u < closed.limit() { "" } else { ", unless u is clipped" };
     let at = if after.between { "" } else { ", at the samples," };
-    Some(format!("from the deadline on{at} |x| <= {x} and |u| <= {}{clipped}", digits(after.u)))
+    Some(format!("from the deadline on{at} |x| <= {x} and |u| <= {}{clipped}", digits_up(after.u)))
 }
 
 /// What random noise adds, which has no bound.

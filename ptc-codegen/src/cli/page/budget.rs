@@ -2,7 +2,7 @@
 
 use ptc_codegen::check::examine::Report;
 use ptc_codegen::check::sampled::causes;
-use ptc_codegen::diagnostic::digits;
+use ptc_codegen::diagnostic::{digits, digits_up};
 use ptc_codegen::request::one_or_each;
 
 /// Colours of causes, which the page defines.
@@ -48,7 +48,7 @@ pub(super) fn bars(report: &Report) -> Vec<Bar> {
         };
         Bar {
             state: format!("|x{}|", i + 1),
-            bound: digits(bound.total()),
+            bound: digits_up(bound.total()),
             error: wanted.map(|wanted| (digits(wanted), percent(wanted))),
             parts: causes(&report.spec, bound).into_iter().map(part).collect(),
         }

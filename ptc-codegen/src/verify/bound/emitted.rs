@@ -12,7 +12,7 @@ use super::{Box, Campaign, Prover, halved, middle_of};
 use crate::algebra::{BigRational, integer};
 use crate::check::envelope::bounds::Bounds;
 use crate::check::envelope::{Computed, outward};
-use crate::diagnostic::digits;
+use crate::diagnostic::{digits, digits_up};
 use crate::expression::enclosure::{Interval, Range};
 use crate::law::Law;
 use crate::lower::lower;
@@ -121,7 +121,7 @@ impl Emitted {
     pub(super) fn scope(&self) -> String {
         let name = self.precision;
         let of_u = match self.error(&[integer(0), integer(1)]) {
-            Some(error) => format!("within {} of u there", digits(error * 1.001)),
+            Some(error) => format!("within {} of u there", digits_up(error)),
             None => "the rounding of its iteration is not included".to_owned(),
         };
         format!(

@@ -4,6 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::form::Part;
 use crate::algebra::BigRational;
+use crate::diagnostic::{digits, digits_up};
 use crate::expression::enclosure::Range;
 
 /// Why an objective is not seen to hold over a cell.
@@ -24,13 +25,12 @@ pub(super) enum Why {
 impl Why {
     /// In words, with the place.
     pub(super) fn at(&self, share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
-        let digits = |value: f64| crate::diagnostic::digits(value);
         let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
         let place = format!("at T/tau = {}, tau = {}", number(&share[0]), number(&tau[0]));
         match self {
             Self::Exceeded(what, value, bound) => format!(
                 "no room is left {place}: {what} may reach {}, and the bound is {}",
-                digits(*value),
+                digits_up(*value),
                 digits(*bound)
             ),
             Self::MayNotExist(what) => format!("{what} may have no value {place}"),

@@ -4,7 +4,7 @@ use super::super::objective::over;
 use super::super::{Campaign, Interval, Kind, Objective, Signal};
 use super::Proof;
 use crate::check::sampled::{Bound, Worst, causes, proved as worst_case};
-use crate::diagnostic::digits;
+use crate::diagnostic::{digits, digits_up};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
@@ -180,7 +180,7 @@ fn within(most: f64, bound: f64, what: &str) -> Result<(), String> {
     match most < bound {
         true => Ok(()),
         false => {
-            let (most, bound) = (digits(most), digits(bound));
+            let (most, bound) = (digits_up(most), digits(bound));
             Err(format!("{what} may reach {most}, and its bound is {bound}"))
         }
     }

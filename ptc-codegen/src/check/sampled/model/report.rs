@@ -3,8 +3,8 @@
 use super::super::outcome::{NAME, followed, split};
 use super::motion::Motion;
 use super::{Afterwards, Bounded, Output};
-use crate::check::{Outcome, Verdict, list};
-use crate::diagnostic::digits;
+use crate::check::{Outcome, Verdict, bounds};
+use crate::diagnostic::{digits, digits_up};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::program::number::round;
 use crate::request::{Spec, one_or_each};
@@ -87,7 +87,7 @@ fn clipped(spec: &Spec, u: &[f64]) -> Option<usize> {
 
 /// That an input may be above its bound.
 fn beyond_limit(spec: &Spec, motion: &Motion, (j, u): (usize, f64)) -> String {
-    let most = digits(u);
+    let most = digits_up(u);
     if motion.inputs.len() == 1 {
         return format!("|u| is only known to be below {most}, above u_max");
     }
@@ -117,7 +117,7 @@ fn force(spec: &Spec, outputs: usize, force: f64) -> String {
     };
     format!(
         "between samples {what} is within {} of what it was at the sample, which leaves an error of order h^({}-i) in x_i",
-        digits(force),
+        digits_up(force),
         n + 2
     )
 }
@@ -129,7 +129,7 @@ fn of_output(outputs: &[Output], k: usize) -> String {
 
 /// Bounds of the chains.
 fn of_chains(x: &[Vec<f64>]) -> String {
-    let all: Vec<_> = x.iter().map(|x| list(x.iter().copied())).collect();
+    let all: Vec<_> = x.iter().map(|x| bounds(x.iter().copied())).collect();
     match all.as_slice() {
         [one] => format!("|x| <= {one}"),
         all => {
@@ -142,6 +142,6 @@ fn of_chains(x: &[Vec<f64>]) -> String {
 
 /// Bounds of the inputs.
 fn of_inputs(motion: &Motion, u: &[f64]) -> String {
-    let of = |(name, u): (&Name, &f64)| format!("|{name}| <= {}", digits(*u));
+    let of = |(name, u): (&Name, &f64)| format!("|{name}| <= {}", digits_up(*u));
     motion.inputs.iter().zip(u).map(of).collect::<Vec<_>>().join(", ")
 }
