@@ -167,7 +167,7 @@ impl Sampling {
                 Verdict::Unsound,
                 format!(
                     "held gains are unstable: a period of {period} s needs eps >= {} s, not {} s",
-                    digits_up(least),
+                    digits(least),
                     digits(eps)
                 ),
                 Some(self.advice(least)),
@@ -267,7 +267,7 @@ mod tests {
         assert_eq!((told.verdict, told.fix), (Verdict::Sound, None));
         assert_eq!(told.summary, "eps = 0.002 s is 4 times the minimum for a period of 0.001 s");
         let told = Outcome::from(&found);
-        assert_eq!(told.summary, "a period of 0.001 s is stable for eps >= 5e-4 s");
+        assert_eq!(told.summary, "a period of 0.001 s is stable for eps >= 5.001e-4 s");
         assert_eq!(told.details, ["the threshold of h/T is 2"]);
     }
 

@@ -189,15 +189,20 @@ pub fn digits_down(value: f64) -> String {
 
 /// The number of four significant digits that is next to a value on the side of `sign`.
 fn beyond(value: f64, sign: f64) -> f64 {
-    let rounded = nearest(value);
-    if sign * rounded >= sign * value || !value.is_finite() {
-        return rounded;
+    // Every digit in which a double may differ from a number of four.
+    let text = format!("{:.20e}", value.abs());
+    let parts = text.split_once('e').and_then(|(digits, exponent)| {
+        let exponent: i32 = exponent.parse().ok()?;
+        let inner: f64 = format!("{}e{exponent}", digits.get(..5)?).parse().ok()?;
+        Some((inner, format!("1e{}", exponent - 3).parse::<f64>().ok()?))
+    });
+    match parts {
+        Some((inner, step)) if nearest(value) != value => {
+            let size = if sign * value > 0.0 { inner + step } else { inner };
+            nearest(size.copysign(value))
+        }
+        _ => value,
     }
-    let text = format!("{value:.3e}");
-    let exponent = text.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    let step = exponent.and_then(|exponent| format!("1e{}", exponent - 3).parse::<f64>().ok());
-    // The nearest one is at most half a step on the other side.
-    step.map_or(value, |step| nearest(value + sign * 0.6 * step))
 }
 
 /// The nearest number of four significant digits.
