@@ -29,7 +29,7 @@ pub struct Context {
 pub const TIME: Duration = Duration::from_secs(20);
 
 /// In how many parts a brief run divides what is costly, and so in how many days all of it is examined.
-const PARTS: u64 = 3;
+const PARTS: u64 = 5;
 
 /// The root of the workspace.
 pub fn workspace() -> &'static Path {
