@@ -63,7 +63,7 @@ impl Rates<'_> {
     }
 
     /// What is held while the states are in a cell and the last rates s stay within bounds: of a mechanical plant
-    /// s, of any other the inputs that act. Of several these are D^-1 (s - F) at every state on the way.
+    /// s, of any other the inputs that act, D^-1 (s - F) at every state on the way.
     fn held(
         &self,
         emitted: &mut OnCells<'_>,
@@ -74,9 +74,6 @@ impl Rates<'_> {
             return last.to_vec();
         }
         let acting = inputs.iter().map(|input| Range::from(input.acting).both_signs());
-        if inputs.len() == 1 {
-            return acting.collect();
-        }
         let here = emitted.at(cell, last);
         let within = |(acting, here): (Range, &Option<Rounded>)| {
             here.as_ref().map_or(acting, |here| here.exact.common(&acting))
