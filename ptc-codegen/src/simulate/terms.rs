@@ -87,13 +87,7 @@ impl Terms {
     }
 
     /// Takes the terms of a value whose operands are known; of so many states.
-    pub(super) fn sum(
-        &mut self,
-        to: usize,
-        sum: &Sum,
-        states: usize,
-        get: impl Fn(Value) -> f64,
-    ) {
+    pub(super) fn sum(&mut self, to: usize, sum: &Sum, states: usize, get: impl Fn(Value) -> f64) {
         match *sum {
             Sum::Other => self.none(to),
             Sum::Constant(value) => {

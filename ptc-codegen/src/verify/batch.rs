@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::exact::Exact;
 use super::observer::{LaneObserver, Observer};
-use super::settings::Settings;
 use super::samples::of_sample;
+use super::settings::Settings;
 use super::track::Track;
 use super::trial::{ACCURACY, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};

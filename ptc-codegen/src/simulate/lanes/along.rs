@@ -73,9 +73,14 @@ impl Abreast {
 
     /// Computes the rest at a time and a state.
     pub fn at(&mut self, time: &Pack, state: &[Pack]) {
+        self.tick(time);
+        self.again(state);
+    }
+
+    /// Computes what time decides.
+    pub(super) fn tick(&mut self, time: &Pack) {
         self.lanes.fill(self.time, time);
         self.lanes.run(Stage::Tick);
-        self.again(state);
     }
 
     /// The same at another state.

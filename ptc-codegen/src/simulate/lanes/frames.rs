@@ -16,7 +16,7 @@ pub(super) struct Frames<'a> {
     /// What draws, where anything is drawn or quantised.
     drawing: [Option<Frame<'a>>; LANES],
     /// Number of the next sample.
-    index: u32,
+    pub(super) index: u32,
     period: Pack,
     end: Pack,
     /// From where on a time counts as the end.

@@ -19,6 +19,7 @@ mod running;
 mod stretched;
 mod system;
 mod tableau;
+mod ticks;
 
 pub use along::Abreast;
 pub use direct::DirectLanes;

@@ -9,6 +9,7 @@ use std::collections::VecDeque;
 use super::along::Abreast;
 use super::frames::{Frames, Spans};
 use super::plants::{Plants, Times};
+use super::ticks::Ticks;
 use super::{Instants, See};
 use crate::linear::Delay;
 use crate::parameter::{Parameter, Precision};
@@ -26,6 +27,8 @@ pub struct RunningLanes {
     /// What `init` checks.
     controller: Controller,
     law: Abreast,
+    /// `None` where a tick is computed anew at each sample.
+    ticks: Option<Ticks>,
     step: Value,
     limits: Limits,
     after: After,
@@ -77,8 +80,10 @@ impl RunningLanes {
         let looked_at = [Some(program.step), limits.u_max, limits.past].into_iter().flatten();
         let checked = checks.iter().flat_map(|check| check.values());
         let outputs: Vec<_> = looked_at.chain(checked).chain(armed.iter().copied()).collect();
+        let law = Abreast::new(program, &outputs, motion.order())?;
         Some(Self {
-            law: Abreast::new(program, &outputs, motion.order())?,
+            ticks: Ticks::of(&law, &outputs),
+            law,
             step: program.step,
             limits,
             after,
@@ -125,6 +130,7 @@ impl RunningLanes {
             }
         }
         self.law.settle();
+        self.ticks.iter_mut().for_each(|ticks| ticks.begin(&self.law));
         for lane in 0..LANES {
             if !self.is_armed(lane) {
                 under.leave(lane);
@@ -160,7 +166,11 @@ impl RunningLanes {
         self.measured.copy_from_slice(&self.x);
         under.frames.measure(&mut self.measured);
         self.change(under, &since);
-        self.law.at(&t, &self.measured);
+        match &mut self.ticks {
+            Some(ticks) => ticks.at(under.frames.index as usize, &mut self.law, &t),
+            None => self.law.tick(&t),
+        }
+        self.law.again(&self.measured);
         let given = self.given();
         // A number times 0 is 0, and nothing else is.
         let mut none = Pack::of(|lane| 0.0 * given.0[lane]);
