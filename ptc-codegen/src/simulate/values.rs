@@ -181,3 +181,26 @@ fn to_f64(value: &Fixed) -> f64 {
 fn rounded(value: &Fixed, precision: Precision) -> f64 {
     value.number().map_or(f64::INFINITY, |exact| number::round(exact, precision))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_hold_for_copies_and_are_found_anew_for_other_names() {
+        let mut values = Values::default().with(Parameter::A, 1.0);
+        let mut given = Given::default();
+        let inputs = || [(Input::Parameter(Parameter::A), 'a'), (Input::Time, 't')].into_iter();
+        given.find(&values, inputs).expect("a value");
+        let copy = values.clone().with(Parameter::A, 2.0);
+        given.find(&copy, || -> std::iter::Empty<_> { panic!("it is known") }).expect("a value");
+        assert_eq!(given.of(&copy).collect::<Vec<_>>(), [('a', 2.0)]);
+        // A name before it moves its place.
+        values.set(Parameter::Tau, 3.0);
+        given.find(&values, inputs).expect("a value");
+        assert_eq!(given.of(&values).collect::<Vec<_>>(), [('a', 1.0)]);
+        assert_eq!([Parameter::Tau, Parameter::A].map(|p| values.get(p)), [3.0, 1.0]);
+        let eps = || [(Input::Parameter(Parameter::Eps), 'e')].into_iter();
+        assert!(given.find(&Values::default(), eps).is_err());
+    }
+}
