@@ -69,6 +69,8 @@ struct Tape {
     inputs: Vec<(Input, Register)>,
     /// The register of each value that is needed.
     places: Vec<usize>,
+    /// The stage of each register.
+    stages: Vec<Stage>,
 }
 
 #[derive(Debug)]
@@ -112,7 +114,8 @@ impl Lanes {
         for (place, value) in needed.iter().enumerate() {
             places[value.0] = place;
         }
-        let mut tape = Tape { due: Default::default(), inputs: Vec::new(), places };
+        let stages = needed.iter().map(|value| program.get(*value).stage).collect();
+        let mut tape = Tape { due: Default::default(), inputs: Vec::new(), places, stages };
         for value in &needed {
             let definition = program.get(*value);
             match &definition.op {
@@ -165,10 +168,56 @@ impl Lanes {
         perform(&tape.due[stage as usize], registers, arrays);
     }
 
+    /// The registers that are known before `stage`.
+    pub fn before(&self, stage: Stage) -> impl Iterator<Item = Register> {
+        let stages = &self.tape.stages;
+        (0..stages.len()).filter(move |place| stages[*place] < stage).map(Register)
+    }
+
+    /// The registers of `stage` that later ones or `outputs` read; `None` where arrays or loops are among its work.
+    pub fn read_after(&self, stage: Stage, outputs: &[Value]) -> Option<Vec<Register>> {
+        let Tape { due, stages, places, .. } = &*self.tape;
+        let simple = |own: &Instruction| matches!(own.work, Work::Arithmetic(_));
+        if !due[stage as usize].iter().all(simple) {
+            return None;
+        }
+        let mut read = vec![false; stages.len()];
+        outputs.iter().for_each(|value| read[places[value.0]] = true);
+        for later in due[stage as usize + 1..].iter().flatten() {
+            later.reads(&mut read);
+        }
+        let own = |place: &usize| read[*place] && stages[*place] == stage;
+        Some((0..stages.len()).filter(own).map(Register).collect())
+    }
+
+    /// The numbers of a register.
+    pub fn at(&self, Register(place): Register) -> &Pack {
+        &self.registers[place]
+    }
+
     /// The numbers that `value` has.
     #[inline]
     pub fn get(&self, value: Value) -> &Pack {
         &self.registers[self.tape.places[value.0]]
+    }
+}
+
+impl Instruction {
+    /// Marks the registers that it reads.
+    fn reads(&self, read: &mut [bool]) {
+        match &self.work {
+            Work::Arithmetic(operation) => operation.operands(|place| read[place] = true),
+            Work::Rows { tail, weights, .. } => {
+                tail.iter().chain(weights).for_each(|place| read[*place] = true);
+            }
+            Work::Element(array, _) => read[*array] = true,
+            Work::Root(root) => {
+                let Loop { start, low, high, residual, next, size, tolerance, .. } = **root;
+                let own = [start, low, high, residual, next, size, tolerance];
+                own.into_iter().for_each(|place| read[place] = true);
+                root.body.iter().for_each(|instruction| instruction.reads(read));
+            }
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! A compiled program that is looked at along a run: from time, state and inputs to its values.
 
+use super::values::Given;
+use super::{Failure, Values};
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Program, Stage, Value};
 use crate::request::MAX_ORDER;
@@ -8,6 +10,9 @@ use crate::request::MAX_ORDER;
 #[derive(Clone, Debug)]
 pub(crate) struct Along {
     pub(crate) machine: Machine,
+    given: Given<Slot>,
+    /// The state at the start.
+    start: Vec<Option<Slot>>,
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
     control: Option<Slot>,
@@ -20,6 +25,8 @@ impl Along {
     pub(crate) fn new(program: &Program, outputs: &[Value], variables: usize) -> Self {
         let machine = Machine::new(program, outputs);
         Self {
+            given: Given::default(),
+            start: (1..=variables).map(|j| machine.slot(Input::StateAtStart(j))).collect(),
             time: machine.slot(Input::Time),
             state: (1..=variables).map(|j| machine.slot(Input::State(j))).collect(),
             control: machine.slot(Input::Control),
@@ -28,11 +35,18 @@ impl Along {
         }
     }
 
+    /// Parameters and symbols.
+    ///
+    /// # Errors
+    /// One that has no value.
+    pub(crate) fn give(&mut self, values: &Values) -> Result<(), Failure> {
+        self.given.give(values, &mut self.machine)
+    }
+
     /// The state at the start.
     pub(crate) fn start(&mut self, x0: &[f64]) {
-        for (j, x) in (1..).zip(x0) {
-            let slot = self.machine.slot(Input::StateAtStart(j));
-            self.machine.set(slot, *x);
+        for (slot, x) in self.start.iter().zip(x0) {
+            self.machine.set(*slot, *x);
         }
     }
 

@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use super::inputs::Inputs;
+use super::values::Given;
 use super::{Failure, Values};
 use crate::controller::plan::Plan;
 use crate::law::Law;
 use crate::lower::lower;
-use crate::parameter::{Domain, Parameter};
+use crate::parameter::{Domain, Parameter, Precision};
 use crate::program::digits::{self, Condition};
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
@@ -29,7 +30,13 @@ pub struct Controller {
     after: After,
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
+    /// Where t0 and the state at the start are.
+    begin: (Option<Slot>, Vec<Option<Slot>>),
     spec: Spec,
+    /// What is left to run time.
+    open: Vec<Parameter>,
+    /// Parameters of the machines, and of what computes the checks.
+    given: [Given<Slot>; 2],
     /// What `init` checks of what it computes, and what computes that.
     checks: Vec<Condition>,
     checked: Machine,
@@ -67,6 +74,12 @@ impl Controller {
             checks,
             time: machine.slot(Input::Time),
             state: (1..=spec.states()).map(|j| machine.slot(Input::State(j))).collect(),
+            begin: (
+                machine.slot(Input::StartTime),
+                (1..=spec.states()).map(|j| machine.slot(Input::StateAtStart(j))).collect(),
+            ),
+            open: spec.run_time_parameters().collect(),
+            given: Default::default(),
             smooth: machine.clone(),
             kinks: machine.kinks(),
             machine,
@@ -95,10 +108,28 @@ impl Controller {
     /// # Errors
     /// A parameter without a value, or outside its domain.
     pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        values.give(&mut self.machine)?;
-        values.give(&mut self.smooth)?;
+        self.given[0].give(values, &mut self.machine)?;
+        self.given[0].give(values, &mut self.smooth)?;
         self.inputs.start(&self.spec, values);
-        for parameter in self.spec.run_time_parameters() {
+        self.legal(values)?;
+        self.given[1].give(values, &mut self.checked)?;
+        self.checked.run(Stage::Init, None);
+        if !holds(&self.checks, self.spec.precision, |value| self.checked.get(value)) {
+            return Err(self.without_digits());
+        }
+        for machine in [&mut self.machine, &mut self.smooth] {
+            machine.run(Stage::Init, None);
+        }
+        let start = values.get(Parameter::StartTime);
+        if self.arm(start, x0) { Ok(()) } else { Err(Failure::not_armed(start)) }
+    }
+
+    /// Whether the parameters that are left to run time are in their domains.
+    ///
+    /// # Errors
+    /// One that is not.
+    pub(super) fn legal(&self, values: &Values) -> Result<(), Failure> {
+        for parameter in self.open.iter().copied() {
             let value = values.get(parameter);
             let legal = match self.spec.domain(parameter) {
                 Domain::Finite | Domain::Within => value.is_finite(),
@@ -116,36 +147,31 @@ impl Controller {
                 ));
             }
         }
-        values.give(&mut self.checked)?;
-        self.checked.run(Stage::Init, None);
-        let holds = |check: &Condition| {
-            let numbers: Vec<_> = check.values().iter().map(|v| self.checked.get(*v)).collect();
-            check.holds(&numbers, self.spec.precision)
-        };
-        if !self.checks.iter().all(holds) {
-            let precision = self.spec.precision.name();
-            return Err(Failure::input(
-                format!("a coefficient of u leaves the range in which {precision} keeps its digits"),
-                "the parameters and gains are too far from 1 together: take other units, of time for \
-                 example"
-                    .to_owned(),
-            ));
-        }
-        for machine in [&mut self.machine, &mut self.smooth] {
-            machine.run(Stage::Init, None);
-        }
-        let start = values.get(Parameter::StartTime);
-        if self.arm(start, x0) { Ok(()) } else { Err(Failure::not_armed(start)) }
+        Ok(())
+    }
+
+    fn without_digits(&self) -> Failure {
+        let precision = self.spec.precision.name();
+        Failure::input(
+            format!("a coefficient of u leaves the range in which {precision} keeps its digits"),
+            "the parameters and gains are too far from 1 together: take other units, of time for \
+             example"
+                .to_owned(),
+        )
+    }
+
+    /// What `init` checks, and what has to be finite after `arm`.
+    pub(super) fn conditions(&self) -> (&[Condition], &[Value]) {
+        (&self.checks, &self.armed)
     }
 
     /// `arm`: starts again at `start` from `x0`; whether all that it computes is finite.
     pub fn arm(&mut self, start: f64, x0: &[f64]) -> bool {
         for machine in [&mut self.machine, &mut self.smooth] {
-            let slot = machine.slot(Input::StartTime);
-            machine.set(slot, start);
-            for (j, x) in (1..).zip(x0) {
-                let slot = machine.slot(Input::StateAtStart(j));
-                machine.set(slot, *x);
+            let (of_start, of_state) = &self.begin;
+            machine.set(*of_start, start);
+            for (slot, x) in of_state.iter().zip(x0) {
+                machine.set(*slot, *x);
             }
             machine.run(Stage::Arm, None);
         }
@@ -237,6 +263,18 @@ impl Controller {
             () => Status::Ok,
         }
     }
+}
+
+/// Whether checks hold of what `init` computed.
+pub(super) fn holds(
+    checks: &[Condition],
+    precision: Precision,
+    get: impl Fn(Value) -> f64,
+) -> bool {
+    checks.iter().all(|check| {
+        let numbers: Vec<_> = check.values().into_iter().map(&get).collect();
+        check.holds(&numbers, precision)
+    })
 }
 
 /// Whether a simulation has all of the controller: no function of the user's program.

@@ -14,15 +14,15 @@ pub(super) struct Frame<'a> {
     random: Pcg64Mcg,
     /// The input gain of the plant, in parts of the one it is written with.
     pub(super) gain: f64,
-    end: f64,
+    pub(super) end: f64,
     /// Number of the next sample.
     pub(super) index: u32,
     /// When the last sample was taken, after t0.
     now: f64,
     /// Part of a sample after which the next input takes over.
-    part: f64,
+    pub(super) part: f64,
     /// Whether sensors give the state as it is.
-    exact: bool,
+    pub(super) exact: bool,
 }
 
 /// A time in which the plant is moved, after t0: from a sample to where the next input takes over, and to the
@@ -43,7 +43,10 @@ impl<'a> Frame<'a> {
             true => least + (most - least) * 0.5 * (1.0 + even(&mut random)),
             false => least,
         };
-        let part = around.delay.part().to_f64().unwrap_or(1.0);
+        let part = match around.delay.is_whole() {
+            true => 1.0,
+            false => around.delay.part().to_f64().unwrap_or(1.0),
+        };
         let end = around.until.unwrap_or(tau);
         let sensors = [&around.noise, &around.noise_rms, &around.sensor_step];
         let exact = sensors.into_iter().flatten().all(|own| *own == 0.0);
@@ -79,6 +82,12 @@ impl<'a> Frame<'a> {
         quantised(u, self.around.u_step)
     }
 
+    /// When a sample is taken that is due at a time.
+    pub(super) fn jittered(&mut self, next: f64) -> f64 {
+        let Self { around, random, .. } = self;
+        if around.jitter > 0.0 { next + around.jitter * even(random) } else { next }
+    }
+
     /// Goes on to the next sample.
     pub(super) fn next(&mut self) -> Span {
         let Self { around, end, part, now: from, .. } = *self;
@@ -86,8 +95,7 @@ impl<'a> Frame<'a> {
         let next = f64::from(self.index) * around.period;
         let to = match next >= end * (1.0 - SAME) {
             true => end,
-            false if around.jitter > 0.0 => next + around.jitter * even(&mut self.random),
-            false => next,
+            false => self.jittered(next),
         };
         // Within the sample the next input takes over.
         let over = if around.delay.is_whole() { to } else { to.min(from + part * around.period) };
@@ -97,7 +105,7 @@ impl<'a> Frame<'a> {
 }
 
 /// The multiple of `step` that is nearest to a value; the value itself where there is no step.
-fn quantised(value: f64, step: f64) -> f64 {
+pub(super) fn quantised(value: f64, step: f64) -> f64 {
     if step > 0.0 { (value / step).round() * step } else { value }
 }
 

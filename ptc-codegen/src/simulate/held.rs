@@ -7,6 +7,7 @@
 use super::Along;
 use super::linear::SAME;
 use super::solver::State;
+use super::terms::{Sum, Terms, needed};
 use crate::expression::Function;
 use crate::linear::{Rows, flow};
 use crate::program::{Input, Op, Program, Stage, Value};
@@ -16,9 +17,14 @@ use crate::program::{Input, Op, Program, Stage, Value};
 pub(super) struct Held {
     /// How the rates come about, of a program all of whose values they are.
     sums: Vec<Sum>,
+    /// The values that the rates are made of, operands first.
+    needed: Vec<usize>,
     rates: Vec<usize>,
-    /// The numbers of the rates.
+    /// The terms of all values.
+    terms: Terms,
+    /// The numbers of the rates, and those that they had before.
     plant: Numbers,
+    before: Numbers,
     /// Lengths in s, each with what the plant comes to over it.
     over: Vec<(f64, Over)>,
 }
@@ -59,38 +65,6 @@ pub(super) type Row<'a> = (&'a [f64], &'a [f64], f64);
 
 /// Lengths that are kept: a sample, its parts and those beside a delay.
 const KEPT: usize = 8;
-
-/// How a value depends on state, inputs and time.
-#[derive(Clone, Debug)]
-enum Sum {
-    /// Not at all.
-    Constant(Value),
-    State(usize),
-    Control,
-    Time,
-    Neg(usize),
-    Add(usize, usize),
-    Sub(usize, usize),
-    /// The product with a constant.
-    Mul(usize, usize),
-    Div(usize, usize),
-    /// a b + c with a constant b.
-    Fused(usize, usize, usize),
-    /// The sine of what goes with time alone, and whether it is a cosine.
-    Wave(usize, bool),
-    /// In another way.
-    Other,
-}
-
-/// The sum that a value is: a constant, slopes of state, inputs and time, and waves.
-#[derive(Clone, Debug, Default)]
-struct Terms {
-    constant: f64,
-    slopes: Vec<f64>,
-    time: f64,
-    /// The waves by the value that each one is.
-    waves: Vec<(usize, f64)>,
-}
 
 impl Held {
     /// `None` where a rate of the plant is not such a sum.
@@ -136,61 +110,44 @@ impl Held {
         let legal = |rate: &Value| !matches!(sums[rate.0], Sum::Other) && !moves[rate.0][1];
         let rates: Option<Vec<_>> =
             rates.iter().map(|rate| legal(rate).then_some(rate.0)).collect();
-        Some(Self { rates: rates?, sums, plant: Numbers::default(), over: Vec::new() })
+        let rates = rates?;
+        Some(Self {
+            needed: needed(&sums, &rates),
+            rates,
+            sums,
+            terms: Terms::default(),
+            plant: Numbers::default(),
+            before: Numbers::default(),
+            over: Vec::new(),
+        })
     }
 
     /// Takes the numbers of a plant with so many `inputs`.
     pub(super) fn settle(&mut self, along: &Along, inputs: usize) {
-        let order = self.rates.len();
-        let mut terms: Vec<Terms> = Vec::with_capacity(self.sums.len());
-        for sum in &self.sums {
-            let own = self.terms(&terms, sum, along, (order, inputs));
-            terms.push(own);
+        let Self { sums, needed, rates, terms, plant, before, .. } = self;
+        terms.begin(sums.len(), rates.len() + inputs);
+        for place in needed.iter().copied() {
+            terms.sum(place, &sums[place], rates.len(), |value| along.machine.get(value));
         }
-        let own = || self.rates.iter().map(|rate| &terms[*rate]);
-        let mut waves: Vec<Wave> = Vec::new();
-        for (place, sum) in self.sums.iter().enumerate() {
-            let Sum::Wave(angle, is_cosine) = sum else { continue };
-            let of = |terms: &Terms| {
-                terms.waves.iter().filter(|(own, _)| *own == place).map(|(_, factor)| factor).sum()
-            };
-            let column: Vec<f64> = own().map(of).collect();
+        std::mem::swap(plant, before);
+        plant.rates.resize(rates.len(), Vec::new());
+        for (row, rate) in plant.rates.iter_mut().zip(&*rates) {
+            row.clear();
+            row.extend_from_slice(terms.slopes(*rate));
+        }
+        plant.constant.clear();
+        plant.constant.extend(rates.iter().map(|rate| terms.constant[*rate]));
+        plant.waves.clear();
+        for place in needed.iter().copied() {
+            let Sum::Wave(angle, is_cosine) = sums[place] else { continue };
+            let column: Vec<f64> = rates.iter().map(|rate| terms.factor(*rate, place)).collect();
             if column.iter().any(|factor| *factor != 0.0) {
-                let (angle, rate, is_cosine) = (Value(*angle), terms[*angle].time, *is_cosine);
-                waves.push(Wave { angle, rate, is_cosine, column });
+                let rate = terms.time[angle];
+                plant.waves.push(Wave { angle: Value(angle), rate, is_cosine, column });
             }
         }
-        let plant = Numbers {
-            rates: own().map(|terms| terms.slopes.clone()).collect(),
-            constant: own().map(|terms| terms.constant).collect(),
-            waves,
-        };
-        if !plant.moves_as(&self.plant) {
+        if !plant.moves_as(before) {
             self.over.clear();
-        }
-        self.plant = plant;
-    }
-
-    fn terms(&self, terms: &[Terms], sum: &Sum, along: &Along, size: (usize, usize)) -> Terms {
-        let none = || Terms { slopes: vec![0.0; size.0 + size.1], ..Terms::default() };
-        let unit = |place: usize| {
-            let mut own = none();
-            own.slopes[place] = 1.0;
-            own
-        };
-        match sum {
-            Sum::Other => none(),
-            Sum::Constant(value) => Terms { constant: along.machine.get(*value), ..none() },
-            Sum::State(j) => unit(j - 1),
-            Sum::Control => unit(size.0),
-            Sum::Time => Terms { time: 1.0, ..none() },
-            Sum::Wave(..) => Terms { waves: vec![(terms.len(), 1.0)], ..none() },
-            Sum::Neg(a) => terms[*a].map(|a| -a),
-            Sum::Add(a, b) => terms[*a].plus(&terms[*b]),
-            Sum::Sub(a, b) => terms[*a].plus(&terms[*b].map(|b| -b)),
-            Sum::Mul(a, b) => terms[*a].map(|a| a * terms[*b].constant),
-            Sum::Div(a, b) => terms[*a].map(|a| a / terms[*b].constant),
-            Sum::Fused(a, b, c) => terms[*a].map(|a| a * terms[*b].constant).plus(&terms[*c]),
         }
     }
 
@@ -257,26 +214,6 @@ pub(super) fn is_same(own: f64, length: f64) -> bool {
 /// Summed from the first one on, as lanes do.
 fn dot(row: &[f64], v: &[f64]) -> f64 {
     row.iter().zip(v).map(|(a, b)| a * b).sum()
-}
-
-impl Terms {
-    fn map(&self, to: impl Fn(f64) -> f64) -> Self {
-        Self {
-            constant: to(self.constant),
-            slopes: self.slopes.iter().map(|slope| to(*slope)).collect(),
-            time: to(self.time),
-            waves: self.waves.iter().map(|(wave, factor)| (*wave, to(*factor))).collect(),
-        }
-    }
-
-    fn plus(&self, other: &Self) -> Self {
-        Self {
-            constant: self.constant + other.constant,
-            slopes: self.slopes.iter().zip(&other.slopes).map(|(a, b)| a + b).collect(),
-            time: self.time + other.time,
-            waves: self.waves.iter().chain(&other.waves).copied().collect(),
-        }
-    }
 }
 
 impl Numbers {

@@ -45,7 +45,7 @@ impl Integrals {
 
     /// Before a run from `x0`.
     pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        values.give(&mut self.along.machine)?;
+        self.along.give(values)?;
         self.along.start(x0);
         self.along.settle();
         self.lost = false;

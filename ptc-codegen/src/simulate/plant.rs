@@ -69,7 +69,7 @@ impl Motion {
 
     /// Other values from here on.
     pub(super) fn give(&mut self, values: &Values) -> Result<(), Failure> {
-        values.give(&mut self.along.machine)?;
+        self.along.give(values)?;
         self.along.settle();
         if let Some(held) = &mut self.held {
             held.settle(&self.along, self.inputs);

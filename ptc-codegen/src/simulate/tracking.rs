@@ -25,7 +25,7 @@ pub fn tracking_error(
     let watched: Vec<_> = errors.iter().collect();
     let program = passes::optimise(observed(&spec, &watched), &mut |_, _| {});
     let mut along = Along::new(&program, &program.watched, spec.states());
-    values.give(&mut along.machine)?;
+    along.give(values)?;
     along.settle();
     // The program counts down to the deadline.
     let [start, tau] = [Parameter::StartTime, Parameter::Tau].map(|p| values.get(p));

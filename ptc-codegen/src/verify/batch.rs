@@ -6,12 +6,13 @@ use rayon::prelude::*;
 
 use super::exact::Exact;
 use super::observer::{LaneObserver, Observer};
-use super::samples::{Changes, of_sample};
+use super::samples::of_sample;
+use super::settings::Settings;
 use super::track::Track;
 use super::trial::{ACCURACY, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};
 use crate::parameter::Parameter;
-use crate::program::lanes::Pack;
+use crate::program::lanes::{LANES, Pack};
 use crate::simulate::lanes::{
     DirectLanes, Instants, Job, LaneSide, RunningLanes, Sampling, StretchedLanes, run,
 };
@@ -102,31 +103,33 @@ fn running<'a>(
 ) -> Vec<Option<Outcome>> {
     let unknown = || vec![None; settings.len()];
     let job = |setting: &'a Setting| {
-        let around = setting.around.as_ref()?;
-        Some(Sampling { values: &setting.values, x0: &setting.x0, around })
+        let Setting { values, x0, pieces, around } = setting;
+        Some(Sampling { values, x0, pieces, around: around.as_ref()? })
     };
     let Some(jobs) = settings.iter().map(job).collect::<Option<Vec<_>>>() else { return unknown() };
     let all: Vec<_> = settings.iter().collect();
     let taus: Vec<_> = settings.iter().map(|own| own.values.get(Parameter::Tau)).collect();
-    let mut changes: Vec<_> = settings.iter().map(Changes::of).collect();
     let mut known = vec![true; settings.len()];
-    let mut excess = vec![vec![f64::NEG_INFINITY; observer.objectives()]; settings.len()];
+    let mut found: Vec<Option<Vec<f64>>> = vec![None; settings.len()];
     observer.forget();
-    let done = lanes.run(&jobs, &mut |job, since| changes[job].next(since), &mut |instants| {
+    let done = lanes.run(&jobs, &mut |instants| {
         if let Some(job) = observer.meet(&all, &instants.jobs) {
             known[job] = false;
         }
         let tau = |lane: usize| instants.jobs[lane].map_or(1.0, |job| taus[job]);
         let time_to_go = Pack::of(|lane| of_sample(instants.time_to_go.0[lane], tau(lane)));
         let last = time_to_go.0.map(|time_to_go| time_to_go <= 0.0);
-        let instants = Instants { last, time_to_go: &time_to_go, ..*instants };
-        observer.look(&instants, &mut |job, objective, own| {
-            excess[job][objective] = excess[job][objective].max(own);
-        });
+        let at = Instants { last, time_to_go: &time_to_go, ..*instants };
+        let worst = observer.worst(&at);
+        for lane in (0..LANES).filter(|lane| instants.last[*lane]) {
+            if let Some(job) = instants.jobs[lane] {
+                found[job] = Some(worst.iter().map(|worst| worst.0[lane]).collect());
+            }
+        }
     });
-    let all = done.into_iter().zip(known).zip(excess);
+    let all = done.into_iter().zip(known).zip(found);
     let outcome = |excess| Outcome { excess, direct: None, ended: None };
-    all.map(|((done, known), excess)| (done && known).then(|| outcome(excess))).collect()
+    all.map(|((done, known), excess)| excess.filter(|_| done && known).map(outcome)).collect()
 }
 
 /// What one side gives in each scenario that it takes to its end.
@@ -199,8 +202,9 @@ impl Campaign {
     ) -> Vec<Outcome> {
         let share = scenarios.len().div_ceil(rayon::current_num_threads());
         let share = if trial.lanes.is_some() { share.clamp(1, HELD) } else { 1 };
+        let all = Settings::of(self, 1);
         let part = |trial: &mut Trial, part: &[Scenario]| {
-            let settings: Vec<_> = part.iter().map(|scenario| self.setting(scenario)).collect();
+            let settings: Vec<_> = part.iter().map(|scenario| all.setting(scenario)).collect();
             let outcomes = trial.run_all(&settings);
             part.iter().for_each(|_| done());
             outcomes

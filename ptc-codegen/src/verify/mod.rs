@@ -27,6 +27,7 @@ mod run;
 mod samples;
 mod scenario;
 pub mod search;
+mod settings;
 mod start;
 mod summary;
 mod survey;

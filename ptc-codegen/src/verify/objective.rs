@@ -179,15 +179,15 @@ impl Level {
     }
 
     pub(super) fn excess(self, kind: &Kind) -> f64 {
+        let exists = |bound: Option<f64>| bound.is_none_or(f64::is_finite);
         // A value or a bound that does not exist holds nothing.
-        if ![Some(self.value), self.low, self.high].into_iter().flatten().all(f64::is_finite) {
+        if !(self.value.is_finite() && exists(self.low) && exists(self.high)) {
             return f64::INFINITY;
         }
         let excess = match kind {
             Kind::Within { .. } => {
-                let below = self.low.map(|low| low - self.value);
-                let above = self.high.map(|high| self.value - high);
-                [below, above].into_iter().flatten().fold(f64::NEG_INFINITY, f64::max)
+                let below = self.low.map_or(f64::NEG_INFINITY, |low| low - self.value);
+                self.high.map_or(below, |high| below.max(self.value - high))
             }
             _ => self.high.map_or(f64::NEG_INFINITY, |high| over(self.value, high)),
         };

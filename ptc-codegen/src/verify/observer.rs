@@ -1,16 +1,17 @@
 //! The objectives along a run: compiled, and looked at instant by instant.
 
+mod lanes;
+
 use std::sync::Arc;
 
-use super::Setting;
+pub(super) use lanes::LaneObserver;
+
 use super::objective::{Kind, Level, Objective, larger, norm, over};
 use crate::expression::existence::Condition;
 use crate::lower;
 use crate::parameter::{Parameter, Precision};
-use crate::program::lanes::{LANES, Pack};
 use crate::program::{Program, Value, passes};
-use crate::request::{MAX_ORDER, Spec};
-use crate::simulate::lanes::{Abreast, Instants};
+use crate::request::Spec;
 use crate::simulate::{Along, Failure, Values};
 
 /// The objectives of a campaign, compiled.
@@ -79,7 +80,7 @@ impl Observer {
     }
 
     pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        values.give(&mut self.along.machine)?;
+        self.along.give(values)?;
         self.along.start(x0);
         self.along.settle();
         if !self.distances.is_empty() {
@@ -162,96 +163,6 @@ impl Watched {
                 level.value = f64::NAN;
             }
             visit(index, kind, level);
-        }
-    }
-}
-
-/// The objectives of a campaign along the runs of all lanes.
-#[derive(Clone, Debug)]
-pub(super) struct LaneObserver {
-    watched: Watched,
-    along: Abreast,
-    /// As of one run.
-    distances: Vec<Value>,
-    /// The job of each lane, with |x| at its start.
-    jobs: [Option<(usize, f64)>; LANES],
-}
-
-impl LaneObserver {
-    /// `None` where they do not run in lanes.
-    fn of(Observer { watched, distances, .. }: &Observer, program: &Program) -> Option<Self> {
-        let along = Abreast::new(program, &program.watched, MAX_ORDER)?;
-        let (watched, distances) = (watched.clone(), distances.clone());
-        Some(Self { watched, along, distances, jobs: [None; LANES] })
-    }
-
-    /// Number of objectives.
-    pub(super) fn objectives(&self) -> usize {
-        self.watched.kinds.len()
-    }
-
-    /// Before other settings.
-    pub(super) fn forget(&mut self) {
-        self.jobs = [None; LANES];
-    }
-
-    /// |x| of a lane in the state that was looked at last.
-    fn size(&self, lane: usize, x: &[Pack]) -> f64 {
-        match self.distances.is_empty() {
-            true => norm(x.iter().map(|x| x.0[lane])),
-            false => norm(self.distances.iter().map(|value| self.along.lanes.get(*value).0[lane])),
-        }
-    }
-
-    /// Gives lanes the values of the jobs that they begin; the one of these that lacks one.
-    pub(super) fn meet(
-        &mut self,
-        settings: &[&Setting],
-        jobs: &[Option<usize>; LANES],
-    ) -> Option<usize> {
-        let begun = |(lane, job): (usize, &Option<usize>)| {
-            let job = (*job)?;
-            self.jobs[lane].is_none_or(|(own, _)| own != job).then_some((lane, job))
-        };
-        let met: Vec<_> = jobs.iter().enumerate().filter_map(begun).collect();
-        if met.is_empty() {
-            return None;
-        }
-        let mut failed = None;
-        let mut start = (Pack::all(0.0), vec![Pack::all(0.0); MAX_ORDER]);
-        for (lane, job) in met.iter().copied() {
-            let Setting { values, x0, .. } = settings[job];
-            if self.along.start(lane, values, x0).is_err() {
-                failed = Some(job);
-            }
-            start.0.0[lane] = values.get(Parameter::Tau);
-            start.1.iter_mut().zip(x0).for_each(|(start, x)| start.0[lane] = *x);
-        }
-        self.along.settle();
-        self.along.at(&start.0, &start.1);
-        for (lane, job) in met {
-            self.jobs[lane] = Some((job, self.size(lane, &start.1)));
-        }
-        failed
-    }
-
-    /// By how much each objective of each job is exceeded at an instant: job, objective, excess.
-    pub(super) fn look(
-        &mut self,
-        instants: &Instants<'_>,
-        visit: &mut dyn FnMut(usize, usize, f64),
-    ) {
-        let Instants { jobs, last, time_to_go, x, u } = instants;
-        self.along.under(time_to_go, x, u);
-        for lane in 0..LANES {
-            let (Some(job), Some((_, at_start))) = (jobs[lane], self.jobs[lane]) else { continue };
-            let sizes = (self.size(lane, x), at_start);
-            let get = |value| self.along.lanes.get(value).0[lane];
-            let u = [u.0[lane]];
-            let here = (sizes, u.as_slice());
-            self.watched.levels(get, here, last[lane], &mut |index, kind, level| {
-                visit(job, index, level.excess(kind));
-            });
         }
     }
 }

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::batch::HELD;
 use super::record::Row;
+use super::settings::Settings;
 use super::{Campaign, Outcome, Scenario, Trial};
 
 /// Fewest scenarios of a chunk, which one core runs at a time and an interruption loses at most.
@@ -34,14 +35,15 @@ pub fn sample<E: Send>(
     chunks: &[Range<u64>],
     done: Done<'_, E>,
 ) -> Result<(), E> {
+    let settings = Settings::of(campaign, 1);
     chunks.par_iter().try_for_each_init(
         || trial.clone(),
         |trial, chunk| {
             let indices: Vec<_> = chunk.clone().collect();
             let rows = indices.chunks(HELD).flat_map(|part| {
-                let scenarios: Vec<_> = part.iter().map(|i| campaign.scenario(*i)).collect();
-                let settings: Vec<_> = scenarios.iter().map(|one| campaign.setting(one)).collect();
-                let rows = part.iter().zip(&scenarios).zip(trial.run_all(&settings));
+                let scenarios: Vec<_> = part.iter().map(|i| settings.scenario(*i)).collect();
+                let own: Vec<_> = scenarios.iter().map(|one| settings.setting(one)).collect();
+                let rows = part.iter().zip(&scenarios).zip(trial.run_all(&own));
                 rows.map(|((index, own), outcome)| row(*index, own, outcome)).collect::<Vec<_>>()
             });
             done(chunk, rows.collect())
@@ -71,8 +73,9 @@ impl Campaign {
 
 /// The row of any scenario, as that of an index.
 fn row(index: u64, scenario: &Scenario, outcome: Outcome) -> Row {
-    let mut numbers = scenario.point.clone();
     let status = outcome.status().code();
+    let mut numbers = Vec::with_capacity(scenario.point.len() + 2 * outcome.excess.len() + 2);
+    numbers.extend(&scenario.point);
     numbers.extend(outcome.excess);
     if let Some(direct) = outcome.direct {
         numbers.extend(direct.excess);

@@ -1,22 +1,18 @@
 //! One point of what is uncertain: a draw, a pure function of the seed and an index, or any other.
 
-use std::f64::consts::TAU;
-
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use super::course::{Course, between};
+use super::settings::Settings;
 use super::{Campaign, GAIN, Interval, Signal};
 use crate::expression::{Expression, Function, Variable};
 use crate::parameter::{Name, Parameter};
 use crate::plant::Plant;
-use crate::simulate::{Loop, Values};
+use crate::simulate::{Loop, Piece, Values};
 
 /// Seeds of what is drawn at each sample are below this, so that a double holds one.
 pub(super) const SEEDS: u64 = 1 << 53;
-
-/// Instants of a run in samples that is looked at closely, about.
-const INSTANTS: f64 = 65536.0;
 
 /// One scenario, in the plant's own units.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +33,7 @@ pub struct Setting {
     /// State at t0.
     pub x0: Vec<f64>,
     /// T/tau of the instants that are looked at, with what holds from the one before on.
-    pub pieces: Vec<(Vec<f64>, Values)>,
+    pub pieces: Vec<Piece>,
     /// What is around the controller in the loop that runs.
     pub around: Option<Loop>,
 }
@@ -46,7 +42,16 @@ impl Campaign {
     /// The draw of an index: independent of all others, even in the boxes, each signal of a disturbance
     /// as likely as the others.
     pub fn scenario(&self, index: u64) -> Scenario {
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        self.drawn_from(self.random(), index)
+    }
+
+    /// What all draws begin with.
+    pub(super) fn random(&self) -> ChaCha8Rng {
+        ChaCha8Rng::seed_from_u64(self.seed)
+    }
+
+    /// The draw of an index from what all begin with.
+    pub(super) fn drawn_from(&self, mut random: ChaCha8Rng, index: u64) -> Scenario {
         random.set_stream(index);
         let mut bits = || random.next_u64() >> 11;
         #[allow(clippy::cast_precision_loss)]
@@ -112,65 +117,7 @@ impl Campaign {
 
     /// A scenario with each step of the grid divided.
     pub(super) fn looked_at(&self, scenario: &Scenario, parts: u32) -> Setting {
-        let mut values = Values::of(&self.spec, &self.plant);
-        let (tau, rest) = scenario.point.split_first().unwrap_or((&f64::NAN, &[]));
-        let (x0, constants) = rest.split_at(self.x0.len());
-        values.set(Parameter::Tau, *tau);
-        for ((symbol, _), value) in self.intervals.iter().zip(constants) {
-            values.set(*symbol, *value);
-        }
-        if !values.get(Parameter::Eps).is_finite() && self.around.is_none() {
-            // The side that is emitted code must not hold its gains before the run ends.
-            values.set(Parameter::Eps, 0.5 * self.until * tau);
-        }
-        let until = self.span();
-        let jumps = scenario.courses.iter().flat_map(|course| course.jumps(until));
-        let mut breaks: Vec<_> = jumps.chain([until]).collect();
-        breaks.retain(|share| (until..1.0).contains(share));
-        breaks.sort_by(|a, b| b.total_cmp(a));
-        breaks.dedup();
-        let mut grid = self.grid();
-        grid.extend(&breaks);
-        grid.sort_by(|a, b| b.total_cmp(a));
-        grid.dedup();
-        let within: Vec<_> = grid.windows(2).flat_map(|step| divided(step, parts)).collect();
-        grid.extend(within);
-        grid.sort_by(|a, b| b.total_cmp(a));
-        let (mut from, mut pieces) = (1.0, Vec::with_capacity(breaks.len()));
-        for to in breaks {
-            let mut values = values.clone();
-            let courses = self.disturbances.iter().zip(&scenario.courses);
-            for (d, ((_, bounds, _), course)) in courses.enumerate() {
-                let [bias, size, rate, phase] = wave(d);
-                if let Course::Sine(periods, turns) = course {
-                    let (low, high) = *bounds;
-                    values.set(bias, 0.5 * (low + high));
-                    values.set(size, 0.5 * (high - low));
-                    values.set(rate, TAU * periods / tau);
-                    values.set(phase, TAU * turns);
-                } else {
-                    let at = (from * to).sqrt();
-                    values.set(bias, course.value(*bounds, until, at));
-                    [size, rate, phase].into_iter().for_each(|symbol| values.set(symbol, 0.0));
-                }
-            }
-            let instants =
-                grid.iter().copied().filter(|share| (*share < from || from == 1.0) && *share >= to);
-            pieces.push((instants.collect(), values));
-            from = to;
-        }
-        let values = pieces.first().map_or(values, |(_, values)| values.clone());
-        let around = self.around.as_ref().map(|around| Loop {
-            gain: match (self.gains(), constants.get(self.intervals.len())) {
-                (Some(_), Some(gain)) => [*gain; 2],
-                _ => around.gain,
-            },
-            seed: scenario.seed,
-            until: Some(tau * (1.0 - self.until)),
-            parts: parts.min(parts_of(tau * (1.0 - self.until) / around.period)),
-            ..around.clone()
-        });
-        Setting { values, x0: x0.to_vec(), pieces, around }
+        Settings::of(self, parts).setting(scenario)
     }
 
     /// The plant with a wave of run-time symbols in place of each disturbance.
@@ -193,22 +140,9 @@ impl Campaign {
 }
 
 /// The symbols of a disturbance: bias + size sin(rate dt + phase).
-fn wave(d: usize) -> [Parameter; 4] {
+pub(super) fn wave(d: usize) -> [Parameter; 4] {
     ["bias", "size", "rate", "phase"].map(|part| {
         let name = Name::new(&format!("ptc_disturbance{d}_{part}"));
         name.map_or(Parameter::StartTime, Parameter::Named)
     })
-}
-
-/// Parts of a sample that are looked at, of a run of so many samples.
-fn parts_of(samples: f64) -> u32 {
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    let parts = (INSTANTS / samples) as u32;
-    parts.max(1)
-}
-
-/// What divides a step of the grid evenly.
-fn divided(step: &[f64], parts: u32) -> impl Iterator<Item = f64> + use<> {
-    let (from, to) = (step[0], step[1]);
-    (1..parts).map(move |part| from + (to - from) * (f64::from(part) / f64::from(parts)))
 }

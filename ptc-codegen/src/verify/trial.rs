@@ -2,13 +2,15 @@
 
 use super::batch::InLanes;
 use super::observer::{Here, Observer};
-use super::samples::{Changes, of_sample};
+use super::samples::of_sample;
 use super::track::Track;
 use super::{Campaign, Kind, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::request::Spec;
-use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Sampled, Side};
+use crate::simulate::{
+    Accuracy, Cause, Changes, Continuous, Direct, Failure, Run, Sample, Sampled, Side,
+};
 
 /// The closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]
@@ -325,7 +327,7 @@ fn running(
     let around = around.clone().unwrap_or_default();
     let mut watch = Watch::new(observer, setting, objectives)?;
     let tau = values.get(Parameter::Tau);
-    let mut changes = Changes::of(setting);
+    let mut changes = Changes::of(&setting.pieces, tau);
     sampled.run_along(values, &mut |since| changes.next(since), x0, &around, &mut |sample| {
         let time_to_go = of_sample(sample.time_to_go, tau);
         visit(watch.instant(Sample { time_to_go, ..sample }, time_to_go <= 0.0));

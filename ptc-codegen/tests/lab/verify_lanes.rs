@@ -282,6 +282,32 @@ fn sampled_loops_have_the_same_bits_in_lanes() {
     }
 }
 
+/// Every kind of objective, those too that have no value everywhere, of runs that share what the law computes of
+/// time, and of some that do not.
+#[test]
+fn objectives_of_sampled_loops_have_the_same_bits_in_lanes() {
+    let objectives = "[[objective]]\nbound = \"state\"\nsigma = 8\nzeta = \"sqrt(abs(T)/tau + 0.1)\"\n\
+         [[objective]]\nbound = \"input\"\nupsilon = \"10 + T\"\n[[objective]]\nbound = \"within\"\n\
+         h = \"sqrt(x2 + 2)\"\nlow = \"0.9 - T\"\nhigh = 3\n[[objective]]\nbound = \"within\"\nh = \"1/u\"\n\
+         low = -1\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n";
+    for (mu, more, drawn) in [
+        ("exp(a=1)", "tau = 0.503\n", ""),
+        ("tanh(a=1)", "tau = 1\nu_max = 20\n", ""),
+        ("exp_sum(rates=[1, 2])", "tau = 1\n", ""),
+        ("exp(a=1)", "tau = 1\n", "t0 = [0, 5]\n"),
+        ("exp(a=1)", "", "tau = [0.503, 1]\n"),
+    ] {
+        let text = format!(
+            "n = 3\nmu = \"{mu}\"\npoles = [-4, -5, -6]\neps = 0.08\nsample_time = 0.01\n[params]\n{more}[plant]\n\
+             f = \"gust - damping*x2\"\ndamping = [0, 0.5]\ngust = [-0.1, 0.3]\n[disturbance]\n\
+             gust = [\"constant\", \"worst\"]\n[verify]\nx1 = [0.2, 1]\nx2 = [-3, 1]\nx3 = 0\n{drawn}until = -0.2\n\
+             scenarios = 20\nseed = 5\n{objectives}"
+        );
+        assert_eq!(beside(&text, 27), (0.0, true), "{text}");
+        in_any_company(&campaign(&text));
+    }
+}
+
 /// A sampled plant under a sine by the exponential, and by an integration, which a term close to 0 forces.
 #[test]
 fn sampled_plants_under_sines_are_exact() {

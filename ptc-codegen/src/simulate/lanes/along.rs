@@ -6,6 +6,7 @@
 use crate::program::kink::{Kink, steady};
 use crate::program::lanes::{LANES, Lanes, Pack, Register};
 use crate::program::{Input, Program, Stage, Value};
+use crate::simulate::values::Given;
 use crate::simulate::{Failure, Values};
 
 use super::flow::Which;
@@ -14,6 +15,9 @@ use super::flow::Which;
 #[derive(Clone, Debug)]
 pub struct Abreast {
     pub lanes: Lanes,
+    given: Given<Register>,
+    /// The state at the start.
+    start: Vec<(usize, Register)>,
     time: Option<Register>,
     state: Vec<Option<Register>>,
     control: Option<Register>,
@@ -23,7 +27,13 @@ impl Abreast {
     /// `program` of order `n`, of which `outputs` are looked at; `None` where it does not run in lanes.
     pub fn new(program: &Program, outputs: &[Value], n: usize) -> Option<Self> {
         let lanes = Lanes::new(program, outputs)?;
+        let of_start = |(input, register): (Input, Register)| match input {
+            Input::StateAtStart(j) => Some((j - 1, register)),
+            _ => None,
+        };
         Some(Self {
+            given: Given::default(),
+            start: lanes.inputs().filter_map(of_start).collect(),
             time: lanes.register(Input::Time),
             state: (1..=n).map(|j| lanes.register(Input::State(j))).collect(),
             control: lanes.register(Input::Control),
@@ -36,12 +46,9 @@ impl Abreast {
     /// # Errors
     /// One that has no value.
     pub fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
-        let inputs: Vec<_> = self.lanes.inputs().collect();
-        for (input, register) in inputs {
-            if let Some(value) = values.of_input(input)? {
-                self.lanes.set(register, lane, value);
-            }
-        }
+        let Self { lanes, given, .. } = self;
+        given.find(values, || lanes.inputs())?;
+        given.of(values).for_each(|(register, value)| lanes.set(register, lane, value));
         Ok(())
     }
 
@@ -50,9 +57,9 @@ impl Abreast {
     /// # Errors
     /// A parameter that has no value.
     pub fn start(&mut self, lane: usize, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        for (j, x) in (1..).zip(x0) {
-            if let Some(register) = self.lanes.register(Input::StateAtStart(j)) {
-                self.lanes.set(register, lane, *x);
+        for (place, register) in &self.start {
+            if let Some(x) = x0.get(*place) {
+                self.lanes.set(*register, lane, *x);
             }
         }
         self.give(lane, values)
@@ -66,9 +73,14 @@ impl Abreast {
 
     /// Computes the rest at a time and a state.
     pub fn at(&mut self, time: &Pack, state: &[Pack]) {
+        self.tick(time);
+        self.again(state);
+    }
+
+    /// Computes what time decides.
+    pub(super) fn tick(&mut self, time: &Pack) {
         self.lanes.fill(self.time, time);
         self.lanes.run(Stage::Tick);
-        self.again(state);
     }
 
     /// The same at another state.

@@ -12,19 +12,21 @@ mod collocation;
 mod direct;
 mod explicit;
 mod flow;
+mod frames;
 mod nodes;
 mod plants;
 mod running;
 mod stretched;
 mod system;
 mod tableau;
+mod ticks;
 
 pub use along::Abreast;
 pub use direct::DirectLanes;
-pub use running::{Change, RunningLanes, Sampling};
+pub use running::{RunningLanes, Sampling};
 pub use stretched::StretchedLanes;
 
-use super::{Accuracy, Failure, Values};
+use super::{Accuracy, Failure, Piece, Values};
 use crate::program::lanes::{LANES, Pack};
 use batch::{Batch, Due};
 use collocation::Collocation;
@@ -39,7 +41,7 @@ pub struct Job<'a> {
     /// State at t0.
     pub x0: &'a [f64],
     /// T/tau of the instants that are looked at, with what holds from the one before on.
-    pub pieces: &'a [(Vec<f64>, Values)],
+    pub pieces: &'a [Piece],
 }
 
 /// One instant of the runs of some lanes.

@@ -14,33 +14,46 @@ use crate::simulate::{Failure, Values};
 #[derive(Clone, Debug)]
 pub(super) struct Plants {
     motions: Vec<Motion>,
-    /// What each comes to over a length: a row of E, F B and F c for each state.
-    rows: Vec<Packed>,
-    /// The length of each lane, in s; not a number where it has none.
-    lengths: Pack,
+    /// What they come to before and after the next input takes over.
+    parts: [Part; 2],
     /// The states at the end of a length.
     next: Vec<Pack>,
 }
 
+/// What the plants of all lanes come to over a length.
+#[derive(Clone, Debug)]
+struct Part {
+    /// A row of E, F B and F c for each state.
+    rows: Vec<Row>,
+    /// The length of each lane, in s; not a number where it has none.
+    lengths: Pack,
+}
+
 /// A row of the plants of all lanes.
 #[derive(Clone, Debug)]
-struct Packed {
+struct Row {
     whole: Vec<Pack>,
     of_input: Pack,
     constant: Pack,
 }
 
-/// A time in which inputs are held, by lane: from, to, in s.
-pub(super) type Times = [(f64, f64); LANES];
+/// A time in which inputs are held, in s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Times {
+    pub(super) from: Pack,
+    pub(super) to: Pack,
+    /// Whether a lane moves in it, 1 or 0.
+    pub(super) moves: Pack,
+}
 
 impl Plants {
     pub(super) fn of(motion: &Motion) -> Self {
         let (n, none) = (motion.order(), Pack::all(0.0));
-        let row = Packed { whole: vec![none; n], of_input: none, constant: none };
+        let row = Row { whole: vec![none; n], of_input: none, constant: none };
+        let part = Part { rows: vec![row; n], lengths: Pack::all(f64::NAN) };
         Self {
             motions: vec![motion.clone(); LANES],
-            rows: vec![row; n],
-            lengths: Pack::all(f64::NAN),
+            parts: [part.clone(), part],
             next: vec![none; n],
         }
     }
@@ -52,68 +65,83 @@ impl Plants {
         values: &Values,
         x0: &[f64],
     ) -> Result<(), Failure> {
-        self.lengths.0[lane] = f64::NAN;
+        self.forget(lane);
         self.motions[lane].init(values, x0)
     }
 
     /// Other values of a lane from here on.
     pub(super) fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
-        self.lengths.0[lane] = f64::NAN;
+        self.forget(lane);
         self.motions[lane].give(values)
     }
 
-    /// Moves the states of some lanes: those whose states have a value at the end.
-    pub(super) fn move_on(
-        &mut self,
-        x: &mut [Pack],
-        u: &Pack,
-        times: &Times,
-        lanes: Which,
-    ) -> Which {
-        let mut alone = [false; LANES];
-        for lane in 0..LANES {
-            alone[lane] = lanes[lane] && !self.knows(lane, times[lane].1 - times[lane].0);
-        }
-        for (next, row) in self.next.iter_mut().zip(&self.rows) {
-            let Packed { whole, of_input, constant } = row;
-            // As the sum of an iterator begins.
-            *next = Pack::all(-0.0);
-            for (whole, x) in whole.iter().zip(&*x) {
-                for lane in 0..LANES {
-                    next.0[lane] += whole.0[lane] * x.0[lane];
-                }
-            }
-            for lane in 0..LANES {
-                next.0[lane] += of_input.0[lane] * u.0[lane] + constant.0[lane];
-            }
-        }
-        let mut moved = lanes;
-        for lane in (0..LANES).filter(|lane| alone[*lane]) {
-            moved[lane] = self.alone(lane, x, u.0[lane], times[lane]).is_some();
-        }
-        for (x, next) in x.iter_mut().zip(&self.next) {
-            for lane in 0..LANES {
-                let is_finite = next.0[lane].is_finite();
-                x.0[lane] = if lanes[lane] { next.0[lane] } else { x.0[lane] };
-                moved[lane] &= is_finite;
-            }
-        }
-        moved
+    fn forget(&mut self, lane: usize) {
+        self.parts.iter_mut().for_each(|part| part.lengths.0[lane] = f64::NAN);
     }
 
-    /// Whether the rows of a lane are those of a length, which are looked up where they are not.
-    fn knows(&mut self, lane: usize, length: f64) -> bool {
-        if is_same(self.lengths.0[lane], length) {
-            return true;
+    /// Moves the states of some lanes under their inputs, before or after the next ones take over; the lanes whose
+    /// states have no value at the end.
+    pub(super) fn move_on(
+        &mut self,
+        part: usize,
+        x: &mut [Pack],
+        (u, times): (&Pack, &Times),
+    ) -> Which {
+        let alone = self.unknown(part, times);
+        self.parts[part].after(x, u, &mut self.next);
+        let mut lost = [false; LANES];
+        if let Some(alone) = alone {
+            for lane in (0..LANES).filter(|lane| alone[*lane]) {
+                let ends = (times.from.0[lane], times.to.0[lane]);
+                lost[lane] = self.alone(lane, x, u.0[lane], ends).is_none();
+            }
         }
-        self.lengths.0[lane] = f64::NAN;
+        // A number times 0 is 0, and nothing else is.
+        let mut none = Pack::all(0.0);
+        for (x, next) in x.iter_mut().zip(&self.next) {
+            for lane in 0..LANES {
+                let moves = times.moves.0[lane] > 0.0;
+                x.0[lane] = if moves { next.0[lane] } else { x.0[lane] };
+                none.0[lane] += 0.0 * x.0[lane];
+            }
+        }
+        for lane in 0..LANES {
+            lost[lane] |= none.0[lane] != 0.0;
+        }
+        lost
+    }
+
+    /// The lanes that move and whose rows are not those of their length, once they were looked up; `None` where
+    /// all are.
+    fn unknown(&mut self, part: usize, times: &Times) -> Option<Which> {
+        let length = Pack::of(|lane| times.to.0[lane] - times.from.0[lane]);
+        let lengths = self.parts[part].lengths;
+        let mut others = Pack::all(0.0);
+        for lane in 0..LANES {
+            let known = is_same(lengths.0[lane], length.0[lane]);
+            others.0[lane] = if known { 0.0 } else { times.moves.0[lane] };
+        }
+        if others.0.iter().sum::<f64>() == 0.0 {
+            return None;
+        }
+        let mut alone = [false; LANES];
+        for lane in (0..LANES).filter(|lane| others.0[*lane] > 0.0) {
+            alone[lane] = !self.knows(part, lane, length.0[lane]);
+        }
+        Some(alone)
+    }
+
+    /// Whether the rows of a lane can be looked up.
+    fn knows(&mut self, part: usize, lane: usize, length: f64) -> bool {
+        let part = &mut self.parts[part];
+        part.lengths.0[lane] = f64::NAN;
         let Some((own, rows)) = self.motions[lane].rows(length) else { return false };
-        for (row, (whole, of_inputs, constant)) in self.rows.iter_mut().zip(rows) {
+        for (row, (whole, of_inputs, constant)) in part.rows.iter_mut().zip(rows) {
             row.whole.iter_mut().zip(whole).for_each(|(pack, own)| pack.0[lane] = *own);
             row.of_input.0[lane] = of_inputs.first().copied().unwrap_or(0.0);
             row.constant.0[lane] = constant;
         }
-        self.lengths.0[lane] = own;
+        part.lengths.0[lane] = own;
         true
     }
 
@@ -124,5 +152,24 @@ impl Plants {
         let end = self.motions[lane].after(&own, &[u], times)?;
         self.next.iter_mut().zip(end.iter()).for_each(|(next, end)| next.0[lane] = *end);
         Some(())
+    }
+}
+
+impl Part {
+    /// The states at the end of the length.
+    fn after(&self, x: &[Pack], u: &Pack, into: &mut [Pack]) {
+        for (into, Row { whole, of_input, constant }) in into.iter_mut().zip(&self.rows) {
+            // As the sum of an iterator begins.
+            let mut next = Pack::all(-0.0);
+            for (whole, x) in whole.iter().zip(x) {
+                for lane in 0..LANES {
+                    next.0[lane] += whole.0[lane] * x.0[lane];
+                }
+            }
+            for lane in 0..LANES {
+                next.0[lane] += of_input.0[lane] * u.0[lane] + constant.0[lane];
+            }
+            *into = next;
+        }
     }
 }

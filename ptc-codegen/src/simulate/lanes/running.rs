@@ -1,17 +1,23 @@
 //! The loop that runs in lanes: the emitted program at each sample, and between samples a plant that is linear
 //! while its input is held.
 
+// Lanes are counted, which compilers make vectors of.
+#![allow(clippy::needless_range_loop)]
+
 use std::collections::VecDeque;
 
 use super::along::Abreast;
-use super::flow::Which;
+use super::frames::{Frames, Spans};
 use super::plants::{Plants, Times};
+use super::ticks::Ticks;
 use super::{Instants, See};
-use crate::parameter::Parameter;
+use crate::linear::Delay;
+use crate::parameter::{Parameter, Precision};
 use crate::program::lanes::{LANES, Pack};
 use crate::program::{Limits, Value};
 use crate::request::After;
-use crate::simulate::frame::{Frame, Span};
+use crate::simulate::controller::holds;
+use crate::simulate::pieces::{Changes, Piece};
 use crate::simulate::plant::Motion;
 use crate::simulate::{Controller, Loop, Values};
 
@@ -21,6 +27,8 @@ pub struct RunningLanes {
     /// What `init` checks.
     controller: Controller,
     law: Abreast,
+    /// `None` where a tick is computed anew at each sample.
+    ticks: Option<Ticks>,
     step: Value,
     limits: Limits,
     after: After,
@@ -28,6 +36,8 @@ pub struct RunningLanes {
     /// The states of all lanes, and what is measured of them.
     x: Vec<Pack>,
     measured: Vec<Pack>,
+    /// A delay, and the inputs that are under way with it.
+    delay: (Delay, usize),
 }
 
 /// A scenario of the loop that runs.
@@ -39,21 +49,22 @@ pub struct Sampling<'a> {
     pub x0: &'a [f64],
     /// What is around the controller.
     pub around: &'a Loop,
+    /// When the plant gets other values.
+    pub pieces: &'a [Piece],
 }
 
-/// Gives the values of the plant of a job where they change, by the time after t0.
-pub type Change<'a, 'v> = &'a mut dyn FnMut(usize, f64) -> Option<&'v Values>;
-
-/// A scenario under way.
-struct Lane<'a> {
-    job: usize,
-    frame: Frame<'a>,
+/// Scenarios under way, which begin together.
+struct Under<'a> {
+    /// The job of each lane that runs.
+    jobs: [Option<usize>; LANES],
+    frames: Frames<'a>,
+    changes: [Option<Changes<'a>>; LANES],
+    /// When the plant of a lane next gets other values, after t0.
+    change: Pack,
     /// Inputs that are computed, and do not act yet.
-    late: VecDeque<f64>,
-    t0: f64,
-    tau: f64,
-    /// Whether it is at its last sample.
-    last: bool,
+    late: VecDeque<Pack>,
+    t0: Pack,
+    tau: Pack,
 }
 
 impl RunningLanes {
@@ -65,10 +76,14 @@ impl RunningLanes {
             return None;
         }
         let limits = program.limits;
-        let outputs: Vec<_> =
-            [Some(program.step), limits.u_max, limits.past].into_iter().flatten().collect();
+        let (checks, armed) = controller.conditions();
+        let looked_at = [Some(program.step), limits.u_max, limits.past].into_iter().flatten();
+        let checked = checks.iter().flat_map(|check| check.values());
+        let outputs: Vec<_> = looked_at.chain(checked).chain(armed.iter().copied()).collect();
+        let law = Abreast::new(program, &outputs, motion.order())?;
         Some(Self {
-            law: Abreast::new(program, &outputs, motion.order())?,
+            ticks: Ticks::of(&law, &outputs),
+            law,
             step: program.step,
             limits,
             after,
@@ -76,127 +91,177 @@ impl RunningLanes {
             plants: Plants::of(motion),
             x: vec![Pack::all(0.0); motion.order()],
             measured: vec![Pack::all(0.0); motion.order()],
+            delay: (Delay::default(), 0),
         })
     }
 
     /// Runs the jobs, and hands over their samples: of each job in order. Whether each came to its end; what was
     /// seen of one that did not counts for nothing.
-    pub fn run<'v>(
-        &mut self,
-        jobs: &[Sampling<'_>],
-        change: Change<'_, 'v>,
-        see: See<'_>,
-    ) -> Vec<bool> {
+    pub fn run(&mut self, jobs: &[Sampling<'_>], see: See<'_>) -> Vec<bool> {
         let mut done = vec![false; jobs.len()];
         for first in (0..jobs.len()).step_by(LANES) {
-            let mut lanes: [Option<Lane<'_>>; LANES] = Default::default();
-            for (lane, job) in (first..jobs.len().min(first + LANES)).enumerate() {
-                lanes[lane] = self.start(lane, (job, &jobs[job]));
-            }
-            self.law.settle();
-            while lanes.iter().any(Option::is_some) {
-                self.sample(&mut lanes, (&mut *change, &mut *see), &mut done);
+            let mut under = self.start(first, &jobs[first..jobs.len().min(first + LANES)]);
+            while under.jobs.iter().any(Option::is_some) {
+                self.sample(&mut under, &mut *see, &mut done);
             }
         }
         done
     }
 
-    fn start<'a>(&mut self, lane: usize, (job, own): (usize, &Sampling<'a>)) -> Option<Lane<'a>> {
-        let Sampling { values, x0, around } = *own;
-        if around.parts != 1 || !around.arm_at.is_empty() {
+    /// Starts some jobs, of which the first has a number. One that does not start, or whose delay is not that of
+    /// the first, is left.
+    fn start<'a>(&mut self, first: usize, jobs: &[Sampling<'a>]) -> Under<'a> {
+        let none = Pack::all(0.0);
+        if let Some(job) = jobs.first().filter(|job| job.around.delay != self.delay.0) {
+            self.delay = (job.around.delay.clone(), job.around.delay.inputs());
+        }
+        let mut under = Under {
+            jobs: [None; LANES],
+            frames: Frames::new(),
+            changes: Default::default(),
+            change: Pack::all(f64::INFINITY),
+            late: VecDeque::from(vec![none; self.delay.1]),
+            t0: none,
+            tau: Pack::all(1.0),
+        };
+        for (lane, job) in jobs.iter().enumerate() {
+            if self.begin(lane, job).is_some() {
+                under.begin(lane, first + lane, job);
+            }
+        }
+        self.law.settle();
+        self.ticks.iter_mut().for_each(|ticks| ticks.begin(&self.law));
+        for lane in 0..LANES {
+            if !self.is_armed(lane) {
+                under.leave(lane);
+            }
+        }
+        under
+    }
+
+    fn begin(&mut self, lane: usize, job: &Sampling<'_>) -> Option<()> {
+        let Sampling { values, x0, around, .. } = *job;
+        if around.parts != 1 || !around.arm_at.is_empty() || around.delay != self.delay.0 {
             return None;
         }
-        self.controller.init(values, x0).ok()?;
+        self.controller.legal(values).ok()?;
         self.law.start(lane, values, x0).ok()?;
         self.plants.start(lane, values, x0).ok()?;
-        let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         self.x.iter_mut().zip(x0).for_each(|(x, own)| x.0[lane] = *own);
-        let late = VecDeque::from(vec![0.0; around.delay.inputs()]);
-        Some(Lane { job, frame: Frame::new(around, tau), late, t0, tau, last: false })
+        Some(())
+    }
+
+    /// Whether `init` and `arm` succeed in a lane.
+    fn is_armed(&self, lane: usize) -> bool {
+        let get = |value: Value| self.law.lanes.get(value).0[lane];
+        let (checks, armed) = self.controller.conditions();
+        holds(checks, Precision::F64, get) && armed.iter().all(|value| get(*value).is_finite())
     }
 
     /// Takes a sample in every lane, and goes on to the next one.
-    fn sample<'v>(
-        &mut self,
-        lanes: &mut [Option<Lane<'_>>; LANES],
-        (change, see): (Change<'_, 'v>, See<'_>),
-        done: &mut [bool],
-    ) {
-        let none = Pack::all(0.0);
-        let (mut t, mut time_to_go, mut u) = (none, none, none);
+    fn sample(&mut self, under: &mut Under<'_>, see: See<'_>, done: &mut [bool]) {
+        let (since, last) = under.frames.since();
+        let t = Pack::of(|lane| under.t0.0[lane] + since.0[lane]);
+        let time_to_go = Pack::of(|lane| under.tau.0[lane] - since.0[lane]);
         self.measured.copy_from_slice(&self.x);
-        for (lane, slot) in lanes.iter_mut().enumerate() {
-            let Some(run) = slot else { continue };
-            let (since, last) = run.frame.since();
-            run.last = last;
-            (t.0[lane], time_to_go.0[lane]) = (run.t0 + since, run.tau - since);
-            run.frame.measure(self.measured.iter_mut().map(|own| &mut own.0[lane]));
-            let other = change(run.job, since).map(|values| self.plants.give(lane, values));
-            if other.is_some_and(|other| other.is_err()) {
-                *slot = None;
+        under.frames.measure(&mut self.measured);
+        self.change(under, &since);
+        match &mut self.ticks {
+            Some(ticks) => ticks.at(under.frames.index as usize, &mut self.law, &t),
+            None => self.law.tick(&t),
+        }
+        self.law.again(&self.measured);
+        let given = self.given();
+        // A number times 0 is 0, and nothing else is.
+        let mut none = Pack::of(|lane| 0.0 * given.0[lane]);
+        for y in &self.measured {
+            for lane in 0..LANES {
+                none.0[lane] += 0.0 * y.0[lane];
             }
         }
-        self.law.at(&t, &self.measured);
-        let (mut jobs, mut last) = ([None; LANES], [false; LANES]);
-        for (lane, slot) in lanes.iter_mut().enumerate() {
-            let Some(run) = slot else { continue };
-            let given = self.given(lane);
-            if !self.measured.iter().all(|y| y.0[lane].is_finite()) || !given.is_finite() {
-                *slot = None;
+        for lane in 0..LANES {
+            if none.0[lane] != 0.0 {
+                under.leave(lane);
+            }
+        }
+        let newest = under.frames.actuated(given);
+        under.late.push_back(newest);
+        let u = under.late.pop_front().unwrap_or(newest);
+        see(&Instants { jobs: under.jobs, last, time_to_go: &time_to_go, x: &self.x, u: &u });
+        for lane in (0..LANES).filter(|lane| last[*lane]) {
+            if let Some(job) = under.leave(lane) {
+                done[job] = true;
+            }
+        }
+        self.move_on(under, &u);
+    }
+
+    /// Gives the plants other values where those begin.
+    fn change(&mut self, under: &mut Under<'_>, since: &Pack) {
+        for lane in 0..LANES {
+            if since.0[lane] < under.change.0[lane] {
                 continue;
             }
-            u.0[lane] = run.frame.actuated(given);
-            if let Some(acting) = run.late.pop_front() {
-                run.late.push_back(u.0[lane]);
-                u.0[lane] = acting;
-            }
-            (jobs[lane], last[lane]) = (Some(run.job), run.last);
-        }
-        see(&Instants { jobs, last, time_to_go: &time_to_go, x: &self.x, u: &u });
-        for slot in lanes.iter_mut() {
-            if let Some(run) = slot.take_if(|run| run.last) {
-                done[run.job] = true;
+            let Some(changes) = &mut under.changes[lane] else { continue };
+            let values = changes.next(since.0[lane]);
+            under.change.0[lane] = changes.due();
+            if values.is_some_and(|values| self.plants.give(lane, values).is_err()) {
+                under.leave(lane);
             }
         }
-        self.move_on(lanes, &u);
     }
 
     /// u of `step`.
-    fn given(&self, lane: usize) -> f64 {
-        let get = |value| self.law.lanes.get(value).0[lane];
-        let over = self.limits.past.is_some_and(|past| get(past) >= 0.0);
-        let ends = over && self.after != After::Hold;
-        let wanted = if ends { 0.0 } else { get(self.step) };
-        match self.limits.u_max.map(get) {
-            Some(limit) if wanted > limit => limit,
-            Some(limit) if wanted < -limit => -limit,
-            _ => wanted,
+    fn given(&self) -> Pack {
+        let get = |value| self.law.lanes.get(value);
+        let mut wanted = *get(self.step);
+        if let Some(past) = self.limits.past.filter(|_| self.after != After::Hold) {
+            let past = get(past);
+            wanted = Pack::of(|lane| if past.0[lane] >= 0.0 { 0.0 } else { wanted.0[lane] });
         }
+        let Some(limit) = self.limits.u_max.map(get) else { return wanted };
+        Pack::of(|lane| match (wanted.0[lane], limit.0[lane]) {
+            (wanted, limit) if wanted > limit => limit,
+            (wanted, limit) if wanted < -limit => -limit,
+            (wanted, _) => wanted,
+        })
     }
 
     /// Moves the plants to their next samples under their inputs, and the next ones where those take over.
-    fn move_on(&mut self, lanes: &mut [Option<Lane<'_>>; LANES], u: &Pack) {
-        let none = [(0.0, 0.0); LANES];
-        let mut parts: [(Pack, Times, Which); 2] = [(Pack::all(0.0), none, [false; LANES]); 2];
-        for (lane, slot) in lanes.iter_mut().enumerate() {
-            let Some(run) = slot else { continue };
-            let newer = run.late.front().copied().unwrap_or(u.0[lane]);
-            let Span { from, over, to } = run.frame.next();
-            let acts = [(u.0[lane], from, over), (newer, over, to)];
-            for ((acting, times, which), (u, from, to)) in parts.iter_mut().zip(acts) {
-                acting.0[lane] = run.frame.gain * u;
-                times[lane] = (run.t0 + from, run.t0 + to);
-                which[lane] = from < to;
-            }
-        }
-        for (acting, times, which) in &parts {
-            if !which.contains(&true) {
+    fn move_on(&mut self, under: &mut Under<'_>, u: &Pack) {
+        let Spans { from, over, to } = under.frames.next();
+        let newer = under.late.front().copied().unwrap_or(*u);
+        for (part, (u, from, to)) in [(*u, from, over), (newer, over, to)].into_iter().enumerate() {
+            let moves = Pack::of(|lane| if from.0[lane] < to.0[lane] { 1.0 } else { 0.0 });
+            if moves.0.iter().sum::<f64>() == 0.0 {
                 continue;
             }
-            let moved = self.plants.move_on(&mut self.x, acting, times, *which);
-            for lane in (0..LANES).filter(|lane| which[*lane] && !moved[*lane]) {
-                lanes[lane] = None;
+            let acting = Pack::of(|lane| under.frames.gain.0[lane] * u.0[lane]);
+            let at = |time: &Pack| Pack::of(|lane| under.t0.0[lane] + time.0[lane]);
+            let times = Times { from: at(&from), to: at(&to), moves };
+            let lost = self.plants.move_on(part, &mut self.x, (&acting, &times));
+            for lane in (0..LANES).filter(|lane| lost[*lane]) {
+                under.leave(lane);
             }
         }
+    }
+}
+
+impl<'a> Under<'a> {
+    fn begin(&mut self, lane: usize, number: usize, job: &Sampling<'a>) {
+        let tau = job.values.get(Parameter::Tau);
+        self.jobs[lane] = Some(number);
+        self.frames.start(lane, job.around, tau);
+        (self.t0.0[lane], self.tau.0[lane]) = (job.values.get(Parameter::StartTime), tau);
+        let changes = Changes::of(job.pieces, tau);
+        self.change.0[lane] = changes.due();
+        self.changes[lane] = Some(changes);
+    }
+
+    /// Ends the run of a lane, and gives its job, if it had one.
+    fn leave(&mut self, lane: usize) -> Option<usize> {
+        self.frames.stop(lane);
+        self.change.0[lane] = f64::INFINITY;
+        self.jobs[lane].take()
     }
 }

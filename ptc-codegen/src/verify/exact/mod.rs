@@ -32,7 +32,7 @@ use crate::program::lanes::LANES;
 use crate::program::{Value, passes};
 use crate::request::Spec;
 use crate::simulate::lanes::{DirectLanes, StretchedLanes};
-use crate::simulate::{Along, Values};
+use crate::simulate::{Along, Piece};
 
 /// The loop of a campaign, with its transitions once they are asked for.
 #[derive(Clone, Debug)]
@@ -123,12 +123,12 @@ impl Exact {
 
     /// f in each piece of a run; `None` where it is not constant there.
     fn forces(&mut self, setting: &Setting) -> Option<Vec<f64>> {
-        let one = |(_, values): &(Vec<f64>, Values)| {
+        let one = |(_, values): &Piece| {
             if self.waves.iter().any(|size| values.get(*size) != 0.0) {
                 return None;
             }
             let Some((along, value)) = &mut self.force else { return Some(0.0) };
-            values.give(&mut along.machine).ok()?;
+            along.give(values).ok()?;
             along.settle();
             along.at(0.0, &[], &[]);
             Some(along.machine.get(*value))

@@ -6,6 +6,7 @@
 mod driver;
 mod scale;
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use super::record::Row;
@@ -69,7 +70,7 @@ impl Drawn {
             for (shares, part) in spread.shares.iter_mut().zip(&parts) {
                 *shares[*part].entry(step).or_default() += 1;
             }
-            spread.keep([Worst { value, index: row.index }]);
+            spread.see(Worst { value, index: row.index });
         }
     }
 
@@ -99,10 +100,23 @@ impl Drawn {
     }
 }
 
+/// The order of draws, the worst first.
+fn worse(a: &Worst, b: &Worst) -> Ordering {
+    b.value.total_cmp(&a.value).then(a.index.cmp(&b.index))
+}
+
 impl Spread {
+    /// Keeps a draw, where it is one of the worst.
+    fn see(&mut self, draw: Worst) {
+        let last = self.worst.get(WORST - 1);
+        if last.is_none_or(|last| worse(&draw, last).is_lt()) {
+            self.keep([draw]);
+        }
+    }
+
     fn keep(&mut self, others: impl IntoIterator<Item = Worst>) {
         self.worst.extend(others);
-        self.worst.sort_by(|a, b| b.value.total_cmp(&a.value).then(a.index.cmp(&b.index)));
+        self.worst.sort_by(worse);
         self.worst.truncate(WORST);
     }
 

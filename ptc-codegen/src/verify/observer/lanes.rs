@@ -1,0 +1,195 @@
+//! The objectives along the runs of all lanes, each with the bits of a run by itself.
+
+// Lanes are counted, which compilers make vectors of.
+#![allow(clippy::needless_range_loop)]
+
+use super::{Observer, Watched};
+use crate::expression::existence::Condition;
+use crate::parameter::Parameter;
+use crate::program::lanes::{LANES, Lanes, Pack};
+use crate::program::{Program, Value};
+use crate::request::MAX_ORDER;
+use crate::simulate::lanes::{Abreast, Instants};
+use crate::verify::Setting;
+use crate::verify::objective::{Kind, Level, larger, over};
+
+/// The objectives of a campaign along the runs of all lanes.
+#[derive(Clone, Debug)]
+pub(crate) struct LaneObserver {
+    watched: Watched,
+    along: Abreast,
+    /// As of one run.
+    distances: Vec<Value>,
+    /// The job of each lane, and |x| at its start.
+    jobs: [Option<usize>; LANES],
+    at_start: Pack,
+    /// By how much each objective is exceeded in each lane.
+    excess: Vec<Pack>,
+    /// The most since the lane began its job.
+    worst: Vec<Pack>,
+}
+
+impl LaneObserver {
+    /// `None` where they do not run in lanes.
+    pub(super) fn of(
+        Observer { watched, distances, .. }: &Observer,
+        program: &Program,
+    ) -> Option<Self> {
+        let none = vec![Pack::all(f64::NEG_INFINITY); watched.kinds.len()];
+        Some(Self {
+            along: Abreast::new(program, &program.watched, MAX_ORDER)?,
+            excess: none.clone(),
+            worst: none,
+            watched: watched.clone(),
+            distances: distances.clone(),
+            jobs: [None; LANES],
+            at_start: Pack::all(f64::NAN),
+        })
+    }
+
+    /// Number of objectives.
+    pub(crate) fn objectives(&self) -> usize {
+        self.watched.kinds.len()
+    }
+
+    /// Before other settings.
+    pub(crate) fn forget(&mut self) {
+        self.jobs = [None; LANES];
+    }
+
+    /// |x| in the states that were looked at last.
+    fn sizes(&self, x: &[Pack]) -> Pack {
+        match self.distances.as_slice() {
+            [] => norms(x.iter()),
+            distances => norms(distances.iter().map(|value| self.along.lanes.get(*value))),
+        }
+    }
+
+    /// Gives lanes the values of the jobs that they begin; the one of these that lacks one.
+    pub(crate) fn meet(
+        &mut self,
+        settings: &[&Setting],
+        jobs: &[Option<usize>; LANES],
+    ) -> Option<usize> {
+        let begins = |lane: usize| jobs[lane].is_some() && jobs[lane] != self.jobs[lane];
+        let met: [bool; LANES] = std::array::from_fn(begins);
+        if met == [false; LANES] {
+            return None;
+        }
+        let mut failed = None;
+        let mut start = (Pack::all(0.0), vec![Pack::all(0.0); MAX_ORDER]);
+        for lane in (0..LANES).filter(|lane| met[*lane]) {
+            let Some(job) = jobs[lane] else { continue };
+            let Setting { values, x0, .. } = settings[job];
+            if self.along.start(lane, values, x0).is_err() {
+                failed = Some(job);
+            }
+            start.0.0[lane] = values.get(Parameter::Tau);
+            start.1.iter_mut().zip(x0).for_each(|(start, x)| start.0[lane] = *x);
+        }
+        self.along.settle();
+        self.along.at(&start.0, &start.1);
+        let sizes = self.sizes(&start.1);
+        self.at_start.take(&sizes, &met);
+        for lane in (0..LANES).filter(|lane| met[*lane]) {
+            self.jobs[lane] = jobs[lane];
+            self.worst.iter_mut().for_each(|worst| worst.0[lane] = f64::NEG_INFINITY);
+        }
+        failed
+    }
+
+    /// By how much each objective is exceeded in each lane at an instant.
+    pub(crate) fn excess(&mut self, instants: &Instants<'_>) -> &[Pack] {
+        let Instants { last, time_to_go, x, u, .. } = instants;
+        self.along.under(time_to_go, x, u);
+        let size = self.sizes(x);
+        let Self { watched, along, excess, at_start, .. } = self;
+        for (index, excess) in excess.iter_mut().enumerate() {
+            let sizes = (&size, &*at_start);
+            *excess = watched.excess(index, &along.lanes, (sizes, u), last);
+        }
+        excess
+    }
+
+    /// The most of that since each lane began its job, this instant included.
+    pub(crate) fn worst(&mut self, instants: &Instants<'_>) -> &[Pack] {
+        self.excess(instants);
+        for (worst, excess) in self.worst.iter_mut().zip(&self.excess) {
+            *worst = Pack::of(|lane| worst.0[lane].max(excess.0[lane]));
+        }
+        &self.worst
+    }
+
+    /// The excess of each lane that has a job: job, objective, excess.
+    pub(crate) fn look(
+        &mut self,
+        instants: &Instants<'_>,
+        visit: &mut dyn FnMut(usize, usize, f64),
+    ) {
+        let met = self.jobs;
+        for (objective, excess) in self.excess(instants).iter().enumerate() {
+            for lane in (0..LANES).filter(|lane| met[*lane].is_some()) {
+                if let Some(job) = instants.jobs[lane] {
+                    visit(job, objective, excess.0[lane]);
+                }
+            }
+        }
+    }
+}
+
+impl Watched {
+    /// By how much an objective is exceeded in each lane, of |x| now and at t0 and of u.
+    fn excess(
+        &self,
+        index: usize,
+        lanes: &Lanes,
+        ((size, at_start), u): ((&Pack, &Pack), &Pack),
+        last: &[bool; LANES],
+    ) -> Pack {
+        let kind = &self.kinds[index];
+        let mut values = self.values[index].iter().map(|value| *lanes.get(*value));
+        let mut next = || values.next().unwrap_or(Pack::all(f64::NAN));
+        let (value, low, high) = match kind {
+            Kind::State { sigma, .. } => {
+                let zeta = next();
+                let high = Pack::of(|lane| sigma * at_start.0[lane] * zeta.0[lane]);
+                (*size, None, Some(high))
+            }
+            Kind::Input { .. } => (u.map(f64::abs), None, Some(next())),
+            Kind::Inputs { .. } => {
+                // A lane has one input.
+                let bound = next();
+                let part = |lane: usize| 1.0 + over(u.0[lane].abs(), bound.0[lane]);
+                (Pack::of(|lane| larger(0.0, part(lane))), None, Some(Pack::all(1.0)))
+            }
+            Kind::Attractive { error } => {
+                let high = |lane: usize| last[lane].then_some(*error);
+                return Pack::of(|lane| Level::below(size.0[lane], high(lane)).excess(kind));
+            }
+            Kind::Within { low, high, .. } => {
+                (next(), low.as_ref().map(|_| next()), high.as_ref().map(|_| next()))
+            }
+        };
+        let at = |pack: &Option<Pack>, lane: usize| pack.as_ref().map(|pack| pack.0[lane]);
+        Pack::of(|lane| {
+            let exists = |(value, condition): &(Value, Condition)| {
+                condition.holds(lanes.get(*value).0[lane])
+            };
+            let exists = self.conditions[index].iter().all(exists);
+            let value = if exists { value.0[lane] } else { f64::NAN };
+            Level { value, low: at(&low, lane), high: at(&high, lane) }.excess(kind)
+        })
+    }
+}
+
+/// Of the numbers of each lane.
+fn norms<'a>(x: impl Iterator<Item = &'a Pack>) -> Pack {
+    // As the sum of an iterator begins.
+    let mut sum = Pack::all(-0.0);
+    for x in x {
+        for lane in 0..LANES {
+            sum.0[lane] += x.0[lane] * x.0[lane];
+        }
+    }
+    sum.map(f64::sqrt)
+}
