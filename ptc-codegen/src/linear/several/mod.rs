@@ -16,7 +16,7 @@ mod rounded;
 use num_traits::{One, Signed, Zero};
 
 pub(crate) use left::{Left, Moving};
-use rounded::{Sized, rounded};
+use rounded::{Sized, long, rounded};
 
 use super::condition::radius;
 use super::exponential::{balanced, exponential, power};
@@ -135,22 +135,23 @@ impl Several {
         let back = derivatives.inverse().ok_or(singular.clone())?;
         let over = h.recip();
         let one = Matrix::identity(self.states());
-        let step = scaled(&held.phi.plus(&-BigRational::one(), &one), &over);
+        let step = long(&scaled(&held.phi.plus(&-BigRational::one(), &one), &over));
+        let gamma = long(&held.gamma);
         let (mut z, mut drift, mut gain) = (Vec::new(), Vec::new(), Vec::new());
         for k in 0..self.orders.len() {
-            let first = self.first(k, (&step, &held.gamma), &back).ok_or(singular.clone())?;
+            let first = self.first(k, (&step, &gamma), &back).ok_or(singular.clone())?;
             let mut row = first;
             for _ in 1..self.orders[k] {
                 z.push(row.clone());
                 row = row.times(&step);
             }
             z.push(row.clone());
-            gain.push(row.times(&scaled(&held.gamma, &over)));
+            gain.push(row.times(&scaled(&gamma, &over)));
             drift.push(row.times(&step));
         }
         let coordinates = self.coordinates(h, &z);
         let gain = Sized::stacked(gain);
-        let inverse = Matrix::of_rows(gain.value.clone()).inverse().ok_or(singular)?;
+        let inverse = long(&Matrix::of_rows(gain.value.clone()).inverse().ok_or(singular)?);
         // What a sample makes of the derivatives and of the decoupling matrix, in any units.
         let decoupling = self.decoupling(&derivatives);
         let of_states = Matrix::of_rows(coordinates.value.clone()).times(&back);
@@ -180,7 +181,7 @@ impl Several {
                 equations.push(row(&reached, j));
                 right.push(BigRational::zero());
             }
-            reached = reached.times(&step.transpose());
+            reached = long(&reached.times(&step.transpose()));
         }
         let back = back.transpose();
         let mut place = 0;

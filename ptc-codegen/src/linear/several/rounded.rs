@@ -5,11 +5,15 @@ use num_traits::{Signed, Zero};
 
 use super::super::Matrix;
 use super::super::exponential::power;
-use super::{row, sizes};
+use super::row;
 use crate::algebra::{BigInt, BigRational};
 
 /// Bits of a number that are kept.
 const KEPT: i64 = 160;
+
+/// Bits of numbers on the way to them, beyond those of the exponential, and of sizes.
+const LONG: i64 = 512;
+const SIZE: i64 = 64;
 
 /// log2 of the part of what it is the sum of below which a number is 0.
 const ROUNDING: i64 = -150;
@@ -24,15 +28,15 @@ pub(super) struct Sized {
 impl Sized {
     /// The solution y of A y = `right` as one row, with the inverse of A.
     pub(super) fn solution(inverse: &Matrix, a: &Matrix, right: &[BigRational]) -> Self {
-        let value = inverse.on(right);
-        let around: Vec<_> = value.iter().map(Signed::abs).collect();
-        let size = sizes(inverse).on(&sizes(a).on(&around));
-        Self { value: vec![value], size: vec![size] }
+        let value = long(&Matrix::of_rows(vec![inverse.on(right)]));
+        let around = size_of(a).times(&size_of(&value.transpose()));
+        let size = size_of(&size_of(inverse).times(&around)).transpose();
+        Self { value: rows(&value), size: rows(&size) }
     }
 
     /// The inverse of a matrix.
     pub(super) fn of_inverse(inverse: Matrix, of: &Self) -> Self {
-        let own = sizes(&inverse);
+        let own = size_of(&inverse);
         let size = own.times(&Matrix::of_rows(of.size.clone())).times(&own);
         Self { value: rows(&inverse), size: rows(&size) }
     }
@@ -46,16 +50,16 @@ impl Sized {
 
     /// The product with a matrix behind.
     pub(super) fn times(&self, other: &Matrix) -> Self {
-        let of = |rows: &[Vec<BigRational>], other: &Matrix| {
-            rows.iter().map(|row| other.after_row(row)).collect()
-        };
-        Self { value: of(&self.value, other), size: of(&self.size, &sizes(other)) }
+        let of =
+            |rows: &[Vec<BigRational>], other: &Matrix| Matrix::of_rows(rows.to_vec()).times(other);
+        let (value, size) = (of(&self.value, other), of(&self.size, &size_of(other)));
+        Self { value: rows(&long(&value)), size: rows(&size_of(&size)) }
     }
 
     /// The rows of the product with a matrix before.
     pub(super) fn after(self, other: &Matrix) -> Vec<Self> {
         let value = other.times(&Matrix::of_rows(self.value));
-        let size = sizes(other).times(&Matrix::of_rows(self.size));
+        let size = size_of(other).times(&Matrix::of_rows(self.size));
         let one = |i| Self { value: vec![row(&value, i)], size: vec![row(&size, i)] };
         (0..value.len()).map(one).collect()
     }
@@ -66,17 +70,27 @@ pub(super) fn rounded(of: &Sized) -> Vec<Vec<BigRational>> {
     let entry =
         |(value, size): (&BigRational, &BigRational)| match value.abs() < size * power(ROUNDING) {
             true => BigRational::zero(),
-            false => kept(value),
+            false => kept(value, KEPT),
         };
     let rows = of.value.iter().zip(&of.size);
     rows.map(|(value, size)| value.iter().zip(size).map(entry).collect()).collect()
 }
 
-/// A number to [`KEPT`] bits.
-fn kept(value: &BigRational) -> BigRational {
+/// A number to so many bits.
+fn kept(value: &BigRational, count: i64) -> BigRational {
     let bits = |value: &BigInt| i64::try_from(value.bits()).unwrap_or(i64::MAX);
-    let grid = power(bits(value.numer()) - bits(value.denom()) - KEPT);
+    let grid = power(bits(value.numer()) - bits(value.denom()) - count);
     (value / &grid).round() * grid
+}
+
+/// Numbers on the way.
+pub(super) fn long(of: &Matrix) -> Matrix {
+    Matrix::new(of.len(), of.columns(), |i, j| kept(of.at(i, j), LONG))
+}
+
+/// Sizes of numbers, which need no digits.
+fn size_of(of: &Matrix) -> Matrix {
+    Matrix::new(of.len(), of.columns(), |i, j| kept(&of.at(i, j).abs(), SIZE))
 }
 
 fn rows(of: &Matrix) -> Vec<Vec<BigRational>> {
