@@ -10,25 +10,23 @@
 //! The outputs with their derivatives are sums of the coordinates of the chains, at the samples and between them.
 
 mod between;
+mod given;
 mod maps;
+mod needed;
 mod report;
 
-use num_traits::Signed;
-
-use super::super::relative::upper;
-use super::cell::{OnCells, size};
 use super::chain::few_samples;
 use super::{FAR, Lacking, Output, ROUNDS, WIDER};
 use crate::algebra::BigRational;
 use crate::check::Outcome;
 use crate::check::sampled::cells::Worst;
-use crate::expression::enclosure::Range;
-use crate::linear::{Left, Moving};
+use crate::linear::Left;
 use crate::lower::at_sample;
 use crate::parameter::Fixed;
-use crate::program::{Program, Value, passes};
+use crate::program::{Program, passes};
 use crate::request::{After, Exact, Spec};
 use between::{AtSample, between};
+use given::{doubles, fractions, gain_error, of_each, with_starts};
 use maps::{Maps, both, summed};
 
 /// The check of a design with such a plant.
@@ -170,55 +168,6 @@ impl<'a> Exactly<'a> {
         ))
     }
 
-    /// The errors in loops that reach so much.
-    fn needed(
-        &self,
-        chains: Vec<BigRational>,
-        wanted: Vec<BigRational>,
-    ) -> Result<(Errors, Sizes), Lacking> {
-        let maps = &self.maps;
-        let states = summed(&maps.states, &chains);
-        let [of_chains, of_inputs] = self.rounded(&states, &wanted)?;
-        let seen = summed(&maps.of_measured, &self.noise);
-        let ideal = both(summed(&maps.inverse, &wanted), &summed(&maps.of_chains, &chains));
-        let u = both(both(ideal, &seen), &of_inputs);
-        let one = BigRational::from_integer(1.into());
-        let acting: Vec<_> = u.iter().map(|u| (&one + &self.gain) * (u + &self.step)).collect();
-        let off = u.iter().zip(&of_inputs);
-        let off: Vec<_> =
-            off.map(|(u, own)| own + &self.step + &self.gain * (u + &self.step)).collect();
-        let beside = both(off.clone(), &seen);
-        let moving = Moving { states: &states, wanted: &wanted, errors: &beside, inputs: &acting };
-        let (apart, forces) = self.left.bounds(&moving);
-        let forces = both(forces, &summed(&maps.gain, &off));
-        let forces = both(forces, &summed(&maps.drift, &self.noise));
-        let sensors = both(summed(&maps.coordinates, &self.noise), &of_chains);
-        let sensors = both(sensors, &apart);
-        let errors =
-            Errors { forces: doubles(&forces), sensors: doubles(&sensors), apart: doubles(&apart) };
-        Ok((errors, Sizes { chains, wanted, u, acting, errors: beside }))
-    }
-
-    /// How far rounding takes each xi, and each input, from what the program means.
-    fn rounded(
-        &self,
-        states: &[BigRational],
-        wanted: &[BigRational],
-    ) -> Result<[Vec<BigRational>; 2], Lacking> {
-        let around = |bounds: &[BigRational]| -> Vec<_> {
-            bounds.iter().map(|bound| Range::from(upper(bound)).both_signs()).collect()
-        };
-        let (cell, held) = (around(states), around(wanted));
-        let noise = doubles(&self.noise);
-        let errors = |values: &[Value], held: &[Range]| {
-            let on = OnCells::new(self.spec, &self.emitted, values, &noise);
-            let found = on.map_err(Lacking::Proof)?.at(&cell, held);
-            let errors = found.iter().map(|value| size(value, |value| value.error));
-            fractions(&errors.collect::<Vec<_>>())
-        };
-        Ok([errors(&self.emitted.watched, &[])?, errors(&self.emitted.controls(), &held)?])
-    }
-
     /// The outputs with their derivatives where the chains are so large at a sample.
     fn at_sample(&self, chains: &[BigRational]) -> Vec<Vec<f64>> {
         self.of_each(&doubles(&summed(&self.maps.outputs, chains)))
@@ -263,47 +212,4 @@ impl Errors {
         let wider = |all: Vec<f64>| all.into_iter().map(|error| (1.0 + WIDER) * error).collect();
         Self { forces: wider(self.forces), sensors: wider(self.sensors), apart: wider(self.apart) }
     }
-}
-
-/// The outputs, with the bounds of xi at the start in place of those of the outputs with their derivatives.
-fn with_starts(designs: Vec<Spec>, maps: &Maps) -> Result<Vec<Output>, Lacking> {
-    let given = designs
-        .iter()
-        .flat_map(|own| (0..own.n).map(|i| of_each(&own.promises.x0_max, i).ok_or(())));
-    let given: Result<Vec<_>, ()> = given.collect();
-    let given = given.map_err(|()| Lacking::Value("`x0_max` is infinite".to_owned()))?;
-    let start = doubles(&summed(&maps.of_outputs, &given));
-    let mut start = fractions(&start)?.into_iter();
-    let with = |mut own: Spec| {
-        let number = |value: BigRational| Fixed::Number { text: value.to_string(), value };
-        own.promises.x0_max = start.by_ref().take(own.n).map(number).collect();
-        Output::new(own, Vec::new()).map_err(Lacking::Proof)
-    };
-    designs.into_iter().map(with).collect()
-}
-
-/// By what part of itself an input may act otherwise.
-fn gain_error(parts: &[Fixed]) -> BigRational {
-    let one = BigRational::from_integer(1.into());
-    let parts = parts.iter().filter_map(Fixed::number).map(|part| (part - &one).abs());
-    parts.max().unwrap_or_default()
-}
-
-/// Number `j` of a list that holds one for all, or one each; `None` where there is none.
-fn of_each(bounds: &[Fixed], j: usize) -> Option<BigRational> {
-    bounds.get(j.checked_rem(bounds.len())?)?.number().cloned()
-}
-
-/// The doubles above.
-fn doubles(bounds: &[BigRational]) -> Vec<f64> {
-    bounds.iter().map(upper).collect()
-}
-
-/// # Errors
-/// That one is no number.
-fn fractions(bounds: &[f64]) -> Result<Vec<BigRational>, Lacking> {
-    let all = bounds.iter().map(|bound| BigRational::from_float(*bound));
-    all.collect::<Option<_>>().ok_or_else(|| {
-        Lacking::Proof("the bounds of the loop leave the range of doubles".to_owned())
-    })
 }
