@@ -6,13 +6,14 @@ needs mpmath. For each output the law is the input w of its sampled chain for wh
 the combination of the chain that the input moves last, goes on as y(k+n) + sum c_j y(k+j) = 0 with
 c_j = (-1)^(n-j) pi[M, M-1, ..., M-j]/(M-j)^(n-j), or with c_j = 0 at the end; pi has the zeros -pole.
 With a reference the chain is the tracking error, and r^(n) in the middle of the sample is added to w.
-The matrices and derivatives of the plants are written down by hand.
+The matrices and derivatives of the plants are written down by hand. Linear plants are sampled by the matrix
+exponential, and their chains are rows of the null space of what inputs reach earlier.
 """
 
 import json
 import random
 
-from mpmath import cos, factorial, ff, lu_solve, matrix, mp, mpf, pi as half_turn, sin
+from mpmath import cos, expm, factorial, ff, inverse, lu_solve, matrix, mp, mpf, pi as half_turn, sin
 
 mp.dps = 60
 
@@ -122,6 +123,122 @@ def rails(x, wanted):
     return [v[0] / 2, -2 * v[1]]
 
 
+def null_rows(of):
+    """Rows that span all c with c of = 0."""
+    a, row, pivots = of.T, 0, []
+    for column in range(a.cols):
+        if row == a.rows:
+            break
+        best = max(range(row, a.rows), key=lambda i: abs(a[i, column]))
+        if abs(a[best, column]) < mpf(10) ** -45:
+            continue
+        for j in range(a.cols):
+            a[row, j], a[best, j] = a[best, j], a[row, j]
+        pivot = a[row, column]
+        for j in range(a.cols):
+            a[row, j] /= pivot
+        for i in range(a.rows):
+            if i != row:
+                factor = a[i, column]
+                for j in range(a.cols):
+                    a[i, j] -= factor * a[row, j]
+        pivots.append(column)
+        row += 1
+    rows = []
+    for free in (j for j in range(a.cols) if j not in pivots):
+        c = matrix(1, a.cols)
+        c[free] = 1
+        for k, column in enumerate(pivots):
+            c[column] = -a[k, free]
+        rows.append(c)
+    return rows
+
+
+def linear(a, b, outputs, orders, h):
+    """The inputs of x' = a x + b u, y = outputs x, whose chains held inputs move exactly."""
+    a, b, outputs = ([[mpf(entry) for entry in row] for row in rows] for rows in (a, b, outputs))
+    n, m = len(a), len(orders)
+    whole = matrix(n + m, n + m)
+    for i in range(n):
+        for j, entry in enumerate(a[i] + b[i]):
+            whole[i, j] = entry * h
+    whole = expm(whole)
+    phi, gamma = whole[:n, :n], whole[:n, n:]
+    d, a = (phi - mp.eye(n)) / h, matrix(a)
+    basis, places = matrix(n, n), []
+    for k in range(m):
+        row = matrix([outputs[k]])
+        for i in range(orders[k]):
+            basis[len(places), :] = row
+            places.append((k, i))
+            row = row * a
+    back = inverse(basis)
+    xi, drift, gain = matrix(n, n), matrix(m, n), matrix(m, m)
+    at = 0
+    for k, order in enumerate(orders):
+        reached = matrix(n, max(m * (order - 1), 1))
+        now = gamma
+        for i in range(order - 1):
+            reached[:, i * m:(i + 1) * m] = now
+            now = d * now
+        free = null_rows(reached)
+        named = [place for place in places if place[1] <= orders[place[0]] - order]
+        assert len(free) == len(named)
+        system, wanted = matrix(len(free), len(free)), matrix(len(free), 1)
+        for i, place in enumerate(named):
+            for j, row in enumerate(free):
+                system[i, j] = (row * back)[places.index(place)]
+            wanted[i] = 1 if place == (k, 0) else 0
+        weights = lu_solve(system, wanted)
+        row = matrix(1, n)
+        for weight, own in zip(weights, free):
+            row += weight * own
+        z = matrix(order, n)
+        for i in range(order):
+            z[i, :] = row
+            row, last = row * d, row
+        drift[k, :] = row
+        gain[k, :] = last * gamma / h
+        # The differences of the chain of integrators in its states.
+        own_phi, own_gamma = pair(order, h)
+        own_d, own_row = (own_phi - mp.eye(order)) / h, flat(own_phi, own_gamma, h)
+        s = matrix(order, order)
+        for i in range(order):
+            s[i, :] = own_row
+            own_row = own_row * own_d
+        xi[at:at + order, :] = inverse(s) * z
+        at += order
+
+    def plant(x, wanted):
+        x = matrix(x)
+        chains = xi * x
+        v = wanted([[chains[i] for i, place in enumerate(places) if place[0] == k] for k in range(m)])
+        return list(lu_solve(gain, matrix(v) - drift * x))
+
+    return plant
+
+
+def masses(h):
+    """Two masses with springs and a damper between them."""
+    return linear(
+        [[0, 0, 1, 0], [0, 0, 0, 1], [-40, 25, "-0.25", "0.25"], [50, -50, "0.5", "-0.5"]],
+        [[0, 0], [0, 0], ["0.5", 0], [0, 1]], [[1, 0, 0, 0], [0, 1, 0, 0]], [2, 2], h,
+    )
+
+
+def train(h):
+    """A chain of order 3 beside one of order 2, each of which moves the other."""
+    return linear(
+        [[0, 1, 0, 0, 0], [-1, 0, 1, 0, 0], [0, 0, -2, 0, 1], [0, 0, 0, 0, 1], ["0.5", "-0.25", 0, -3, 0]],
+        [[0, 0], [0, 0], [1, 0], [0, 0], ["0.25", 1]], [[1, 0, 0, 0, 0], ["0.125", 0, 0, 1, 0]], [3, 2], h,
+    )
+
+
+def levels(h):
+    """An unstable plant whose inputs move both outputs at once."""
+    return linear([[2, -5], [4, "0.5"]], [[1, "0.25"], ["-0.5", 2]], [[1, "0.5"], [0, 1]], [1, 1], h)
+
+
 def sine(size, rate, phase):
     """A sine as an expression, and its derivative of an order at a time."""
     text = f"{size}*sin({rate}*t + {phase})"
@@ -148,7 +265,13 @@ CASES = [
     (four, [[-4], [-3, -4], [-5], [mpf("-2.5"), -6]], 60, mpf("0.02"), [1, 1, 2, 1, 1, 2], "input"),
     (rails, [[-4, -5, -6], [-3, mpf("-4.5"), -8]], 40, mpf("0.25"), [1, 2, 3, 1, 2, 3], [sine("2", "3", "1"), sine("0.5", "1.5", "2")]),
     (rails, [[-4, -5, -6], [-3, mpf("-4.5"), -8]], 100, mpf("0.05"), [1, 2, 3, 1, 2, 3], "input"),
+    (masses, [[-3, -4], [mpf("-3.5"), -6]], 40, mpf("0.05"), [1, 1, 2, 2]),
+    (train, [[-4, -5, -6], [-3, mpf("-4.5")]], 60, mpf("0.1"), [1, 1, 2, 1, 1]),
+    (levels, [[-2], [-3]], 30, mpf("0.2"), [1, 1]),
 ]
+
+# They are sampled by the matrix exponential.
+LINEAR = [masses, train, levels]
 
 
 def main():
@@ -182,7 +305,8 @@ def main():
                     all_.append(law(own, left, h, e, left <= end) + mpf(row[n]))
                 return all_
 
-            u = plant([mpf(value) for value in x], wanted)
+            inputs = plant(h) if plant in LINEAR else plant
+            u = inputs([mpf(value) for value in x], wanted)
             calls.append({
                 "k": k,
                 "x": [repr(value) for value in x],

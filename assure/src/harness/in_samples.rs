@@ -205,7 +205,7 @@ const DESIGNS: [Keys; 23] = [
 /// Plants with several inputs: of different orders with held gains, a mechanical one with all left to run time,
 /// one whose inputs are solved for, one that they do not decouple everywhere; and axes, apart and alike. Behind
 /// them some that follow references, known and given with each call.
-const OF_INPUTS: [Keys; 10] = [
+const OF_INPUTS: [Keys; 12] = [
     &[
         ("mu", "exp(a=1)"),
         ("poles", "[[-4],[-3,-4.5]]"),
@@ -299,6 +299,27 @@ const OF_INPUTS: [Keys; 10] = [
         ("guard", "none"),
         ("reference", "input"),
         ("g", "3"),
+    ],
+    &[
+        ("mu", "exp(a=1)"),
+        ("poles", "[[-3,-4],[-4]]"),
+        ("limits", "20,30"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+        ("states", "s, v, i"),
+        ("inputs", "F, V"),
+        ("outputs", "s, i"),
+        ("dynamics", "v, 3*i - 2*s - v/2 + F, V - 4*i + s/8"),
+    ],
+    &[
+        ("mu", "exp"),
+        ("precision", "f32"),
+        ("sample_time", "0.02"),
+        ("params.c", "2"),
+        ("states", "q1, q2, w1, w2"),
+        ("inputs", "F1, F2"),
+        ("inertia", "[[2, 1/2], [1/2, 1]]"),
+        ("bias", "[3*q1 - c*q2 + w1/4, c*q2]"),
     ],
 ];
 

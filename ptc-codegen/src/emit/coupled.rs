@@ -1,9 +1,14 @@
 //! What the head of an emitted file says of a plant with several inputs.
 
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use crate::algebra::BigRational;
+use crate::diagnostic::digits;
 use crate::expression::Expression;
 use crate::model::Coupled;
 use crate::model::coupled::Inverse;
-use crate::request::{Reference, Spec};
+use crate::parameter::Name;
+use crate::request::{Exact, Reference, Spec};
 
 /// What the outputs follow, and what the laws see of it.
 pub(super) fn references(spec: &Spec) -> Vec<String> {
@@ -26,6 +31,51 @@ pub(super) fn known_references(spec: &Spec, each: &str) -> Vec<String> {
         format!("  of {each} {index}: r = {}{}", derivatives[0], rates.collect::<String>())
     };
     (1..).zip(spec.known_references()).map(of_each).collect()
+}
+
+/// The chains of a linear plant as they are sampled, and how u follows from what is wanted of them, in numbers of
+/// four digits.
+pub(super) fn sampled(exact: &Exact) -> Vec<String> {
+    let (plant, chains) = (&exact.plant, &exact.chains);
+    let sum = |row: &[BigRational]| sum(row, &exact.coupled.states);
+    let mut rows = chains.coordinates.iter();
+    let mut lines = Vec::new();
+    for (index, order) in (1..).zip(&plant.orders) {
+        lines.push(format!("Output {index}, of order n = {order}, to four digits:"));
+        let own = (1..).zip(rows.by_ref().take(*order));
+        lines.extend(own.map(|(j, row)| format!("  xi_{j} = {}", sum(row))));
+        lines.push(format!("  f_{index} = {}", sum(&chains.drift[index - 1])));
+    }
+    lines.push("u = G^-1 w with w_i = v_i - f_i, to four digits:".to_owned());
+    let row = |row: &Vec<BigRational>| {
+        let all: Vec<_> = row.iter().map(number).collect();
+        format!("[{}]", all.join(", "))
+    };
+    let rows: Vec<_> = chains.inverse.iter().map(row).collect();
+    lines.push(format!("  G^-1 = [{}]", rows.join(", ")));
+    lines
+}
+
+/// A sum of multiples of states.
+fn sum(row: &[BigRational], states: &[Name]) -> String {
+    let terms = row.iter().zip(states).filter(|(factor, _)| !factor.is_zero());
+    let text = terms.fold(String::new(), |text, (factor, state)| {
+        let sign = match (text.is_empty(), factor.is_negative()) {
+            (true, true) => "-",
+            (true, false) => "",
+            (false, true) => " - ",
+            (false, false) => " + ",
+        };
+        match number(&factor.abs()).as_str() {
+            "1" => format!("{text}{sign}{state}"),
+            factor => format!("{text}{sign}{factor}*{state}"),
+        }
+    });
+    if text.is_empty() { "0".to_owned() } else { text }
+}
+
+fn number(value: &BigRational) -> String {
+    digits(value.to_f64().unwrap_or(f64::NAN))
 }
 
 /// How u follows from what is wanted of the outputs.

@@ -7,7 +7,7 @@ use crate::code::Code;
 use crate::internal::fault;
 use crate::model::Coupled;
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::request::{After, Guard, Observer, Sampled, Spec, What};
+use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
 use crate::samples;
 
 /// The program; `None` if the clock is time.
@@ -96,9 +96,10 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
 
 /// What becomes of the plant, by which law, and of what with a reference.
 fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
-    let plant = match &spec.coupled {
-        Some(coupled) => of_outputs(coupled),
-        None => of_chain(spec, sampled).to_vec(),
+    let plant = match (spec.sampled_exactly(), &spec.coupled) {
+        (Some(exact), _) => sampled_exactly(exact),
+        (None, Some(coupled)) => of_outputs(coupled),
+        (None, None) => of_chain(spec, sampled).to_vec(),
     };
     [plant, followed::lines(spec, sampled)].concat()
 }
@@ -138,6 +139,16 @@ fn of_outputs(coupled: &Coupled) -> Vec<String> {
         "Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. v_i is law_i in step.".to_owned(),
     ];
     lines.extend(coupled::law(coupled));
+    lines
+}
+
+/// The same of one that is linear.
+fn sampled_exactly(exact: &Exact) -> Vec<String> {
+    let mut lines = vec![
+        "Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as no u is clipped and nothing else acts on the plant.".to_owned(),
+        "Law of each output, of order n, in its chain xi as it is sampled, which is the output with its derivatives up to O(h), and which held inputs move exactly: with M samples to go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of output i is xj_i in step, and v_i is law_i.".to_owned(),
+    ];
+    lines.extend(coupled::sampled(exact));
     lines
 }
 

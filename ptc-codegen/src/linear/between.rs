@@ -7,7 +7,7 @@
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::exponential::{balanced, exponential, power};
-use super::{Linear, Matrix, binomial, factorial};
+use super::{Linear, Matrix, binomial, factorial, scaled, sizes};
 use crate::algebra::{BigRational, integer};
 
 /// Norm of A over a part, in the best units of the states: the rest is below 1 % of them.
@@ -41,17 +41,22 @@ pub(crate) struct Part {
 impl Between {
     /// The plant over a period `h`; `None` if a mode is too fast for it.
     pub(crate) fn new(plant: &Linear, h: &BigRational) -> Option<Self> {
-        let n = plant.b.len();
-        let z = moves(plant);
+        Self::of(&moves(plant), plant.b.len(), h)
+    }
+
+    /// The same of z' = Z z, of which the first `n` are states, and the rest are inputs.
+    pub(crate) fn of(z: &Matrix, n: usize, h: &BigRational) -> Option<Self> {
+        let all = z.len();
         // Rows of the powers of Z; those of a chain end.
-        let mut powers = vec![Matrix::identity(n + 1)];
+        let mut powers = vec![Matrix::identity(all)];
         for _ in 0..=n.max(DEGREE) {
-            powers.push(powers[powers.len() - 1].times(&z));
+            powers.push(powers[powers.len() - 1].times(z));
         }
-        let ends = |i: usize| (1..=n + 1).find(|l| (0..=n).all(|j| powers[*l].at(i, j).is_zero()));
+        let ends = |i: usize| (1..=n + 1).find(|l| (0..all).all(|j| powers[*l].at(i, j).is_zero()));
         let degrees: Vec<_> = (0..n).map(|i| ends(i).map_or(DEGREE, |l| l - 1)).collect();
         let exact = (0..n).all(|i| ends(i).is_some());
-        let count = if exact { 1.0 } else { (norm(plant, h) / NORM).ceil().max(1.0) };
+        let a = Matrix::new(n, n, |i, j| z.at(i, j).clone());
+        let count = if exact { 1.0 } else { (norm(&a, h) / NORM).ceil().max(1.0) };
         (count <= PARTS).then_some(())?;
         #[allow(clippy::cast_possible_truncation)]
         let count = count as i64;
@@ -61,7 +66,7 @@ impl Between {
                 let weight = binomial(r, l) / binomial(degrees[i], l) / factorial(l);
                 weight * num_traits::pow(length.clone(), l)
             };
-            (0..=r).fold(vec![BigRational::zero(); n + 1], |mut sum, l| {
+            (0..=r).fold(vec![BigRational::zero(); all], |mut sum, l| {
                 let weight = term(l);
                 sum.iter_mut()
                     .enumerate()
@@ -72,15 +77,15 @@ impl Between {
         let inner: Vec<Vec<_>> =
             (0..n).map(|i| (1..degrees[i]).map(|r| point(i, r)).collect()).collect();
         let part = |at: i64| {
-            let start = exponential(&scaled(&z, &(&length * integer(at))))?;
+            let start = exponential(&scaled(z, &(&length * integer(at))))?;
             let seen = |row: &Vec<BigRational>| start.after_row(row);
             let inner = inner.iter().map(|points| points.iter().map(seen).collect()).collect();
-            Some(Part { start: Matrix::new(n, n + 1, |i, j| start.at(i, j).clone()), inner })
+            Some(Part { start: Matrix::new(n, all, |i, j| start.at(i, j).clone()), inner })
         };
         let parts: Option<_> = (0..count).map(part).collect();
         let rest = match exact {
-            true => Matrix::new(n, n + 1, |_, _| BigRational::zero()),
-            false => rest(&sizes(&z), &length, &degrees, &ends)?,
+            true => Matrix::new(n, all, |_, _| BigRational::zero()),
+            false => rest(&sizes(z), &length, &degrees, &ends)?,
         };
         Some(Self { parts: parts?, length, rest })
     }
@@ -139,20 +144,12 @@ fn moves(plant: &Linear) -> Matrix {
 }
 
 /// The norm of A h in the best units of the states.
-fn norm(plant: &Linear, h: &BigRational) -> f64 {
-    let a = scaled(&Matrix::of_rows(plant.a.clone()), h);
+fn norm(a: &Matrix, h: &BigRational) -> f64 {
+    let a = scaled(a, h);
     let units = balanced(&a);
     let row = |i: usize| {
         let entry = |j: usize| (a.at(i, j) * power(units[j] - units[i])).abs().to_f64();
         (0..a.len()).map(|j| entry(j).unwrap_or(f64::INFINITY)).sum::<f64>()
     };
     (0..a.len()).map(row).fold(0.0, f64::max)
-}
-
-fn sizes(of: &Matrix) -> Matrix {
-    Matrix::new(of.len(), of.columns(), |i, j| of.at(i, j).abs())
-}
-
-fn scaled(of: &Matrix, factor: &BigRational) -> Matrix {
-    Matrix::new(of.len(), of.columns(), |i, j| of.at(i, j) * factor)
 }

@@ -193,11 +193,28 @@ fn condition(rows: Vec<Vec<BigRational>>, coupled: &Coupled) -> f64 {
     };
     let row = |i| (0..n).map(|j| entry(i, j)).collect();
     let product: Vec<Vec<f64>> = (0..n).map(row).collect();
-    let mut vector = vec![1.0; n];
+    spectral(&product)
+}
+
+/// The condition number in the best units, or the spectral radius of |K| alone; infinite where it is 0, too.
+pub(super) fn radius(of: &Matrix, condition: bool) -> f64 {
+    let n = of.len();
+    let row = |i: usize| (0..n).map(|j| of.at(i, j).clone()).collect::<Vec<_>>();
+    if condition {
+        return self::condition((0..n).map(row).collect(), &Coupled::none(n));
+    }
+    let size = |value: &BigRational| value.to_f64().map_or(f64::INFINITY, f64::abs);
+    let sizes: Vec<Vec<_>> = (0..n).map(|i| row(i).iter().map(size).collect()).collect();
+    spectral(&sizes)
+}
+
+/// The spectral radius of a matrix without negative entries; infinite where it is 0.
+fn spectral(of: &[Vec<f64>]) -> f64 {
+    let mut vector = vec![1.0; of.len()];
     let mut radius = 0.0;
     for _ in 0..SWEEPS {
         let after = |row: &Vec<f64>| row.iter().zip(&vector).map(|(a, x)| a * x).sum();
-        vector = product.iter().map(after).collect();
+        vector = of.iter().map(after).collect();
         radius = vector.iter().copied().fold(0.0, f64::max);
         vector.iter_mut().for_each(|x| *x /= radius);
     }

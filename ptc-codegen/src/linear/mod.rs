@@ -13,6 +13,7 @@ mod outputs;
 mod pair;
 mod poles;
 mod roots;
+mod several;
 mod singular;
 
 pub(crate) use between::{Between, Part, drift};
@@ -28,6 +29,8 @@ pub(crate) use outputs::Outputs;
 pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, zero_order_hold};
 pub(crate) use poles::sampled_poles;
 pub use roots::roots;
+pub use several::{Chains, Several};
+pub(crate) use several::{IllSampled, Left, Moving, scaled, sizes};
 
 use crate::algebra::{BigRational, integer};
 

@@ -76,10 +76,12 @@ impl Spec {
         self.axes.as_ref().filter(|_| of_axes).map(|axes| (axes.count, self.n))
     }
 
-    /// The plant whose inputs follow from the laws of all its outputs; none where each input is that of a
-    /// chain alone.
+    /// The plant whose inputs follow from the laws of all its outputs, with the chains that these laws move; none
+    /// where each input is that of a chain alone.
     pub fn decoupled(&self) -> Option<&Coupled> {
-        self.coupled.as_deref().filter(|_| !self.joins_axes())
+        let given = self.coupled.as_deref().filter(|_| !self.joins_axes())?;
+        let exact = self.sampled().and_then(|own| own.exact.as_ref());
+        Some(exact.map_or(given, |exact| &exact.coupled))
     }
 
     /// The bound of one of several inputs, from 0, where it is its own; else `u_max` bounds all.

@@ -17,7 +17,7 @@ pub use promises::{PlantBounds, Promises, one_or_each};
 pub(crate) use read::derivatives;
 pub use read::{Entry, read};
 pub(crate) use read::{items, known};
-pub use sampled::{Observer, Sampled};
+pub use sampled::{Exact, Observer, Sampled};
 
 use std::collections::BTreeMap;
 

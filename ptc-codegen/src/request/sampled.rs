@@ -6,8 +6,8 @@ use super::{Clock, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
-use crate::linear::{Delay, Linear};
-use crate::model::Model;
+use crate::linear::{Chains, Delay, Linear, Several};
+use crate::model::{Coupled, Model};
 use crate::parameter::{Fixed, Parameter};
 
 /// What a controller in samples needs beside the law.
@@ -17,6 +17,8 @@ pub struct Sampled {
     pub delay: Delay,
     /// The plant where it is not a chain.
     pub linear: Option<Linear>,
+    /// A linear plant with several inputs, sampled exactly.
+    pub exact: Option<Box<Exact>>,
     /// Constant input gain g of a chain.
     pub gain: BigRational,
     /// Values that are measured: x1..x_m of a chain, y = C x of another plant.
@@ -29,6 +31,18 @@ pub struct Sampled {
     pub observer: Option<Observer>,
     /// Whether eps is 0 because it was left open.
     pub leaves_eps: bool,
+}
+
+/// A linear plant with several inputs, and the chains of its outputs that inputs move exactly which are held for a
+/// sample.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Exact {
+    /// The plant in numbers.
+    pub plant: Several,
+    /// Its chains, and the inputs that move them.
+    pub chains: Chains,
+    /// The same as expressions, in place of the outputs with their derivatives.
+    pub coupled: Coupled,
 }
 
 impl Sampled {
@@ -114,6 +128,12 @@ impl Spec {
     /// The model whose f and g a controller in samples knows at the samples alone: one that is not linear.
     pub fn model_in_samples(&self) -> Option<&Model> {
         self.model.as_deref().filter(|_| self.sampled().is_some())
+    }
+
+    /// The linear plant with several inputs that is sampled exactly.
+    pub fn sampled_exactly(&self) -> Option<&Exact> {
+        self.decoupled()?;
+        self.sampled()?.exact.as_deref()
     }
 
     /// Whether eps is left to the checks.

@@ -60,7 +60,11 @@ impl Builder<'_> {
     /// The chain of each output, its law, and the inputs that give all of them.
     fn of_plant(&mut self, samples: &Expr) -> (Vec<Statement>, Vec<Expr>) {
         let mut model = AtSample::new(self);
-        let mut body = vec![Statement::Note("The chain of each output.".to_owned())];
+        let note = match self.spec.sampled_exactly() {
+            Some(_) => "The chain of each output as it is sampled.",
+            None => "The chain of each output.",
+        };
+        let mut body = vec![Statement::Note(note.to_owned())];
         body.extend(model.chain(self));
         body.extend(self.follow());
         body.extend(self.laws(samples));

@@ -3,7 +3,8 @@
 //!
 //! The law is exact for a chain that w moves. With u = (w - f)/g of the states at a sample the last rate of the
 //! chain is w there, and w + (f + g u) - (f + g u at the sample) behind it: what is not held moves x_i by
-//! O(h^(n+2-i)) in a sample. Of several outputs g is the decoupling matrix.
+//! O(h^(n+2-i)) in a sample. Of several outputs g is the decoupling matrix; where they are those of a linear plant, the
+//! chains are those that held inputs move exactly.
 
 use super::controller::Builder;
 use super::staged::{Names, Staged};

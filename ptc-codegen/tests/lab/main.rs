@@ -12,6 +12,7 @@ mod digits;
 mod expanded;
 #[cfg(unix)]
 mod fmu;
+mod loop_of_exact;
 mod loop_of_linear;
 mod loop_of_model;
 mod loop_of_plant;

@@ -48,15 +48,15 @@ fn product(a: &Rows, b: &Rows) -> Rows {
 }
 
 /// exp of ((A, B), (0, 0)) h, by its series for 2^-12 h, squared.
-fn exponential(a: &[Vec<BigRational>], b: &[BigRational], h: &BigRational) -> Rows {
-    let n = b.len();
+fn exponential(a: &[Vec<BigRational>], b: &[Vec<BigRational>], h: &BigRational) -> Rows {
+    let size = b.len() + b[0].len();
     let part = h / BigRational::from_integer(BigInt::one() << 12);
-    let row = |i: usize| a[i].iter().chain([&b[i]]).map(|e| fixed(&(e * &part))).collect();
-    let mut all: Rows = (0..n).map(row).collect();
-    all.push(vec![BigInt::zero(); n + 1]);
+    let row = |(a, b): (&Vec<_>, &Vec<_>)| a.iter().chain(b).map(|e| fixed(&(e * &part))).collect();
+    let mut all: Rows = a.iter().zip(b).map(row).collect();
+    all.resize(size, vec![BigInt::zero(); size]);
     let one = || BigInt::one() << BITS;
     let unit = |i: usize, j: usize| if i == j { one() } else { BigInt::zero() };
-    let mut sum: Rows = (0..=n).map(|i| (0..=n).map(|j| unit(i, j)).collect()).collect();
+    let mut sum: Rows = (0..size).map(|i| (0..size).map(|j| unit(i, j)).collect()).collect();
     let mut term = sum.clone();
     for k in 1..40 {
         term = product(&term, &all);
@@ -89,8 +89,9 @@ impl Plant {
         let lengths = lengths.iter().filter(|length| !length.is_zero());
         let one = || BigInt::one() << BITS;
         let x: Vec<_> = (0..n).map(|i| one() / (i + 2)).collect();
+        let b: Vec<_> = b.iter().map(|b| vec![b.clone()]).collect();
         Self {
-            parts: lengths.map(|length| exponential(a, b, length)).collect(),
+            parts: lengths.map(|length| exponential(a, &b, length)).collect(),
             c: c.iter().map(|row| row.iter().map(fixed).collect()).collect(),
             largest: x.iter().map(double).collect(),
             x,
@@ -148,5 +149,46 @@ impl Plant {
     pub(crate) fn left(&self) -> f64 {
         let most = self.x.iter().map(|x| double(x).abs()).fold(0.0, f64::max);
         most / self.largest.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+/// The exact plant x' = A x + B u of several inputs, sampled.
+pub(crate) struct Several {
+    whole: Rows,
+    x: Vec<BigInt>,
+    largest: f64,
+}
+
+impl Several {
+    /// The plant with rows of A and B, a period, and a state at the start.
+    pub(crate) fn new(
+        a: &[Vec<BigRational>],
+        b: &[Vec<BigRational>],
+        h: &BigRational,
+        x0: &[f64],
+    ) -> Self {
+        let exact = |x: &f64| fixed(&BigRational::from_f64(*x).expect("a finite state"));
+        let x = x0.iter().map(exact).collect();
+        Self { whole: exponential(a, b, h), x, largest: 0.0 }
+    }
+
+    pub(crate) fn x(&self) -> Vec<f64> {
+        self.x.iter().map(double).collect()
+    }
+
+    /// A sample later, with these inputs.
+    pub(crate) fn step(&mut self, u: &[f64]) {
+        self.largest = self.x().iter().fold(self.largest, |most, x| most.max(x.abs()));
+        let exact = |u: &f64| fixed(&BigRational::from_f64(*u).expect("a finite u"));
+        let given = self.x.iter().cloned().chain(u.iter().map(exact));
+        let given = given.map(|x| vec![x]).collect();
+        let count = self.x.len();
+        let after = product(&self.whole, &given).into_iter().take(count);
+        self.x = after.map(|mut row| row.remove(0)).collect();
+    }
+
+    /// The largest state, in parts of the largest on the way.
+    pub(crate) fn left(&self) -> f64 {
+        self.x().iter().fold(0.0_f64, |most, x| most.max(x.abs())) / self.largest
     }
 }

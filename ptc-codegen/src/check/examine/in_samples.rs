@@ -11,6 +11,9 @@ use crate::keys::CHECKS;
 use crate::parameter::Parameter;
 use crate::request::{Clock, Reference, Spec, What};
 
+/// Why the checks of what a period leaves have nothing to say.
+const EXACT: &str = "the law is exact in samples, at any period";
+
 /// The checks of a controller in samples. Its loop is exact at any period, so what looks for the
 /// error of a period has nothing to say.
 pub(super) fn in_samples(spec: &Spec) -> Report {
@@ -35,10 +38,12 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
     let moves = spec.reference.as_ref().is_some_and(Reference::moves);
     let reason = match (model, of_several) {
         (None, _) if moves => "`loop` bounds what the period leaves of a reference that moves",
-        (None, _) => "the law is exact in samples, at any period",
+        (None, _) => EXACT,
         (Some(_), false) => "`loop` bounds what the period leaves of a model that is not linear",
         (Some(_), true) => "`loop` bounds what the period leaves of a plant with several inputs",
     };
+    let sampled_exactly = spec.sampled().is_some_and(|own| own.exact.is_some());
+    let reason = if sampled_exactly { EXACT } else { reason };
     let exact = |name| Outcome::not_checked(name, reason);
     let mut spec = spec.clone();
     let (looped, worst) = match open(&spec) {

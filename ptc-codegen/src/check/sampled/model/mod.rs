@@ -8,11 +8,13 @@
 //! envelope; they do where no state on its faces has a chain within the bounds that follow.
 //!
 //! Several outputs have a chain and a force each, f is the vector of their drifts and g the decoupling matrix. All
-//! u, and so each force, follow from all w: the forces have to be consistent together.
+//! u, and so each force, follow from all w: the forces have to be consistent together. The chains of a linear plant with
+//! several inputs are exact at the samples ([`exact`]).
 
 mod beside;
 mod cell;
 mod chain;
+mod exact;
 mod faces;
 mod forces;
 mod motion;
@@ -43,6 +45,9 @@ const WIDER: f64 = 0.02;
 
 /// The check of a design with such a model.
 pub(super) fn outcome(spec: &Spec) -> Outcome {
+    if let Some(exact) = spec.sampled_exactly() {
+        return exact::outcome(spec, exact).unwrap_or_else(Lacking::outcome);
+    }
     let motion = Motion::new(spec).unwrap_or_else(|| fault("a loop of a model without a model"));
     let found = Envelope::new(spec, &motion).and_then(|envelope| {
         let from = vec![0.0; envelope.outputs.len()];
@@ -50,18 +55,24 @@ pub(super) fn outcome(spec: &Spec) -> Outcome {
         let afterwards = envelope.afterwards(&found.force);
         Ok(report::judged(spec, &motion, (&envelope.outputs, &found), afterwards.as_ref()))
     });
-    found.unwrap_or_else(|lacking| match lacking {
-        Lacking::Value(reason) => Outcome::not_checked(NAME, reason),
-        Lacking::Proof(reason) => {
-            Outcome { verdict: Verdict::Undecided, ..Outcome::not_checked(NAME, reason) }
-        }
-    })
+    found.unwrap_or_else(Lacking::outcome)
 }
 
 /// Why there are no bounds: a value that is not given, or what is not shown.
 enum Lacking {
     Value(String),
     Proof(String),
+}
+
+impl Lacking {
+    fn outcome(self) -> Outcome {
+        match self {
+            Self::Value(reason) => Outcome::not_checked(NAME, reason),
+            Self::Proof(reason) => {
+                Outcome { verdict: Verdict::Undecided, ..Outcome::not_checked(NAME, reason) }
+            }
+        }
+    }
 }
 
 /// The bounds of the loops.
@@ -142,7 +153,7 @@ impl<'a> Envelope<'a> {
     fn bounded(&self, after: After, mut force: Vec<f64>) -> Result<Bounded, Lacking> {
         for _ in 0..ROUNDS {
             let loops = self.outputs.iter().zip(&force);
-            let loops = loops.map(|(output, force)| output.reached(after, *force));
+            let loops = loops.map(|(output, force)| output.reached(after, &output.sensors, *force));
             let loops = loops.collect::<Result<Vec<_>, _>>()?;
             let (worst, loops): (Vec<_>, Vec<_>) = loops.into_iter().unzip();
             let (wanted, chains): (Vec<_>, Vec<_>) = loops.into_iter().unzip();
@@ -200,9 +211,14 @@ impl Output {
         Ok(Self { spec, sensors, followed })
     }
 
-    /// The loop under such a force, and what is wanted of the last rate of the plant, and its chain, in it.
-    fn reached(&self, after: After, force: f64) -> Result<(Worst, (f64, Vec<f64>)), Lacking> {
-        let chain = Spec { after, ..chain(&self.spec, &self.sensors, force) };
+    /// The loop under such a force with such errors of what is measured, and what is wanted of the last rate of the plant, and its chain, in it.
+    fn reached(
+        &self,
+        after: After,
+        sensors: &[f64],
+        force: f64,
+    ) -> Result<(Worst, (f64, Vec<f64>)), Lacking> {
+        let chain = Spec { after, ..chain(&self.spec, sensors, force) };
         let closed = Loop::new(&chain, None).map_err(Lacking::Value)?;
         let worst = closed.worst(true).map_err(Lacking::Proof)?;
         let (wanted, x) = reached(&worst, after).map_err(Lacking::Proof)?;

@@ -61,7 +61,7 @@ pub(super) fn judged(
 }
 
 /// The first state whose bound is above `error`, and this.
-fn above(outputs: &[Output], totals: &[Vec<f64>]) -> Option<(String, f64)> {
+pub(super) fn above(outputs: &[Output], totals: &[Vec<f64>]) -> Option<(String, f64)> {
     for (k, (output, totals)) in outputs.iter().zip(totals).enumerate() {
         let errors = &output.spec.promises.error;
         let error = |i: usize| one_or_each(errors, i).unwrap_or(f64::INFINITY);
@@ -81,12 +81,12 @@ fn limits(spec: &Spec) -> impl Iterator<Item = Option<f64>> {
 }
 
 /// The first input that may be clipped.
-fn clipped(spec: &Spec, u: &[f64]) -> Option<usize> {
+pub(super) fn clipped(spec: &Spec, u: &[f64]) -> Option<usize> {
     u.iter().zip(limits(spec)).position(|(u, limit)| limit.is_some_and(|limit| *u >= limit))
 }
 
 /// That an input may be above its bound.
-fn beyond_limit(spec: &Spec, motion: &Motion, (j, u): (usize, f64)) -> String {
+pub(super) fn beyond_limit(spec: &Spec, motion: &Motion, (j, u): (usize, f64)) -> String {
     let most = digits_up(u);
     if motion.inputs.len() == 1 {
         return format!("|u| is only known to be below {most}, above u_max");
@@ -123,12 +123,12 @@ fn force(spec: &Spec, outputs: usize, force: f64) -> String {
 }
 
 /// Says of which output a line is, where there are several.
-fn of_output(outputs: &[Output], k: usize) -> String {
+pub(super) fn of_output(outputs: &[Output], k: usize) -> String {
     if outputs.len() > 1 { format!("output {}: ", k + 1) } else { String::new() }
 }
 
 /// Bounds of the chains.
-fn of_chains(x: &[Vec<f64>]) -> String {
+pub(super) fn of_chains(x: &[Vec<f64>]) -> String {
     let all: Vec<_> = x.iter().map(|x| bounds(x.iter().copied())).collect();
     match all.as_slice() {
         [one] => format!("|x| <= {one}"),
@@ -141,7 +141,7 @@ fn of_chains(x: &[Vec<f64>]) -> String {
 }
 
 /// Bounds of the inputs.
-fn of_inputs(motion: &Motion, u: &[f64]) -> String {
+pub(super) fn of_inputs(motion: &Motion, u: &[f64]) -> String {
     let of = |(name, u): (&Name, &f64)| format!("|{name}| <= {}", digits_up(*u));
     motion.inputs.iter().zip(u).map(of).collect::<Vec<_>>().join(", ")
 }

@@ -1,6 +1,7 @@
 //! The clock in samples: its keys, and what it has no meaning for.
 
 mod observer;
+mod several;
 
 use num_traits::{Signed, Zero};
 
@@ -121,6 +122,7 @@ impl Reader<'_> {
         let sampled = Sampled {
             delay: late,
             linear: linear.map(|(plant, _)| plant),
+            exact: self.exact(spec),
             gain,
             measured,
             disturbance,

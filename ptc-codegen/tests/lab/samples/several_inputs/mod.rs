@@ -3,6 +3,7 @@
 
 mod apart;
 mod checks;
+mod exact;
 mod followed;
 mod reference;
 mod refusals;

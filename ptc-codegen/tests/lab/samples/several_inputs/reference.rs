@@ -14,6 +14,33 @@ const REFERENCE: &str = include_str!("../../../../../tests/data/sampled_inputs.j
 /// Two axes of order 3.
 const RAILS: &str = "n = 3\naxes = 2\ng = [2, -0.5]\n[params]\n";
 
+/// Linear plants, which are sampled exactly.
+const MASSES: &str = r#"
+[model]
+states = ["p", "q", "v", "w"]
+inputs = ["F", "G"]
+inertia = [[2, 0], [0, 1]]
+bias = ["80*p - 50*q + (v - w)/2", "50*(q - p) + (w - v)/2"]
+[params]
+"#;
+const TRAIN: &str = r#"
+[model]
+states = ["p", "v", "f", "q", "w"]
+inputs = ["F", "G"]
+outputs = ["p", "q + p/8"]
+dynamics = { p = "v", v = "f - p", f = "F - 2*f + w", q = "w", w = "G + F/4 - 3*q + p/2 - c*v" }
+[params]
+c = 0.25
+"#;
+const LEVELS: &str = r#"
+[model]
+states = ["x", "y"]
+inputs = ["u", "v"]
+outputs = ["x + y/2", "y"]
+dynamics = ["2*x - 5*y + u + v/4", "4*x + y/2 - u/2 + 2*v"]
+[params]
+"#;
+
 /// Relative to the greatest input: chains, laws and their sums each round a few times.
 const INPUT: f64 = 1e-12;
 
@@ -37,6 +64,9 @@ fn inputs_are_those_of_the_reference() {
         let design = match plant {
             "four" => FOUR.to_owned(),
             "rails" => RAILS.to_owned(),
+            "masses" => MASSES.to_owned(),
+            "train" => TRAIN.to_owned(),
+            "levels" => LEVELS.to_owned(),
             _ => example(&format!("{plant}.toml")),
         };
         let poles = case["poles"].to_string().replace('"', "");
