@@ -65,5 +65,6 @@ pub const LAYERS: &[Layer] = &[
     verdicts::LAYER,
     suites::EMITTED,
     suites::LOOPS,
+    suites::COMMAND,
     suites::SESSIONS,
 ];

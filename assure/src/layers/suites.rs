@@ -1,5 +1,5 @@
-//! The tests that `cargo test` leaves out, as they take minutes: of emitted code, of closed loops, and of the
-//! sessions in the documents.
+//! The tests that `cargo test` leaves out, as they take minutes: of emitted code, of closed loops, of the command, and
+//! of the sessions in the documents.
 
 use std::process::Command;
 
@@ -25,6 +25,14 @@ pub(super) const LOOPS: Layer = Layer {
             of exact solutions, for every kind of plant.",
     tools: &[GCC],
     run: |context| suite(context, &[&OPTIMISED[..], &["--test", "lab"]].concat()),
+};
+
+pub(super) const COMMAND: Layer = Layer {
+    name: "command",
+    claim: "The command reads, prints, writes and refuses what it should; its projects are written whole, and \
+            what is not its own is never replaced.",
+    tools: &[GCC, GXX],
+    run: |context| suite(context, &[&OPTIMISED[..], &["--test", "command"]].concat()),
 };
 
 pub(super) const SESSIONS: Layer = Layer {
