@@ -10,7 +10,7 @@ use crate::failure::{Failure, Result, While};
 use crate::tools::{binaries, run, scratch, workspace};
 
 /// Scenarios of a run at most, beside which what else it does is small; that is taken off all the same.
-const SCENARIOS: u32 = 8192;
+const SCENARIOS: u32 = 524_288;
 
 /// Processor seconds that a run may take: where a scenario takes milliseconds, fewer will do.
 const LONG: f64 = 4.0;

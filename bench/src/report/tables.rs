@@ -207,7 +207,7 @@ pub(super) fn generator(text: &mut String, speeds: &[Speed]) {
 }
 
 const CAMPAIGNS: &str = "\
-`ptc-codegen verify DESIGN --scenarios 8192` less the same with 64 scenarios, whose rest (corners, search, proofs) it is; half as many,
+`ptc-codegen verify DESIGN --scenarios 524288` less the same with 64 scenarios, whose rest (corners, search, proofs) it is; half as many,
 and again, down to 512, where they take more than 4 s.
 A scenario is run on both sides of Theorem 1 and looked at at 80 instants and more, to a relative error of 1e-9: two
 trajectories. The designs are [examples/campaign.toml](../examples/campaign.toml) and the same with what is named.

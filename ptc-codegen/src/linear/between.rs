@@ -94,7 +94,7 @@ impl Between {
     pub(crate) fn kick(&self, plant: &Linear, late: &BigRational) -> Option<Vec<BigRational>> {
         let n = plant.b.len();
         let over = &self.length + late;
-        let a = exponential(&scaled(&sizes(&Matrix::of_rows(plant.a.clone())), &over))?;
+        let a = exponential(&scaled(&sizes(&Matrix::of(plant.a.clone())), &over))?;
         let first = a.on(&plant.b.iter().map(Signed::abs).collect::<Vec<_>>());
         let most = |i: usize| {
             let at = |part: &Part| {

@@ -40,6 +40,14 @@ pub(crate) enum Ill {
     Unobservable { condition: f64, mode: Option<Complex> },
 }
 
+/// The greatest condition number that leaves half of the digits.
+pub(super) fn most(precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => 1e8,
+        Precision::F32 => 1e4,
+    }
+}
+
 /// Examines a plant sampled with period `h`, whose input is late by `delay`, none where it does
 /// not control; `disturbed` with a constant that is added to the input and observed. Gives how
 /// many of the states that are estimated each row of C accounts for; nothing where it shows all of
@@ -51,10 +59,7 @@ pub(crate) fn examine(
     disturbed: bool,
     precision: Precision,
 ) -> Result<Vec<usize>, Ill> {
-    let limit = match precision {
-        Precision::F64 => 1e8,
-        Precision::F32 => 1e4,
-    };
+    let limit = most(precision);
     let part = delay.map_or_else(BigRational::one, Delay::part);
     let pair = Pair::linear(plant, h, &part).ok_or(Ill::Fast)?;
     if let Some(delay) = delay {
@@ -172,7 +177,7 @@ impl Coupled {
 /// The spectral radius of |K| |K^-1|, in which the states of a group count together; infinite where K
 /// is singular.
 fn condition(rows: Vec<Vec<BigRational>>, coupled: &Coupled) -> f64 {
-    let (n, rows) = (rows.len(), Matrix::of_rows(rows));
+    let (n, rows) = (rows.len(), Matrix::of(rows));
     let rows = Matrix::new(n, n, |i, j| rows.at(i, j) * power(coupled.units[j]));
     // Rows of one size: the radius stays, and the numbers stay in range.
     let size = |i: usize| (0..n).map(|j| rows.at(i, j).abs()).max().unwrap_or_default();
@@ -196,16 +201,16 @@ fn condition(rows: Vec<Vec<BigRational>>, coupled: &Coupled) -> f64 {
     spectral(&product)
 }
 
-/// The condition number in the best units, or the spectral radius of |K| alone; infinite where it is 0, too.
-pub(super) fn radius(of: &Matrix, condition: bool) -> f64 {
-    let n = of.len();
-    let row = |i: usize| (0..n).map(|j| of.at(i, j).clone()).collect::<Vec<_>>();
-    if condition {
-        return self::condition((0..n).map(row).collect(), &Coupled::none(n));
-    }
+/// The same in the best unit of each state.
+pub(super) fn alone(of: &Matrix) -> f64 {
+    condition(of.rows().to_vec(), &Coupled::none(of.len()))
+}
+
+/// The spectral radius of |K|; infinite where it is 0.
+pub(super) fn radius(of: &Matrix) -> f64 {
     let size = |value: &BigRational| value.to_f64().map_or(f64::INFINITY, f64::abs);
-    let sizes: Vec<Vec<_>> = (0..n).map(|i| row(i).iter().map(size).collect()).collect();
-    spectral(&sizes)
+    let sizes = of.rows().iter().map(|row| row.iter().map(size).collect());
+    spectral(&sizes.collect::<Vec<_>>())
 }
 
 /// The spectral radius of a matrix without negative entries; infinite where it is 0.

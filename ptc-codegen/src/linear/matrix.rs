@@ -39,9 +39,9 @@ impl Matrix {
         Self::new(n, n, |i, j| if i == j { BigRational::one() } else { BigRational::zero() })
     }
 
-    /// The matrix with these rows.
-    pub(crate) fn of_rows(rows: Vec<Vec<BigRational>>) -> Self {
-        Self(rows)
+    /// Its rows.
+    pub(crate) fn rows(&self) -> &[Vec<BigRational>] {
+        &self.0
     }
 
     /// Number of rows.

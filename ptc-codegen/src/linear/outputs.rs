@@ -60,7 +60,7 @@ impl Outputs {
         }
         // The span of c, c D, ..., c D^l is that of c, c Phi, ...; what is dual to the last row of a
         // block is the same.
-        let dual = Matrix::of_rows(chains.concat()).inverse()?.transpose();
+        let dual = Matrix::of(chains.concat()).inverse()?.transpose();
         let mut columns = Vec::with_capacity(blocks.len());
         let mut last = 0;
         for size in &blocks {

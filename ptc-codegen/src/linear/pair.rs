@@ -135,13 +135,13 @@ impl Pair {
         let unit: Vec<_> = (1..=order)
             .map(|i| if i == order { BigRational::one() } else { BigRational::zero() })
             .collect();
-        let mut rows = vec![Matrix::of_rows(columns).solve(&unit)?];
+        let mut rows = vec![Matrix::of(columns).solve(&unit)?];
         while rows.len() <= order {
             let next = step.after_row(&rows[rows.len() - 1]);
             rows.push(next);
         }
         let last = rows.pop()?;
-        let s = Matrix::of_rows(rows);
+        let s = Matrix::of(rows);
         let drift = s.transpose().solve(&last)?;
         Some((s, drift))
     }

@@ -52,23 +52,6 @@ impl Arithmetic {
         })
     }
 
-    /// The places of its operands.
-    pub(super) fn operands(&self, mut visit: impl FnMut(usize)) {
-        match *self {
-            Self::Number(_) => {}
-            Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) | Self::Copy(a) => visit(a),
-            Self::Add(a, b)
-            | Self::Sub(a, b)
-            | Self::Mul(a, b)
-            | Self::Div(a, b)
-            | Self::Quotient(a, b)
-            | Self::Max(a, b)
-            | Self::Min(a, b)
-            | Self::Pow(a, b) => [a, b].into_iter().for_each(visit),
-            Self::Fused(a, b, c) => [a, b, c].into_iter().for_each(visit),
-        }
-    }
-
     /// The result on the numbers that `at` gives.
     #[inline]
     pub(super) fn result(&self, at: impl Fn(usize) -> f64, precision: Precision) -> f64 {

@@ -69,8 +69,8 @@ struct Tape {
     inputs: Vec<(Input, Register)>,
     /// The register of each value that is needed.
     places: Vec<usize>,
-    /// The stage of each register.
-    stages: Vec<Stage>,
+    /// The stage of each register, and the last one that reads it.
+    stages: Vec<(Stage, Option<Stage>)>,
 }
 
 #[derive(Debug)]
@@ -114,7 +114,17 @@ impl Lanes {
         for (place, value) in needed.iter().enumerate() {
             places[value.0] = place;
         }
-        let stages = needed.iter().map(|value| program.get(*value).stage).collect();
+        let mut stages: Vec<_> =
+            needed.iter().map(|value| (program.get(*value).stage, None)).collect();
+        for value in &needed {
+            let definition = program.get(*value);
+            // What a loop repeats may run later than its operands are known.
+            let reader = if definition.looped { Stage::Step } else { definition.stage };
+            definition.op.each_operand(|operand| {
+                let (_, last) = &mut stages[places[operand.0]];
+                *last = (*last).max(Some(reader));
+            });
+        }
         let mut tape = Tape { due: Default::default(), inputs: Vec::new(), places, stages };
         for value in &needed {
             let definition = program.get(*value);
@@ -171,7 +181,7 @@ impl Lanes {
     /// The registers that are known before `stage`.
     pub fn before(&self, stage: Stage) -> impl Iterator<Item = Register> {
         let stages = &self.tape.stages;
-        (0..stages.len()).filter(move |place| stages[*place] < stage).map(Register)
+        (0..stages.len()).filter(move |place| stages[*place].0 < stage).map(Register)
     }
 
     /// The registers of `stage` that later ones or `outputs` read; `None` where arrays or loops are among its work.
@@ -181,12 +191,11 @@ impl Lanes {
         if !due[stage as usize].iter().all(simple) {
             return None;
         }
-        let mut read = vec![false; stages.len()];
-        outputs.iter().for_each(|value| read[places[value.0]] = true);
-        for later in due[stage as usize + 1..].iter().flatten() {
-            later.reads(&mut read);
-        }
-        let own = |place: &usize| read[*place] && stages[*place] == stage;
+        let own = |place: &usize| {
+            let (own, last) = stages[*place];
+            let is_output = || outputs.iter().any(|value| places[value.0] == *place);
+            own == stage && (last > Some(stage) || is_output())
+        };
         Some((0..stages.len()).filter(own).map(Register).collect())
     }
 
@@ -199,25 +208,6 @@ impl Lanes {
     #[inline]
     pub fn get(&self, value: Value) -> &Pack {
         &self.registers[self.tape.places[value.0]]
-    }
-}
-
-impl Instruction {
-    /// Marks the registers that it reads.
-    fn reads(&self, read: &mut [bool]) {
-        match &self.work {
-            Work::Arithmetic(operation) => operation.operands(|place| read[place] = true),
-            Work::Rows { tail, weights, .. } => {
-                tail.iter().chain(weights).for_each(|place| read[*place] = true);
-            }
-            Work::Element(array, _) => read[*array] = true,
-            Work::Root(root) => {
-                let Loop { start, low, high, residual, next, size, tolerance, .. } = **root;
-                let own = [start, low, high, residual, next, size, tolerance];
-                own.into_iter().for_each(|place| read[place] = true);
-                root.body.iter().for_each(|instruction| instruction.reads(read));
-            }
-        }
     }
 }
 

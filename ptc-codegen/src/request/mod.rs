@@ -13,6 +13,7 @@ mod units;
 
 pub use axes::Axes;
 pub use poles::{Pole, PoleError, gains};
+pub(crate) use promises::exact_one_or_each;
 pub use promises::{PlantBounds, Promises, one_or_each};
 pub(crate) use read::derivatives;
 pub use read::{Entry, read};

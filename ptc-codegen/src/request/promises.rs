@@ -44,7 +44,12 @@ pub struct Promises {
 /// Number `j`, from 0, of a list that holds one for all, or one each; of several axes one for each
 /// state of an axis.
 pub fn one_or_each(values: &[Fixed], j: usize) -> Option<f64> {
-    values.get(j.checked_rem(values.len())?)?.number()?.to_f64()
+    exact_one_or_each(values, j)?.to_f64()
+}
+
+/// The same as a fraction.
+pub(crate) fn exact_one_or_each(values: &[Fixed], j: usize) -> Option<&BigRational> {
+    values.get(j.checked_rem(values.len())?)?.number()
 }
 
 /// Bounds of f and g of the plant, for the sampled loop.

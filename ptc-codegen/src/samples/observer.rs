@@ -104,7 +104,7 @@ impl Injection {
             let entry = |state: usize| dot((j + 1..=m).map(|i| (&alpha[i], &powers[i - j][state])));
             (0..m).map(entry).collect()
         };
-        let map = Matrix::of_rows((0..m).map(beta).collect()).inverse()?;
+        let map = Matrix::of((0..m).map(beta).collect()).inverse()?;
         let base: Vec<_> = map.on(&alpha[..m]).iter().map(|value| -value).collect();
         Some(Self::new(recurrence, &base, &map))
     }

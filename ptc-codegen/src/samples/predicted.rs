@@ -21,7 +21,7 @@ impl Builder<'_> {
         let value = |j: usize| Expr::Element(given.to_owned(), j);
         match &self.sampled.linear {
             Some(plant) if !self.sampled.measures_states() => {
-                let inverse = Matrix::of_rows(plant.c.clone()).inverse();
+                let inverse = Matrix::of(plant.c.clone()).inverse();
                 let inverse = inverse.unwrap_or_else(|| fault("C has no inverse"));
                 (0..self.spec.n).map(|i| combination(&inverse, i, &value)).collect()
             }
@@ -61,7 +61,7 @@ impl Builder<'_> {
         body.push(Statement::If(unseen, first, next));
         body.push(Statement::Note("Prediction of the next sample.".to_owned()));
         let state = |j: usize| Expr::local(names[j].clone());
-        let c = Matrix::of_rows(plant.c.clone());
+        let c = Matrix::of(plant.c.clone());
         let count = plant.c.len();
         for l in 0..count {
             let miss = measured(l).sub(combination(&c, l, &state));
@@ -113,7 +113,7 @@ impl Builder<'_> {
 
 /// C^T (C C^T)^-1: the least x that shows y.
 fn shown(c: &[Vec<BigRational>]) -> Matrix {
-    let c = Matrix::of_rows(c.to_vec());
+    let c = Matrix::of(c.to_vec());
     let back = c.transpose();
     let inverse = c.times(&back).inverse();
     back.times(&inverse.unwrap_or_else(|| fault("rows of C depend on each other")))

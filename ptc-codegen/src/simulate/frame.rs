@@ -20,7 +20,7 @@ pub(super) struct Frame<'a> {
     /// When the last sample was taken, after t0.
     now: f64,
     /// Part of a sample after which the next input takes over.
-    pub(super) part: f64,
+    part: f64,
     /// Whether sensors give the state as it is.
     pub(super) exact: bool,
 }

@@ -12,37 +12,29 @@ pub struct Changes<'a> {
     tau: f64,
     /// The piece that holds.
     piece: usize,
-    due: f64,
 }
 
 impl<'a> Changes<'a> {
     /// Of a run of length `tau`.
     pub fn of(pieces: &'a [Piece], tau: f64) -> Self {
-        let mut changes = Self { pieces, tau, piece: 0, due: f64::INFINITY };
-        changes.due = changes.end();
-        changes
+        Self { pieces, tau, piece: 0 }
     }
 
     /// The time after t0 from which on the next piece holds; infinite in the last one.
     pub fn due(&self) -> f64 {
-        self.due
-    }
-
-    /// The values of the piece that begins at a sample, if one does: from where the piece before ends on.
-    pub fn next(&mut self, since: f64) -> Option<&'a Values> {
-        let before = self.piece;
-        while since >= self.due {
-            self.piece += 1;
-            self.due = self.end();
-        }
-        (self.piece != before).then(|| &self.pieces[self.piece].1)
-    }
-
-    fn end(&self) -> f64 {
         let share = match self.pieces.get(self.piece..) {
             Some([(shares, _), _, ..]) => shares.last(),
             _ => None,
         };
         share.map_or(f64::INFINITY, |share| self.tau * (1.0 - share))
+    }
+
+    /// The values of the piece that begins at a sample, if one does: from where the piece before ends on.
+    pub fn next(&mut self, since: f64) -> Option<&'a Values> {
+        let before = self.piece;
+        while since >= self.due() {
+            self.piece += 1;
+        }
+        (self.piece != before).then(|| &self.pieces[self.piece].1)
     }
 }

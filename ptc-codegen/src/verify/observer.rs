@@ -124,45 +124,45 @@ impl Observer {
         self.along.accumulated(integrals);
         self.along.at(time_to_go, x, u);
         let sizes = (self.size(x), self.size_at_start);
-        self.watched.levels(|value| self.along.machine.get(value), (sizes, u), last, visit);
+        for (index, kind) in self.watched.kinds.iter().enumerate() {
+            let get = |value| self.along.machine.get(value);
+            visit(index, kind, self.watched.level(index, get, (sizes, u), last));
+        }
     }
 }
 
 impl Watched {
-    /// What each objective bounds, and its bounds, of the numbers of its values and of |x| now and at t0.
-    fn levels(
+    /// What an objective bounds, and its bounds, of the numbers of its values and of |x| now and at t0.
+    #[inline]
+    fn level(
         &self,
+        index: usize,
         get: impl Fn(Value) -> f64,
         ((size, size_at_start), u): ((f64, f64), &[f64]),
         last: bool,
-        visit: &mut dyn FnMut(usize, &Kind, Level),
-    ) {
-        for (index, kind) in self.kinds.iter().enumerate() {
-            let mut values = self.values[index].iter().map(|value| get(*value));
-            let mut next = || values.next().unwrap_or(f64::NAN);
-            let mut level = match kind {
-                Kind::State { sigma, .. } => {
-                    Level::below(size, Some(sigma * size_at_start * next()))
-                }
-                Kind::Input { .. } => {
-                    Level::below(u.first().map_or(f64::NAN, |u| u.abs()), Some(next()))
-                }
-                Kind::Inputs { .. } => {
-                    let parts = u.iter().map(|u| 1.0 + over(u.abs(), next()));
-                    Level::below(parts.fold(0.0, larger), Some(1.0))
-                }
-                Kind::Attractive { error } => Level::below(size, last.then_some(*error)),
-                Kind::Within { low, high, .. } => Level {
-                    value: next(),
-                    low: low.as_ref().map(|_| next()),
-                    high: high.as_ref().map(|_| next()),
-                },
-            };
-            let holds = |(value, condition): &(Value, Condition)| condition.holds(get(*value));
-            if !self.conditions[index].iter().all(holds) {
-                level.value = f64::NAN;
+    ) -> Level {
+        let mut values = self.values[index].iter().map(|value| get(*value));
+        let mut next = || values.next().unwrap_or(f64::NAN);
+        let mut level = match &self.kinds[index] {
+            Kind::State { sigma, .. } => Level::below(size, Some(sigma * size_at_start * next())),
+            Kind::Input { .. } => {
+                Level::below(u.first().map_or(f64::NAN, |u| u.abs()), Some(next()))
             }
-            visit(index, kind, level);
+            Kind::Inputs { .. } => {
+                let parts = u.iter().map(|u| 1.0 + over(u.abs(), next()));
+                Level::below(parts.fold(0.0, larger), Some(1.0))
+            }
+            Kind::Attractive { error } => Level::below(size, last.then_some(*error)),
+            Kind::Within { low, high, .. } => Level {
+                value: next(),
+                low: low.as_ref().map(|_| next()),
+                high: high.as_ref().map(|_| next()),
+            },
+        };
+        let holds = |(value, condition): &(Value, Condition)| condition.holds(get(*value));
+        if !self.conditions[index].iter().all(holds) {
+            level.value = f64::NAN;
         }
+        level
     }
 }

@@ -1,34 +1,23 @@
 //! What the check `loop` bounds of models that are not linear, against runs of the plant from random states with
 //! random noise.
 
-use crate::support;
+use ptc_codegen::check::Verdict;
 
-use ptc_codegen::check::examine::examine;
-use ptc_codegen::check::{Outcome, Verdict};
-use ptc_codegen::plant::{Plant, read_design};
-use ptc_codegen::simulate::{Loop, Sampled, Values};
-use support::entries;
-
-/// A design with its period, the chain of its states, and how large these are at the start.
-struct Case {
-    text: String,
-    h: f64,
-    chain: fn(&[f64]) -> Vec<f64>,
-    start: &'static [f64],
-}
+use crate::looped::{Case, Nearness, bounds, has_verdicts, loop_of, stays_within};
 
 fn case(
     own: &str,
     (h, tau): (f64, f64),
     model: &str,
     bounds: &str,
-    chain: fn(&[f64]) -> Vec<f64>,
+    chains: fn(&[f64]) -> Vec<f64>,
     start: &'static [f64],
 ) -> Case {
     let text = format!(
         "mu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = {h:?}\nerror = 1e3\n{own}\n{bounds}\n[params]\ntau = {tau:?}\n[model]\n{model}\n"
     );
-    Case { text, h, chain, start }
+    // What runs begin with are the states.
+    Case { text, h, start, chains, states: |x| x.to_vec(), follows: |_| vec![0.0; 3] }
 }
 
 /// f alone, g too, a chain that is not the states, and three states.
@@ -78,67 +67,10 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-fn loop_of(text: &str) -> Outcome {
-    let (spec, _) = read_design(&entries(text)).unwrap_or_else(|found| panic!("{text}: {found:?}"));
-    let report = examine(&spec);
-    report.outcomes.into_iter().find(|outcome| outcome.name == "loop").expect("the check")
-}
-
-/// The numbers behind `before` in a line.
-fn numbers(line: &str, before: &str) -> Vec<f64> {
-    let (_, behind) = line.split_once(before).unwrap_or_else(|| panic!("{line}"));
-    let words = behind.split([',', ' ']).filter(|word| !word.is_empty());
-    words.map_while(|word| word.parse().ok()).collect()
-}
-
-/// Bounds of the chain at the deadline, of the chain on the way, and of u.
-fn bounds(outcome: &Outcome) -> (Vec<f64>, Vec<f64>, f64) {
-    assert_eq!(outcome.verdict, Verdict::Sound, "{outcome:?}");
-    let way = outcome.details.iter().find(|line| line.starts_with("on the way")).expect("a way");
-    let u = way.rsplit("| <= ").next().and_then(|end| end.split(',').next()?.parse().ok());
-    (numbers(&outcome.summary, "|x| <= "), numbers(way, "|x| <= "), u.expect("u"))
-}
-
-/// But for the accuracy of the run itself.
-fn is_within(value: f64, bound: f64) -> bool {
-    value.abs() <= bound * (1.0 + 1e-9)
-}
-
 #[test]
 fn runs_stay_within_the_bounds() {
-    for Case { text, h, chain, start } in cases() {
-        let (last, way, most) = bounds(&loop_of(&text));
-        let (spec, _) = read_design(&entries(&text)).expect("a design");
-        let plant = Plant::own(&spec);
-        let mut sampled = Sampled::new(&spec, &plant).expect("a loop");
-        let values = Values::of(&spec, &plant);
-        let mut reached = vec![0.0_f64; way.len()];
-        for seed in 0..24_u32 {
-            let side = |i: usize| if seed >> i & 1 == 0 { 1.0 } else { -1.0 };
-            let part = if seed < 12 { 1.0 } else { 0.3 };
-            let x0: Vec<_> = start.iter().enumerate().map(|(i, x)| part * side(i) * x).collect();
-            let own = Loop::of(&spec).expect("a period");
-            let around = Loop { seed: u64::from(seed), parts: 4, ..own };
-            let mut end = Vec::new();
-            let run = sampled.run(&values, &x0, &around, &mut |sample| {
-                end = chain(sample.x);
-                for ((x, bound), reached) in end.iter().zip(&way).zip(&mut reached) {
-                    assert!(is_within(*x, *bound), "{text}{end:?} {way:?}");
-                    *reached = reached.max(x.abs());
-                }
-                // From the deadline on u is that of held gains, which the bound leaves out.
-                let acts = sample.time_to_go > h / 2.0;
-                assert!(!acts || is_within(sample.u[0], most), "{text}{} {most}", sample.u[0]);
-            });
-            run.unwrap_or_else(|failure| panic!("{text}{failure}"));
-            for (x, bound) in end.iter().zip(&last) {
-                assert!(is_within(*x, *bound), "{text}{end:?} {last:?}");
-            }
-        }
-        // A bound on the way that says something: within three times of what was reached.
-        let near = reached.iter().zip(&way).all(|(x, bound)| *bound < 3.0 * x);
-        assert!(near, "{text}{reached:?} {way:?}");
-    }
+    let near = Nearness { corners: 12, way: 3.0, inputs: f64::INFINITY, lost: 0.0 };
+    cases().into_iter().for_each(|case| stays_within(case, &near));
 }
 
 /// Every claim turns where its bound does.
@@ -158,37 +90,42 @@ fn verdicts_turn_at_the_bounds() {
     };
     assert_eq!(error(1.01).verdict, Verdict::Sound);
     assert_eq!(error(0.99).verdict, Verdict::Undecided);
-    let limit = |part: f64| with("[params]", &format!("[params]\nu_max = {:?}", part * most));
+    let limit = |part: f64| with("[params]", &format!("[params]\nu_max = {:?}", part * most[0]));
     assert_eq!(limit(1.01).verdict, Verdict::Sound);
     let clipped = limit(0.99);
     assert!(
         clipped.verdict == Verdict::Undecided && clipped.summary.contains("above u_max"),
         "{clipped:?}"
     );
-    for (from, to, verdict, why) in [
-        (
-            "x_max = [1.6, 6]",
-            "x_max = [0.99, 6]",
-            Verdict::Undecided,
-            "q is not shown to stay within x_max",
-        ),
-        (
-            "x_max = [1.6, 6]",
-            "x_max = [1.6, 2]",
-            Verdict::Undecided,
-            "w is not shown to stay within x_max",
-        ),
-        ("x_max = [1.6, 6]", "", Verdict::NotChecked, "`x_max` is not given"),
-        ("error = 1e3\n", "", Verdict::NotChecked, "`error` is not given: at the deadline |x| <="),
-        ("4*M", "q*M", Verdict::Undecided, "g may be 0"),
-        ("19.62*sin(q)", "abs(q)", Verdict::Undecided, "has a kink"),
-        ("4*M", "(4 + 300*w^2)*M", Verdict::Undecided, "a shorter sample_time"),
-        ("error", "jitter = 1e-5\nerror", Verdict::Undecided, "jitter"),
-        ("tau = 0.8", "", Verdict::NotChecked, "left to run time"),
-    ] {
-        let found = with(from, to);
-        assert!(found.verdict == verdict && found.summary.contains(why), "{to}: {found:?}");
-    }
+    has_verdicts(
+        &case.text,
+        &[
+            (
+                "x_max = [1.6, 6]",
+                "x_max = [0.99, 6]",
+                Verdict::Undecided,
+                "q is not shown to stay within x_max",
+            ),
+            (
+                "x_max = [1.6, 6]",
+                "x_max = [1.6, 2]",
+                Verdict::Undecided,
+                "w is not shown to stay within x_max",
+            ),
+            ("x_max = [1.6, 6]", "", Verdict::NotChecked, "`x_max` is not given"),
+            (
+                "error = 1e3\n",
+                "",
+                Verdict::NotChecked,
+                "`error` is not given: at the deadline |x| <=",
+            ),
+            ("4*M", "q*M", Verdict::Undecided, "g may be 0"),
+            ("19.62*sin(q)", "abs(q)", Verdict::Undecided, "has a kink"),
+            ("4*M", "(4 + 300*w^2)*M", Verdict::Undecided, "a shorter sample_time"),
+            ("error", "jitter = 1e-5\nerror", Verdict::Undecided, "jitter"),
+            ("tau = 0.8", "", Verdict::NotChecked, "left to run time"),
+        ],
+    );
     let other =
         loop_of(&format!("{}[plant]\ndynamics = {{ w = \"4*M - 19*sin(q)\" }}\n", case.text));
     assert!(other.verdict == Verdict::Undecided && other.summary.contains("[plant]"), "{other:?}");

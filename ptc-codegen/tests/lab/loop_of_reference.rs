@@ -1,13 +1,12 @@
 //! What the check `loop` bounds of loops in samples that follow a reference, against runs of the emitted program with
 //! the plant.
 
-use crate::support;
-
-use ptc_codegen::check::examine::examine;
-use ptc_codegen::check::{Outcome, Verdict};
+use ptc_codegen::check::Verdict;
 use ptc_codegen::plant::{Plant, read_design};
 use ptc_codegen::simulate::{Loop, Sampled, Values, tracking_error};
-use support::entries;
+
+use crate::looped::loop_of;
+use crate::support::entries;
 
 /// A design, the state of its plant in which e is 0 at the start, and how many of the states at the start are e.
 struct Case {
@@ -68,11 +67,6 @@ impl Case {
             self.model
         )
     }
-}
-
-fn loop_of(text: &str) -> Outcome {
-    let (spec, _) = read_design(&entries(text)).unwrap_or_else(|found| panic!("{text}: {found:?}"));
-    examine(&spec).outcomes.into_iter().find(|outcome| outcome.name == "loop").expect("the check")
 }
 
 /// The numbers behind `before` in a line.

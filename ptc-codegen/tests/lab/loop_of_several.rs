@@ -1,24 +1,13 @@
 //! What the check `loop` bounds of plants with several inputs in samples, against runs of the plant from random
 //! states with random noise.
 
-use crate::support;
+use ptc_codegen::check::Verdict;
+use ptc_codegen::plant::read_design;
 
-use ptc_codegen::check::examine::examine;
-use ptc_codegen::check::{Outcome, Verdict};
-use ptc_codegen::plant::{Plant, read_design};
-use ptc_codegen::simulate::{Loop, Sampled, Values};
-use support::entries;
-
-/// A design with its period, the bounds of the chains at the start, the chains of its states and back, and the
-/// chains of its references.
-struct Case {
-    text: String,
-    h: f64,
-    start: &'static [f64],
-    chains: fn(&[f64]) -> Vec<f64>,
-    states: fn(&[f64]) -> Vec<f64>,
-    follows: fn(f64) -> Vec<f64>,
-}
+use crate::looped::{
+    Case, Nearness, bounds, has_verdicts, loop_of, stays_within, turns_at_the_bounds,
+};
+use crate::support::entries;
 
 const ARM: &str = r#"
 states = ["q1", "q2", "w1", "w2"]
@@ -147,146 +136,48 @@ fn following() -> Vec<Case> {
     ]
 }
 
-fn loop_of(text: &str) -> Outcome {
-    let (spec, _) = read_design(&entries(text)).unwrap_or_else(|found| panic!("{text}: {found:?}"));
-    let report = examine(&spec);
-    report.outcomes.into_iter().find(|outcome| outcome.name == "loop").expect("the check")
-}
-
-/// The bounds of all chains behind `|x| <= `.
-fn chains(line: &str) -> Vec<f64> {
-    let (_, behind) = line.split_once("|x| <= ").unwrap_or_else(|| panic!("{line}"));
-    let behind = behind.split(", |").next().unwrap_or_default();
-    let parts = behind.split("; ").flat_map(|one| one.split(" of output").next());
-    let numbers = parts.flat_map(|one| one.split(", ")).map(|word| word.parse().expect("a number"));
-    numbers.collect()
-}
-
-/// The bounds of all inputs.
-fn inputs(line: &str) -> Vec<f64> {
-    let all = line.split(", |").skip(2).filter_map(|one| one.split_once("| <= "));
-    all.map(|(_, u)| u.split(", ").next().expect("a bound").parse().expect("a number")).collect()
-}
-
-/// Bounds of the chains at the deadline, on the way, and of the inputs.
-fn bounds(outcome: &Outcome) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
-    assert_eq!(outcome.verdict, Verdict::Sound, "{outcome:?}");
-    let way = outcome.details.iter().find(|line| line.starts_with("on the way")).expect("a way");
-    (
-        chains(&outcome.summary),
-        chains(&way["on the way, between samples too, ".len()..]),
-        inputs(way),
-    )
-}
-
-/// But for the accuracy of the run itself.
-fn is_within(value: f64, bound: f64) -> bool {
-    value.abs() <= bound * (1.0 + 1e-9)
-}
-
 #[test]
 fn runs_stay_within_the_bounds() {
-    for Case { text, h, start, chains, states, follows } in cases().into_iter().chain(following()) {
-        let (last, way, most) = bounds(&loop_of(&text));
-        let (spec, _) = read_design(&entries(&text)).expect("a design");
-        let plant = Plant::own(&spec);
-        let mut sampled = Sampled::new(&spec, &plant).expect("a loop");
-        let values = Values::of(&spec, &plant);
-        let mut reached = vec![0.0_f64; way.len()];
-        let mut of_inputs = vec![0.0_f64; most.len()];
-        for seed in 0..24_u32 {
-            let side = |i: usize| if seed >> i & 1 == 0 { 1.0 } else { -1.0 };
-            let part = if seed < 16 { 1.0 } else { 0.3 };
-            let x0 = start.iter().zip(follows(0.0)).enumerate();
-            let x0: Vec<_> = x0.map(|(i, (x, r))| part * side(i) * x + r).collect();
-            let own = Loop::of(&spec).expect("a period");
-            let around = Loop { seed: u64::from(seed), parts: 4, ..own };
-            let mut end = Vec::new();
-            let run = sampled.run(&values, &states(&x0), &around, &mut |sample| {
-                end = chains(sample.x);
-                end.iter_mut().zip(follows(sample.t)).for_each(|(x, r)| *x -= r);
-                for ((x, bound), reached) in end.iter().zip(&way).zip(&mut reached) {
-                    assert!(is_within(*x, *bound), "{text}{end:?} {way:?}");
-                    *reached = reached.max(x.abs());
-                }
-                // From the deadline on u is that of held gains, which the bound leaves out.
-                if sample.time_to_go > h / 2.0 {
-                    for ((u, bound), reached) in sample.u.iter().zip(&most).zip(&mut of_inputs) {
-                        assert!(is_within(*u, *bound), "{text}{:?} {most:?}", sample.u);
-                        *reached = reached.max(u.abs());
-                    }
-                }
-            });
-            run.unwrap_or_else(|failure| panic!("{text}{failure}"));
-            for (x, bound) in end.iter().zip(&last) {
-                assert!(is_within(*x, *bound), "{text}{end:?} {last:?}");
-            }
-        }
-        // Bounds on the way that say something.
-        let near = |reached: &[f64], bounds: &[f64], most: f64| {
-            reached.iter().zip(bounds).all(|(x, bound)| *bound < most * x)
-        };
-        let near = near(&reached, &way, 3.0) && near(&of_inputs, &most, 10.0);
-        assert!(near, "{text}{reached:?} {way:?} {of_inputs:?} {most:?}");
-    }
+    let near = Nearness { corners: 16, way: 3.0, inputs: 10.0, lost: 0.0 };
+    cases().into_iter().chain(following()).for_each(|case| stays_within(case, &near));
 }
 
 /// Every claim turns where its bound does.
 #[test]
 fn verdicts_turn_at_the_bounds() {
     let case = &cases()[2];
+    turns_at_the_bounds(&case.text, ["q", "p"]);
     let (last, _, most) = bounds(&loop_of(&case.text));
-    let with = |from: &str, to: &str| {
-        assert!(case.text.contains(from), "{from}");
-        loop_of(&case.text.replacen(from, to, 1))
-    };
-    let error = |part: f64| {
-        let [a, b, c] = [0, 1, 2].map(|i| part * last[i]);
-        with("error = 1e3", &format!("error = [[{a:?}], [{b:?}, {c:?}]]"))
-    };
-    assert_eq!(error(1.01).verdict, Verdict::Sound);
-    let above = error(0.99);
-    assert!(
-        above.verdict == Verdict::Undecided && above.summary.ends_with("for x1_1"),
-        "{above:?}"
-    );
+    let with = |from: &str, to: &str| loop_of(&case.text.replacen(from, to, 1));
     let second = with("error = 1e3", &format!("error = [[1], [1, {:?}]]", 0.99 * last[2]));
     assert!(second.verdict == Verdict::Undecided && second.summary.ends_with("for x2_2"));
-    let limits = |a: f64, b: f64| {
-        with("[params]", &format!("limits = [{:?}, {:?}]\n[params]", a * most[0], b * most[1]))
-    };
-    assert_eq!(limits(1.01, 1.01).verdict, Verdict::Sound);
-    for (a, b, name) in [(0.99, 1.01, "|q|"), (1.01, 0.99, "|p|")] {
-        let clipped = limits(a, b);
-        let why = clipped.summary.starts_with(name) && clipped.summary.contains("above its limit");
-        assert!(clipped.verdict == Verdict::Undecided && why, "{clipped:?}");
-    }
     let shared = with("[params]", &format!("[params]\nu_max = {:?}", 0.99 * most[1]));
     assert!(shared.summary.contains("above u_max of"), "{shared:?}");
-    for (from, to, verdict, why) in [
-        (
-            "x_max = [0.5, 30, 3]",
-            "x_max = [0.099, 30, 3]",
-            Verdict::Undecided,
-            "h is not shown to stay within x_max",
-        ),
-        ("x_max = [0.5, 30, 3]", "", Verdict::NotChecked, "`x_max` is not given"),
-        ("x0_max = [[0.1], [0.3, 0.1]]", "", Verdict::NotChecked, "`x0_max` is not given"),
-        ("error = 1e3\n", "", Verdict::NotChecked, "`error` is not given: at the deadline |x| <="),
-        ("p - c*(1 + h)", "h*p", Verdict::Undecided, "matrix may be singular"),
-        ("p - c*(1 + h)", "p - abs(c)", Verdict::Undecided, "kink"),
-        ("0.1*h", "1e4*h^3", Verdict::Undecided, "a shorter sample_time"),
-        ("error", "jitter = 1e-5\nerror", Verdict::Undecided, "jitter"),
-        ("tau = 3.0", "", Verdict::NotChecked, "left to run time"),
-        ("tau = 3.0", "tau = 300", Verdict::Undecided, "samples are more"),
-    ] {
-        let text = case.text.replacen(from, to, 1);
-        let text =
-            if from.starts_with("x0_max") { text.replace("error = 1e3\n", "") } else { text };
-        assert!(case.text.contains(from), "{from}");
-        let found = loop_of(&text);
-        assert!(found.verdict == verdict && found.summary.contains(why), "{to}: {found:?}");
-    }
+    has_verdicts(
+        &case.text,
+        &[
+            (
+                "x_max = [0.5, 30, 3]",
+                "x_max = [0.099, 30, 3]",
+                Verdict::Undecided,
+                "h is not shown to stay within x_max",
+            ),
+            ("x_max = [0.5, 30, 3]", "", Verdict::NotChecked, "`x_max` is not given"),
+            ("x0_max = [[0.1], [0.3, 0.1]]", "", Verdict::NotChecked, "`x0_max` is not given"),
+            (
+                "error = 1e3\n",
+                "",
+                Verdict::NotChecked,
+                "`error` is not given: at the deadline |x| <=",
+            ),
+            ("p - c*(1 + h)", "h*p", Verdict::Undecided, "matrix may be singular"),
+            ("p - c*(1 + h)", "p - abs(c)", Verdict::Undecided, "kink"),
+            ("0.1*h", "1e4*h^3", Verdict::Undecided, "a shorter sample_time"),
+            ("error", "jitter = 1e-5\nerror", Verdict::Undecided, "jitter"),
+            ("tau = 3.0", "", Verdict::NotChecked, "left to run time"),
+            ("tau = 3.0", "tau = 300", Verdict::Undecided, "samples are more"),
+        ],
+    );
     let other = loop_of(&format!("{}[plant]\ndynamics = {{ c = \"p - c\" }}\n", case.text));
     assert!(other.verdict == Verdict::Undecided && other.summary.contains("[plant]"), "{other:?}");
 }

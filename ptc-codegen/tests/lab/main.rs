@@ -18,6 +18,7 @@ mod loop_of_model;
 mod loop_of_plant;
 mod loop_of_reference;
 mod loop_of_several;
+mod looped;
 mod margins;
 mod models;
 mod references;

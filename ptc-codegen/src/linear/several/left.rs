@@ -44,9 +44,9 @@ impl Left {
         let n = plant.states();
         let held = plant.held(h)?;
         let minus = -BigRational::one();
-        let xi = Matrix::of_rows(chains.coordinates.clone());
-        let inverse = Matrix::of_rows(chains.inverse.clone());
-        let of_drift = inverse.times(&Matrix::of_rows(chains.drift.clone()));
+        let xi = Matrix::of(chains.coordinates.clone());
+        let inverse = Matrix::of(chains.inverse.clone());
+        let of_drift = inverse.times(&Matrix::of(chains.drift.clone()));
         let (phi, gamma) = of_chains(&plant.orders, h);
         let reached = xi.times(&held.gamma);
         let moved = xi.times(&held.phi).plus(&minus, &reached.times(&of_drift));
@@ -93,7 +93,7 @@ fn of_chains(orders: &[usize], h: &BigRational) -> (Matrix, Matrix) {
         }
         from += order;
     }
-    (Matrix::of_rows(phi), Matrix::of_rows(gamma))
+    (Matrix::of(phi), Matrix::of(gamma))
 }
 
 /// What deadbeat, K, makes of J: sum |(Phi - Gamma K)^j| over the samples that it takes, and |K| times that.
@@ -115,7 +115,7 @@ fn brought_back(orders: &[usize], h: &BigRational) -> Option<(Matrix, Matrix)> {
             power = power.times(&closed);
             sum = sum.plus(&one, &sizes(&power));
         }
-        let gains = Matrix::of_rows(vec![gains]);
+        let gains = Matrix::of(vec![gains]);
         let force = sizes(&gains).times(&sum);
         for i in 0..order {
             for j in 0..order {
@@ -127,7 +127,7 @@ fn brought_back(orders: &[usize], h: &BigRational) -> Option<(Matrix, Matrix)> {
         }
         from += order;
     }
-    Some((Matrix::of_rows(apart), Matrix::of_rows(forces)))
+    Some((Matrix::of(apart), Matrix::of(forces)))
 }
 
 fn rows(count: usize, columns: usize) -> Vec<Vec<BigRational>> {

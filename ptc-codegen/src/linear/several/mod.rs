@@ -18,7 +18,7 @@ use num_traits::{One, Signed, Zero};
 pub(crate) use left::{Left, Moving};
 use rounded::{Sized, long, rounded};
 
-use super::condition::radius;
+use super::condition::{alone, most, radius};
 use super::exponential::{balanced, exponential, power};
 use super::{Matrix, Pair};
 use crate::algebra::BigRational;
@@ -109,11 +109,11 @@ impl Several {
 
     /// The outputs and their derivatives, C_k A^i, one output after the other.
     pub(crate) fn derivatives(&self) -> Matrix {
-        let a = Matrix::of_rows(self.a.clone());
+        let a = Matrix::of(self.a.clone());
         let all = self.c.iter().zip(&self.orders).flat_map(|(row, order)| {
             std::iter::successors(Some(row.clone()), |row| Some(a.after_row(row))).take(*order)
         });
-        Matrix::of_rows(all.collect())
+        Matrix::of(all.collect())
     }
 
     /// The chains that inputs move which are held for `h`.
@@ -125,10 +125,6 @@ impl Several {
         h: &BigRational,
         precision: Precision,
     ) -> Result<Chains, IllSampled> {
-        let limit = match precision {
-            Precision::F64 => 1e8,
-            Precision::F32 => 1e4,
-        };
         let held = self.held(h).ok_or(IllSampled::Fast)?;
         let singular = IllSampled::Singular(f64::INFINITY);
         let derivatives = self.derivatives();
@@ -151,15 +147,14 @@ impl Several {
         }
         let coordinates = self.coordinates(h, &z);
         let gain = Sized::stacked(gain);
-        let inverse = long(&Matrix::of_rows(gain.value.clone()).inverse().ok_or(singular)?);
+        let inverse = long(&Matrix::of(gain.value.clone()).inverse().ok_or(singular)?);
         // What a sample makes of the derivatives and of the decoupling matrix, in any units.
         let decoupling = self.decoupling(&derivatives);
-        let of_states = Matrix::of_rows(coordinates.value.clone()).times(&back);
+        let of_states = Matrix::of(coordinates.value.clone()).times(&back);
         let of_inputs = decoupling.times(&inverse);
-        let condition =
-            [radius(&of_states, true), radius(&of_inputs, true), radius(&of_inputs, false)];
+        let condition = [alone(&of_states), alone(&of_inputs), radius(&of_inputs)];
         let condition = condition.into_iter().fold(0.0, f64::max);
-        if condition.is_nan() || condition > limit {
+        if condition.is_nan() || condition > most(precision) {
             return Err(IllSampled::Singular(condition));
         }
         let inverse = Sized::of_inverse(inverse, &gain);
@@ -177,10 +172,8 @@ impl Several {
         let mut right = Vec::with_capacity(self.states());
         let mut reached = gamma.transpose();
         for _ in 1..order {
-            for j in 0..reached.len() {
-                equations.push(row(&reached, j));
-                right.push(BigRational::zero());
-            }
+            equations.extend_from_slice(reached.rows());
+            right.resize(equations.len(), BigRational::zero());
             reached = long(&reached.times(&step.transpose()));
         }
         let back = back.transpose();
@@ -188,7 +181,7 @@ impl Several {
         for (j, other) in self.orders.iter().enumerate() {
             for i in 0..*other {
                 if i + order <= *other {
-                    equations.push(row(&back, place));
+                    equations.push(back.rows()[place].clone());
                     right.push(match (j, i) == (k, 0) {
                         true => BigRational::one(),
                         false => BigRational::zero(),
@@ -197,7 +190,7 @@ impl Several {
                 place += 1;
             }
         }
-        let equations = Matrix::of_rows(equations);
+        let equations = Matrix::of(equations);
         let inverse = equations.inverse()?;
         Some(Sized::solution(&inverse, &equations, &right))
     }
@@ -227,9 +220,9 @@ impl Several {
         let mut last = 0;
         let rows = self.orders.iter().map(|order| {
             last += order;
-            row(derivatives, last - 1)
+            derivatives.rows()[last - 1].clone()
         });
-        Matrix::of_rows(rows.collect()).times(&Matrix::of_rows(self.b.clone()))
+        Matrix::of(rows.collect()).times(&Matrix::of(self.b.clone()))
     }
 }
 
@@ -240,8 +233,4 @@ pub(crate) fn scaled(of: &Matrix, factor: &BigRational) -> Matrix {
 /// The sizes of the entries.
 pub(crate) fn sizes(of: &Matrix) -> Matrix {
     Matrix::new(of.len(), of.columns(), |i, j| of.at(i, j).abs())
-}
-
-fn row(of: &Matrix, i: usize) -> Vec<BigRational> {
-    (0..of.columns()).map(|j| of.at(i, j).clone()).collect()
 }

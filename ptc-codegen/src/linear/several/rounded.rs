@@ -5,7 +5,6 @@ use num_traits::{Signed, Zero};
 
 use super::super::Matrix;
 use super::super::exponential::power;
-use super::row;
 use crate::algebra::{BigInt, BigRational};
 
 /// Bits of a number that are kept.
@@ -28,17 +27,17 @@ pub(super) struct Sized {
 impl Sized {
     /// The solution y of A y = `right` as one row, with the inverse of A.
     pub(super) fn solution(inverse: &Matrix, a: &Matrix, right: &[BigRational]) -> Self {
-        let value = long(&Matrix::of_rows(vec![inverse.on(right)]));
+        let value = long(&Matrix::of(vec![inverse.on(right)]));
         let around = size_of(a).times(&size_of(&value.transpose()));
         let size = size_of(&size_of(inverse).times(&around)).transpose();
-        Self { value: rows(&value), size: rows(&size) }
+        Self { value: value.rows().to_vec(), size: size.rows().to_vec() }
     }
 
     /// The inverse of a matrix.
     pub(super) fn of_inverse(inverse: Matrix, of: &Self) -> Self {
         let own = size_of(&inverse);
-        let size = own.times(&Matrix::of_rows(of.size.clone())).times(&own);
-        Self { value: rows(&inverse), size: rows(&size) }
+        let size = own.times(&Matrix::of(of.size.clone())).times(&own);
+        Self { value: inverse.rows().to_vec(), size: size.rows().to_vec() }
     }
 
     /// Rows one below the other.
@@ -50,18 +49,20 @@ impl Sized {
 
     /// The product with a matrix behind.
     pub(super) fn times(&self, other: &Matrix) -> Self {
-        let of =
-            |rows: &[Vec<BigRational>], other: &Matrix| Matrix::of_rows(rows.to_vec()).times(other);
+        let of = |rows: &[Vec<BigRational>], other: &Matrix| Matrix::of(rows.to_vec()).times(other);
         let (value, size) = (of(&self.value, other), of(&self.size, &size_of(other)));
-        Self { value: rows(&long(&value)), size: rows(&size_of(&size)) }
+        Self { value: long(&value).rows().to_vec(), size: size_of(&size).rows().to_vec() }
     }
 
     /// The rows of the product with a matrix before.
     pub(super) fn after(self, other: &Matrix) -> Vec<Self> {
-        let value = other.times(&Matrix::of_rows(self.value));
-        let size = size_of(other).times(&Matrix::of_rows(self.size));
-        let one = |i| Self { value: vec![row(&value, i)], size: vec![row(&size, i)] };
-        (0..value.len()).map(one).collect()
+        let value = other.times(&Matrix::of(self.value));
+        let size = size_of(other).times(&Matrix::of(self.size));
+        let one = |(value, size): (&Vec<_>, &Vec<_>)| Self {
+            value: vec![value.clone()],
+            size: vec![size.clone()],
+        };
+        value.rows().iter().zip(size.rows()).map(one).collect()
     }
 }
 
@@ -91,8 +92,4 @@ pub(super) fn long(of: &Matrix) -> Matrix {
 /// Sizes of numbers, which need no digits.
 fn size_of(of: &Matrix) -> Matrix {
     Matrix::new(of.len(), of.columns(), |i, j| kept(&of.at(i, j).abs(), SIZE))
-}
-
-fn rows(of: &Matrix) -> Vec<Vec<BigRational>> {
-    (0..of.len()).map(|i| row(of, i)).collect()
 }

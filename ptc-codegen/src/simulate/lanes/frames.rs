@@ -23,8 +23,6 @@ pub(super) struct Frames<'a> {
     nearly: Pack,
     /// When the last sample was taken, after t0.
     now: Pack,
-    /// The time after a sample in which the input before still acts; infinite where it acts to the next one.
-    late: Pack,
     /// The input gains of the plants.
     pub(super) gain: Pack,
     u_step: Pack,
@@ -32,15 +30,6 @@ pub(super) struct Frames<'a> {
     jitters: bool,
     senses: bool,
     resolves: bool,
-}
-
-/// A time in which the plants are moved, after t0: from a sample to where the next inputs take over, and to the
-/// next sample. No time is left where a lane does not run.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Spans {
-    pub(super) from: Pack,
-    pub(super) over: Pack,
-    pub(super) to: Pack,
 }
 
 impl<'a> Frames<'a> {
@@ -53,7 +42,6 @@ impl<'a> Frames<'a> {
             end: none,
             nearly: none,
             now: none,
-            late: Pack::all(f64::INFINITY),
             gain: Pack::all(1.0),
             u_step: none,
             jitters: false,
@@ -68,10 +56,6 @@ impl<'a> Frames<'a> {
         self.period.0[lane] = around.period;
         self.end.0[lane] = frame.end;
         self.nearly.0[lane] = frame.end * (1.0 - SAME);
-        self.late.0[lane] = match around.delay.is_whole() {
-            true => f64::INFINITY,
-            false => frame.part * around.period,
-        };
         self.gain.0[lane] = frame.gain;
         self.u_step.0[lane] = around.u_step;
         let (jitters, senses) = (around.jitter > 0.0, !frame.exact);
@@ -121,8 +105,8 @@ impl<'a> Frames<'a> {
         }
     }
 
-    /// Goes on to the next samples.
-    pub(super) fn next(&mut self) -> Spans {
+    /// Goes on to the next samples: from where to where, after t0. No time is left where a lane does not run.
+    pub(super) fn next(&mut self) -> [Pack; 2] {
         let from = self.now;
         self.index += 1;
         let index = f64::from(self.index);
@@ -137,8 +121,7 @@ impl<'a> Frames<'a> {
             }
         }
         let to = Pack::of(|lane| if last.0[lane] > 0.0 { self.end.0[lane] } else { to.0[lane] });
-        let over = Pack::of(|lane| to.0[lane].min(from.0[lane] + self.late.0[lane]));
         self.now = to;
-        Spans { from, over, to }
+        [from, to]
     }
 }

@@ -14,19 +14,12 @@ use crate::simulate::{Failure, Values};
 #[derive(Clone, Debug)]
 pub(super) struct Plants {
     motions: Vec<Motion>,
-    /// What they come to before and after the next input takes over.
-    parts: [Part; 2],
-    /// The states at the end of a length.
-    next: Vec<Pack>,
-}
-
-/// What the plants of all lanes come to over a length.
-#[derive(Clone, Debug)]
-struct Part {
-    /// A row of E, F B and F c for each state.
+    /// What each comes to over a length: a row of E, F B and F c for each state.
     rows: Vec<Row>,
     /// The length of each lane, in s; not a number where it has none.
     lengths: Pack,
+    /// The states at the end of a length.
+    next: Vec<Pack>,
 }
 
 /// A row of the plants of all lanes.
@@ -50,10 +43,10 @@ impl Plants {
     pub(super) fn of(motion: &Motion) -> Self {
         let (n, none) = (motion.order(), Pack::all(0.0));
         let row = Row { whole: vec![none; n], of_input: none, constant: none };
-        let part = Part { rows: vec![row; n], lengths: Pack::all(f64::NAN) };
         Self {
             motions: vec![motion.clone(); LANES],
-            parts: [part.clone(), part],
+            rows: vec![row; n],
+            lengths: Pack::all(f64::NAN),
             next: vec![none; n],
         }
     }
@@ -65,30 +58,20 @@ impl Plants {
         values: &Values,
         x0: &[f64],
     ) -> Result<(), Failure> {
-        self.forget(lane);
+        self.lengths.0[lane] = f64::NAN;
         self.motions[lane].init(values, x0)
     }
 
     /// Other values of a lane from here on.
     pub(super) fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
-        self.forget(lane);
+        self.lengths.0[lane] = f64::NAN;
         self.motions[lane].give(values)
     }
 
-    fn forget(&mut self, lane: usize) {
-        self.parts.iter_mut().for_each(|part| part.lengths.0[lane] = f64::NAN);
-    }
-
-    /// Moves the states of some lanes under their inputs, before or after the next ones take over; the lanes whose
-    /// states have no value at the end.
-    pub(super) fn move_on(
-        &mut self,
-        part: usize,
-        x: &mut [Pack],
-        (u, times): (&Pack, &Times),
-    ) -> Which {
-        let alone = self.unknown(part, times);
-        self.parts[part].after(x, u, &mut self.next);
+    /// Moves the states of some lanes under their inputs; the lanes whose states have no value at the end.
+    pub(super) fn move_on(&mut self, x: &mut [Pack], (u, times): (&Pack, &Times)) -> Which {
+        let alone = self.unknown(times);
+        self.after(x, u);
         let mut lost = [false; LANES];
         if let Some(alone) = alone {
             for lane in (0..LANES).filter(|lane| alone[*lane]) {
@@ -113,12 +96,11 @@ impl Plants {
 
     /// The lanes that move and whose rows are not those of their length, once they were looked up; `None` where
     /// all are.
-    fn unknown(&mut self, part: usize, times: &Times) -> Option<Which> {
+    fn unknown(&mut self, times: &Times) -> Option<Which> {
         let length = Pack::of(|lane| times.to.0[lane] - times.from.0[lane]);
-        let lengths = self.parts[part].lengths;
         let mut others = Pack::all(0.0);
         for lane in 0..LANES {
-            let known = is_same(lengths.0[lane], length.0[lane]);
+            let known = is_same(self.lengths.0[lane], length.0[lane]);
             others.0[lane] = if known { 0.0 } else { times.moves.0[lane] };
         }
         if others.0.iter().sum::<f64>() == 0.0 {
@@ -126,22 +108,21 @@ impl Plants {
         }
         let mut alone = [false; LANES];
         for lane in (0..LANES).filter(|lane| others.0[*lane] > 0.0) {
-            alone[lane] = !self.knows(part, lane, length.0[lane]);
+            alone[lane] = !self.knows(lane, length.0[lane]);
         }
         Some(alone)
     }
 
     /// Whether the rows of a lane can be looked up.
-    fn knows(&mut self, part: usize, lane: usize, length: f64) -> bool {
-        let part = &mut self.parts[part];
-        part.lengths.0[lane] = f64::NAN;
+    fn knows(&mut self, lane: usize, length: f64) -> bool {
+        self.lengths.0[lane] = f64::NAN;
         let Some((own, rows)) = self.motions[lane].rows(length) else { return false };
-        for (row, (whole, of_inputs, constant)) in part.rows.iter_mut().zip(rows) {
+        for (row, (whole, of_inputs, constant)) in self.rows.iter_mut().zip(rows) {
             row.whole.iter_mut().zip(whole).for_each(|(pack, own)| pack.0[lane] = *own);
             row.of_input.0[lane] = of_inputs.first().copied().unwrap_or(0.0);
             row.constant.0[lane] = constant;
         }
-        part.lengths.0[lane] = own;
+        self.lengths.0[lane] = own;
         true
     }
 
@@ -153,12 +134,10 @@ impl Plants {
         self.next.iter_mut().zip(end.iter()).for_each(|(next, end)| next.0[lane] = *end);
         Some(())
     }
-}
 
-impl Part {
     /// The states at the end of the length.
-    fn after(&self, x: &[Pack], u: &Pack, into: &mut [Pack]) {
-        for (into, Row { whole, of_input, constant }) in into.iter_mut().zip(&self.rows) {
+    fn after(&mut self, x: &[Pack], u: &Pack) {
+        for (into, Row { whole, of_input, constant }) in self.next.iter_mut().zip(&self.rows) {
             // As the sum of an iterator begins.
             let mut next = Pack::all(-0.0);
             for (whole, x) in whole.iter().zip(x) {

@@ -7,7 +7,7 @@
 use std::collections::VecDeque;
 
 use super::along::Abreast;
-use super::frames::{Frames, Spans};
+use super::frames::Frames;
 use super::plants::{Plants, Times};
 use super::ticks::Ticks;
 use super::{Instants, See};
@@ -141,7 +141,8 @@ impl RunningLanes {
 
     fn begin(&mut self, lane: usize, job: &Sampling<'_>) -> Option<()> {
         let Sampling { values, x0, around, .. } = *job;
-        if around.parts != 1 || !around.arm_at.is_empty() || around.delay != self.delay.0 {
+        let alike = around.delay.is_whole() && around.delay == self.delay.0;
+        if !alike || around.parts != 1 || !around.arm_at.is_empty() {
             return None;
         }
         self.controller.legal(values).ok()?;
@@ -227,22 +228,16 @@ impl RunningLanes {
         })
     }
 
-    /// Moves the plants to their next samples under their inputs, and the next ones where those take over.
+    /// Moves the plants to their next samples under their inputs.
     fn move_on(&mut self, under: &mut Under<'_>, u: &Pack) {
-        let Spans { from, over, to } = under.frames.next();
-        let newer = under.late.front().copied().unwrap_or(*u);
-        for (part, (u, from, to)) in [(*u, from, over), (newer, over, to)].into_iter().enumerate() {
-            let moves = Pack::of(|lane| if from.0[lane] < to.0[lane] { 1.0 } else { 0.0 });
-            if moves.0.iter().sum::<f64>() == 0.0 {
-                continue;
-            }
-            let acting = Pack::of(|lane| under.frames.gain.0[lane] * u.0[lane]);
-            let at = |time: &Pack| Pack::of(|lane| under.t0.0[lane] + time.0[lane]);
-            let times = Times { from: at(&from), to: at(&to), moves };
-            let lost = self.plants.move_on(part, &mut self.x, (&acting, &times));
-            for lane in (0..LANES).filter(|lane| lost[*lane]) {
-                under.leave(lane);
-            }
+        let [from, to] = under.frames.next();
+        let moves = Pack::of(|lane| if from.0[lane] < to.0[lane] { 1.0 } else { 0.0 });
+        let acting = Pack::of(|lane| under.frames.gain.0[lane] * u.0[lane]);
+        let at = |time: &Pack| Pack::of(|lane| under.t0.0[lane] + time.0[lane]);
+        let times = Times { from: at(&from), to: at(&to), moves };
+        let lost = self.plants.move_on(&mut self.x, (&acting, &times));
+        for lane in (0..LANES).filter(|lane| lost[*lane]) {
+            under.leave(lane);
         }
     }
 }

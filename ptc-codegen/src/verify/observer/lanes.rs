@@ -4,14 +4,12 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::{Observer, Watched};
-use crate::expression::existence::Condition;
 use crate::parameter::Parameter;
-use crate::program::lanes::{LANES, Lanes, Pack};
+use crate::program::lanes::{LANES, Pack};
 use crate::program::{Program, Value};
 use crate::request::MAX_ORDER;
 use crate::simulate::lanes::{Abreast, Instants};
 use crate::verify::Setting;
-use crate::verify::objective::{Kind, Level, larger, over};
 
 /// The objectives of a campaign along the runs of all lanes.
 #[derive(Clone, Debug)]
@@ -104,9 +102,13 @@ impl LaneObserver {
         self.along.under(time_to_go, x, u);
         let size = self.sizes(x);
         let Self { watched, along, excess, at_start, .. } = self;
-        for (index, excess) in excess.iter_mut().enumerate() {
-            let sizes = (&size, &*at_start);
-            *excess = watched.excess(index, &along.lanes, (sizes, u), last);
+        for (index, (excess, kind)) in excess.iter_mut().zip(&watched.kinds).enumerate() {
+            *excess = Pack::of(|lane| {
+                let get = |value| along.lanes.get(value).0[lane];
+                // A lane has one input.
+                let here = ((size.0[lane], at_start.0[lane]), &[u.0[lane]][..]);
+                watched.level(index, get, here, last[lane]).excess(kind)
+            });
         }
         excess
     }
@@ -134,51 +136,6 @@ impl LaneObserver {
                 }
             }
         }
-    }
-}
-
-impl Watched {
-    /// By how much an objective is exceeded in each lane, of |x| now and at t0 and of u.
-    fn excess(
-        &self,
-        index: usize,
-        lanes: &Lanes,
-        ((size, at_start), u): ((&Pack, &Pack), &Pack),
-        last: &[bool; LANES],
-    ) -> Pack {
-        let kind = &self.kinds[index];
-        let mut values = self.values[index].iter().map(|value| *lanes.get(*value));
-        let mut next = || values.next().unwrap_or(Pack::all(f64::NAN));
-        let (value, low, high) = match kind {
-            Kind::State { sigma, .. } => {
-                let zeta = next();
-                let high = Pack::of(|lane| sigma * at_start.0[lane] * zeta.0[lane]);
-                (*size, None, Some(high))
-            }
-            Kind::Input { .. } => (u.map(f64::abs), None, Some(next())),
-            Kind::Inputs { .. } => {
-                // A lane has one input.
-                let bound = next();
-                let part = |lane: usize| 1.0 + over(u.0[lane].abs(), bound.0[lane]);
-                (Pack::of(|lane| larger(0.0, part(lane))), None, Some(Pack::all(1.0)))
-            }
-            Kind::Attractive { error } => {
-                let high = |lane: usize| last[lane].then_some(*error);
-                return Pack::of(|lane| Level::below(size.0[lane], high(lane)).excess(kind));
-            }
-            Kind::Within { low, high, .. } => {
-                (next(), low.as_ref().map(|_| next()), high.as_ref().map(|_| next()))
-            }
-        };
-        let at = |pack: &Option<Pack>, lane: usize| pack.as_ref().map(|pack| pack.0[lane]);
-        Pack::of(|lane| {
-            let exists = |(value, condition): &(Value, Condition)| {
-                condition.holds(lanes.get(*value).0[lane])
-            };
-            let exists = self.conditions[index].iter().all(exists);
-            let value = if exists { value.0[lane] } else { f64::NAN };
-            Level { value, low: at(&low, lane), high: at(&high, lane) }.excess(kind)
-        })
     }
 }
 

@@ -91,7 +91,7 @@ impl Motion {
     }
 
     /// What needs no form.
-    pub(super) fn of_plant(coupled: &Coupled) -> Self {
+    fn of_plant(coupled: &Coupled) -> Self {
         let all = coupled.outputs.iter().flat_map(|output| &output.coordinates);
         Self {
             states: coupled.states.clone(),

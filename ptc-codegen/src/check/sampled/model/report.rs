@@ -25,7 +25,9 @@ pub(super) fn judged(
     let (verdict, summary) = match above(outputs, &totals) {
         _ if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
         above => match (limited, above) {
-            (Some(j), _) => (Verdict::Undecided, beyond_limit(spec, motion, (j, found.u[j]))),
+            (Some(j), _) => {
+                (Verdict::Undecided, beyond_limit(spec, &motion.inputs, (j, found.u[j])))
+            }
             (None, Some((name, error))) => {
                 (Verdict::Undecided, format!("{all}, above error = {} for {name}", digits(error)))
             }
@@ -46,7 +48,7 @@ pub(super) fn judged(
     let x: Option<Vec<_>> =
         found.worst.iter().map(|worst| Some(worst.way.as_ref()?.x.clone())).collect();
     if let Some(x) = x {
-        let (x, u) = (of_chains(&x), of_inputs(motion, &found.u));
+        let (x, u) = (of_chains(&x), of_inputs(&motion.inputs, &found.u));
         let states = Name::listed(&motion.states);
         details.push(format!(
             "on the way, between samples too, {x}, {u}, and {states} stay within x_max"
@@ -54,7 +56,7 @@ pub(super) fn judged(
     }
     let free = |(_, u): &&Afterwards| limited.is_none() && clipped(spec, u).is_none();
     if let Some((x, u)) = afterwards.filter(free) {
-        let (x, u) = (of_chains(x), of_inputs(motion, u));
+        let (x, u) = (of_chains(x), of_inputs(&motion.inputs, u));
         details.push(format!("from the deadline on {x}, {u}"));
     }
     Outcome { name: NAME, verdict, summary, details, fix: None }
@@ -86,14 +88,14 @@ pub(super) fn clipped(spec: &Spec, u: &[f64]) -> Option<usize> {
 }
 
 /// That an input may be above its bound.
-pub(super) fn beyond_limit(spec: &Spec, motion: &Motion, (j, u): (usize, f64)) -> String {
+pub(super) fn beyond_limit(spec: &Spec, inputs: &[Name], (j, u): (usize, f64)) -> String {
     let most = digits_up(u);
-    if motion.inputs.len() == 1 {
+    if inputs.len() == 1 {
         return format!("|u| is only known to be below {most}, above u_max");
     }
     let key = if spec.limit(j).is_some() { "its limit" } else { "u_max" };
     let limit = limits(spec).nth(j).flatten().unwrap_or(f64::INFINITY);
-    let name = motion.inputs[j].text();
+    let name = inputs[j].text();
     format!("|{name}| is only known to be below {most}, above {key} of {}", digits(limit))
 }
 
@@ -141,7 +143,7 @@ pub(super) fn of_chains(x: &[Vec<f64>]) -> String {
 }
 
 /// Bounds of the inputs.
-pub(super) fn of_inputs(motion: &Motion, u: &[f64]) -> String {
+pub(super) fn of_inputs(inputs: &[Name], u: &[f64]) -> String {
     let of = |(name, u): (&Name, &f64)| format!("|{name}| <= {}", digits_up(*u));
-    motion.inputs.iter().zip(u).map(of).collect::<Vec<_>>().join(", ")
+    inputs.iter().zip(u).map(of).collect::<Vec<_>>().join(", ")
 }

@@ -4,7 +4,7 @@ use ptc_codegen::expression::Expression;
 use ptc_codegen::model::{Coupled, Inverse};
 use ptc_codegen::parameter::Name;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::request::{Feedback, Spec};
+use ptc_codegen::request::{Clock, Feedback, Spec};
 
 use super::closed::{mapping, matrix, r};
 use super::group::Group;
@@ -19,7 +19,12 @@ pub(super) fn groups(
     (spec, coupled): (&Spec, &Coupled),
     plant: &Plant,
 ) -> Result<Vec<Group>, Failure> {
-    let designs = spec.designs();
+    // The formulas are those of continuous time.
+    let mut continuous = spec.clone();
+    if let Clock::Samples(sampled) = &mut continuous.clock {
+        sampled.exact = None;
+    }
+    let designs = continuous.designs();
     let highest = designs.iter().max_by_key(|design| design.n).unwrap_or(spec);
     let mut groups = vec![group((spec, coupled), plant), mapping(spec), r(highest)?];
     groups.push(matrix(highest)?);
@@ -106,6 +111,9 @@ fn group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group {
             format!("The plant M q'' + b = u with q = ({q}), and the inputs that follow from w, what the laws want of q''.")
         }
     };
+    if spec.sampled_exactly().is_some() {
+        told.push_str(" The controller moves the chains of the outputs as they are sampled, which are the outputs with their derivatives up to O(h): the head of the emitted files has their numbers.");
+    }
     if *plant != own {
         told.push_str(
             " The controller takes other equations than the plant has, those of the model.",

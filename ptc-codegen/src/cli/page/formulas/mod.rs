@@ -7,7 +7,7 @@ mod law;
 mod plant;
 
 use ptc_codegen::plant::Plant;
-use ptc_codegen::request::{Clock, Spec};
+use ptc_codegen::request::Spec;
 
 use crate::cli::report::Failure;
 
@@ -16,12 +16,7 @@ pub(super) use group::Group;
 /// All formulas of a design with its plant.
 pub(super) fn groups(spec: &Spec, plant: &Plant) -> Result<Vec<Group>, Failure> {
     if let Some(coupled) = &spec.coupled {
-        // The formulas are those of continuous time.
-        let mut spec = spec.clone();
-        if let Clock::Samples(sampled) = &mut spec.clock {
-            sampled.exact = None;
-        }
-        return coupled::groups((&spec, coupled), plant);
+        return coupled::groups((spec, coupled), plant);
     }
     let plant = match &spec.model {
         Some(model) => plant::of_model((spec, model), plant),

@@ -78,14 +78,14 @@ fn linear(coupled: &Coupled, values: &Values) -> Option<Several> {
         Inverse::Inertia { inertia, bias } => {
             let number = |e: &Expression| valued(e, values).number().cloned();
             let inertia = inertia.iter().map(|row| row.iter().map(number).collect());
-            let inertia = Matrix::of_rows(inertia.collect::<Option<_>>()?).inverse()?;
+            let inertia = Matrix::of(inertia.collect::<Option<_>>()?).inverse()?;
             // M q'' = u - bias.
             let forces = (0..m).map(|k| {
                 let bias = row(&bias[k])?;
                 let unit = |j: usize| integer(i64::from(j == n + k));
                 Some(bias.iter().enumerate().map(|(j, slope)| unit(j) - slope).collect())
             });
-            let forces = Matrix::of_rows(forces.collect::<Option<_>>()?);
+            let forces = Matrix::of(forces.collect::<Option<_>>()?);
             let accelerations = inertia.times(&forces);
             let rate = |i: usize| -> Vec<_> {
                 let of_speed = |j: usize| integer(i64::from(j == m + i));

@@ -32,7 +32,7 @@ pub(super) fn between(
     here: &AtSample<'_>,
 ) -> Option<Vec<BigRational>> {
     let plant = in_outputs(&exact.plant)?;
-    let (n, m) = (plant.a.len(), plant.orders.len());
+    let n = plant.a.len();
     let within = Between::of(&plant.moves(), n, h)?;
     let outputs = summed(&maps.outputs, here.chains);
     let parts: Vec<_> = within.parts.iter().collect();
@@ -49,9 +49,7 @@ pub(super) fn between(
         if at == 0 || at == parts.len() {
             return outputs.clone();
         }
-        let row =
-            |i: usize| -> Vec<_> { (0..n + m).map(|j| parts[at].start.at(i, j).clone()).collect() };
-        (0..n).map(|i| seen(&row(i)) + &off[i]).collect()
+        parts[at].start.rows().iter().zip(&off).map(|(row, off)| seen(row) + off).collect()
     };
     let ends: Vec<_> = (0..=parts.len()).map(start).collect();
     let mut most = outputs.clone();
@@ -71,7 +69,7 @@ pub(super) fn between(
 /// A sum over the outputs with their derivatives and u.
 fn seen(maps: &Maps, here: &AtSample<'_>, row: &[BigRational]) -> BigRational {
     let (x, u) = row.split_at(maps.outputs.len());
-    let (x, u) = (Matrix::of_rows(vec![x.to_vec()]), Matrix::of_rows(vec![u.to_vec()]));
+    let (x, u) = (Matrix::of(vec![x.to_vec()]), Matrix::of(vec![u.to_vec()]));
     let one = BigRational::from_integer(1.into());
     let of_chains = x.times(&maps.outputs).plus(&one, &u.times(&maps.of_chains));
     let parts = [
@@ -86,14 +84,11 @@ fn seen(maps: &Maps, here: &AtSample<'_>, row: &[BigRational]) -> BigRational {
 fn in_outputs(plant: &Several) -> Option<Several> {
     let derivatives = plant.derivatives();
     let back = derivatives.inverse()?;
-    let of = |rows: &[Vec<BigRational>]| Matrix::of_rows(rows.to_vec());
-    let rows = |of: &Matrix| -> Vec<Vec<_>> {
-        (0..of.len()).map(|i| (0..of.columns()).map(|j| of.at(i, j).clone()).collect()).collect()
-    };
+    let of = |rows: &[Vec<BigRational>]| Matrix::of(rows.to_vec());
     Some(Several {
-        a: rows(&derivatives.times(&of(&plant.a)).times(&back)),
-        b: rows(&derivatives.times(&of(&plant.b))),
-        c: rows(&of(&plant.c).times(&back)),
+        a: derivatives.times(&of(&plant.a)).times(&back).rows().to_vec(),
+        b: derivatives.times(&of(&plant.b)).rows().to_vec(),
+        c: of(&plant.c).times(&back).rows().to_vec(),
         orders: plant.orders.clone(),
     })
 }

@@ -7,15 +7,15 @@ use super::maps::{Maps, summed};
 use super::{Lacking, Output};
 use crate::algebra::BigRational;
 use crate::parameter::Fixed;
-use crate::request::Spec;
+use crate::request::{Spec, exact_one_or_each};
 
 /// The outputs, with the bounds of xi at the start in place of those of the outputs with their derivatives.
 pub(super) fn with_starts(designs: Vec<Spec>, maps: &Maps) -> Result<Vec<Output>, Lacking> {
-    let given = designs
-        .iter()
-        .flat_map(|own| (0..own.n).map(|i| of_each(&own.promises.x0_max, i).ok_or(())));
-    let given: Result<Vec<_>, ()> = given.collect();
-    let given = given.map_err(|()| Lacking::Value("`x0_max` is infinite".to_owned()))?;
+    let of = |own: &Spec| -> Option<Vec<_>> {
+        (0..own.n).map(|i| exact_one_or_each(&own.promises.x0_max, i).cloned()).collect()
+    };
+    let given = designs.iter().map(of).collect::<Option<Vec<_>>>();
+    let given = given.ok_or_else(|| Lacking::Value("`x0_max` is infinite".to_owned()))?.concat();
     let start = doubles(&summed(&maps.of_outputs, &given));
     let mut start = fractions(&start)?.into_iter();
     let with = |mut own: Spec| {
@@ -31,11 +31,6 @@ pub(super) fn gain_error(parts: &[Fixed]) -> BigRational {
     let one = BigRational::from_integer(1.into());
     let parts = parts.iter().filter_map(Fixed::number).map(|part| (part - &one).abs());
     parts.max().unwrap_or_default()
-}
-
-/// Number `j` of a list that holds one for all, or one each; `None` where there is none.
-pub(super) fn of_each(bounds: &[Fixed], j: usize) -> Option<BigRational> {
-    bounds.get(j.checked_rem(bounds.len())?)?.number().cloned()
 }
 
 /// The doubles above.

@@ -27,7 +27,7 @@ pub(super) struct Maps {
 impl Maps {
     /// `None` where the constants are singular.
     pub(super) fn new(exact: &Exact) -> Option<Self> {
-        let of = |rows: &Vec<Vec<BigRational>>| Matrix::of_rows(rows.clone());
+        let of = |rows: &Vec<Vec<BigRational>>| Matrix::of(rows.clone());
         let chains = &exact.chains;
         let (coordinates, drift) = (of(&chains.coordinates), of(&chains.drift));
         let inverse = of(&chains.inverse);

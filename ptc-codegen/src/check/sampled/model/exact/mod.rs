@@ -24,9 +24,9 @@ use crate::linear::Left;
 use crate::lower::at_sample;
 use crate::parameter::Fixed;
 use crate::program::{Program, passes};
-use crate::request::{After, Exact, Spec};
+use crate::request::{After, Exact, Spec, exact_one_or_each};
 use between::{AtSample, between};
-use given::{doubles, fractions, gain_error, of_each, with_starts};
+use given::{doubles, fractions, gain_error, with_starts};
 use maps::{Maps, both, summed};
 
 /// The check of a design with such a plant.
@@ -115,15 +115,14 @@ impl<'a> Exactly<'a> {
         let maps = Maps::new(exact).ok_or_else(singular)?;
         let left = Left::new(&exact.plant, &h, &exact.chains).ok_or_else(singular)?;
         let outputs = with_starts(designs, &maps)?;
-        let zero = BigRational::default;
         let two = BigRational::from_integer(2.into());
-        let noise = (0..spec.states()).map(|j| {
-            let each = |bounds: &[Fixed]| of_each(bounds, j).unwrap_or_else(zero);
-            each(&promises.noise) + each(&promises.sensor_step) / &two
-        });
+        let number =
+            |bounds: &[Fixed], j: usize| exact_one_or_each(bounds, j).cloned().unwrap_or_default();
+        let noise = (0..spec.states())
+            .map(|j| number(&promises.noise, j) + number(&promises.sensor_step, j) / &two);
         Ok(Self {
             noise: noise.collect(),
-            step: of_each(promises.u_step.as_slice(), 0).unwrap_or_else(zero) / &two,
+            step: number(promises.u_step.as_slice(), 0) / &two,
             gain: gain_error(&promises.g_error),
             emitted: passes::optimise(at_sample(spec), &mut |_, _| {}),
             spec,

@@ -1,7 +1,6 @@
 //! What is said of the bounds of the loops of a plant whose chains are exact at the samples.
 
 use super::super::super::outcome::{NAME, causes};
-use super::super::motion::Motion;
 use super::super::report::{above, beyond_limit, clipped, of_chains, of_inputs, of_output};
 use super::{Bounded, Exactly, Sizes, both, doubles, fractions};
 use crate::algebra::BigRational;
@@ -18,7 +17,7 @@ pub(super) fn judged(
     afterwards: Option<&Bounded>,
 ) -> Outcome {
     let spec = plant.spec;
-    let motion = Motion::of_plant(&plant.exact.coupled);
+    let inputs = &plant.exact.coupled.inputs;
     let totals = at_deadline(plant, found);
     let u = doubles(&found.sizes.u);
     let all = format!("at the deadline {}", of_chains(&totals));
@@ -27,7 +26,7 @@ pub(super) fn judged(
         _ if spec.promises.error.is_empty() => {
             (Verdict::NotChecked, format!("`error` is not given: {all}"))
         }
-        (Some(j), _) => (Verdict::Undecided, beyond_limit(spec, &motion, (j, u[j]))),
+        (Some(j), _) => (Verdict::Undecided, beyond_limit(spec, inputs, (j, u[j]))),
         (None, Some((name, error))) => {
             (Verdict::Undecided, format!("{all}, above error = {} for {name}", digits(error)))
         }
@@ -46,7 +45,7 @@ pub(super) fn judged(
     let way = |sizes: &Sizes| {
         let (x, between) = plant.on_the_way(sizes);
         let at = if between { "between samples too" } else { "at the samples" };
-        let u = of_inputs(&motion, &doubles(&sizes.u));
+        let u = of_inputs(inputs, &doubles(&sizes.u));
         format!("{at}, {}, {u}", of_chains(&x))
     };
     details.push(format!("on the way, {}", way(&found.sizes)));
