@@ -4,12 +4,13 @@
     python3 tools/samples.py rest COMMAND    what is left of the state at sample N
     python3 tools/samples.py alone COMMAND   what an observer alone is off by at its sample N_o
     python3 tools/samples.py follow COMMAND  what is left of the tracking error at sample N
+    python3 tools/samples.py machines COMMAND  what is left where the output of a linear plant follows
     python3 tools/samples.py plants COMMAND  the same of random linear plants
     python3 tools/samples.py gains COMMAND   tests/data/sampled_plants.json: gains of linear plants, without COMMAND's help
     python3 tools/samples.py stage COMMAND   examples/encoder.toml with its encoder, by the gains held
 
 COMMAND is the path of ptc-codegen. Needs mpmath and a C compiler called cc.
-`rest`, `alone` and `follow` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
+`rest`, `alone`, `follow` and `machines` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
 plant that is not the controller's, and then at once.
 """
 
@@ -346,6 +347,72 @@ def follow(command, gain):
     return int(max(map(max, found.values())) > mpf("1e-13"))
 
 
+def machine(rng, n):
+    """A and B of a random plant whose output x1 the input reaches through all states."""
+    number = lambda low, high: round(rng.choice((-1, 1)) * rng.uniform(low, high), 3)
+    a = [[number(0, 9) if j <= i else number(1, 20) if j == i + 1 else 0 for j in range(n)] for i in range(n)]
+    return a, [0] * (n - 1) + [number(1, 9)]
+
+
+def output_rows(a, n):
+    """y, y', ..., y^(n) of y = x1 without the input, over x."""
+    found = [[mpf(j == 0) for j in range(n)]]
+    for _ in range(n):
+        found.append([sum(found[-1][i] * mpf(str(a[i][j])) for i in range(n)) for j in range(n)])
+    return found
+
+
+def followed_by(command, rng, n, delay, h, samples, r, text=None, observes=False, gain="1", of=None):
+    """|y^(i) - r^(i)| h^i at sample N, of a random linear plant or that of `of`, and the largest of it before."""
+    a, b = of or machine(rng, n)
+    order = n + delay
+    own = lambda count: ",".join(str(-count - 1 - i) for i in range(count))
+    flags = [f"--A={rows(a)}", f"--B={[*b]}", f"--C={[1] + [0] * (n - 1)}" if observes else "--output=" + str([1] + [0] * (n - 1)),
+             "--mu", "exp(a=1)", "--clock", "samples", "--sample-time", h, "--delay", str(delay),
+             "--tau", nstr(samples * mpf(h), 30), f"--poles={own(order)}", "--reference", text or "input"]
+    flags += [f"--observer-poles={own(n)}", "--deadbeat", str(2 * (order + n))] if observes and n > 1 else []
+    controller = Controller(command, *flags)
+    controller.init()
+    period, y = mpf(h), output_rows(a, n)
+    at = lambda t: lu_solve(matrix(y[:n]), matrix([r(i, t) for i in range(n)]))
+    plant = [[str(value) for value in row] for row in a]
+    loop = Linear(h, plant, [str(value) for value in b], [at(mpf(0))[i] + mpf(1) / (i + 2) for i in range(n)], delay, gain=gain)
+    off = lambda t: [abs(sum(p * q for p, q in zip(y[i], loop.x)) - r(i, t)) * period**i for i in range(n)]
+    most = mpf(0)
+    for k in range(samples):
+        now, acts = k * period, (k + delay) * period
+        most = max(most, *off(now))
+        mean = (r(n - 1, acts + period) - r(n - 1, acts)) / period
+        given = [] if text else [*(r(i, now) for i in range(n)), mean]
+        loop.step(controller.step(k, loop.x[:1] if observes else loop.x, given))
+    return off(samples * period), most
+
+
+def machines(command, gain):
+    """Rows of Markdown: the most that is left of constants and by how much less of a sine for half the period, of plants."""
+    rng, found = random.Random(1), {}
+    constant = lambda i, t: mpf(3) / 4 if i == 0 else mpf(0)
+    for n in range(1, 5):
+        for delay in range(3):
+            for known, words in (("3/4", "known"), (None, "given with each call")):
+                for observes, group in ((False, "all states"), (True, "x1 alone")):
+                    left, most = followed_by(command, rng, n, delay, "0.005", 200, constant, known, observes, gain)
+                    found.setdefault(f"constant, {words}, {group}", []).append(max(left) / most)
+    print("| reference | number | largest abs(y^(i-1) - r^(i-1)) h^(i-1), in parts of the largest before |\n| --- | --- | --- |")
+    for group, left in sorted(found.items()):
+        print(row(group, left))
+    sine = lambda i, t: 7**i * sin(7 * t + 1 + i * pi / 2)
+    print("\n| sine, n, delay | known: error at 2 ms in parts of that at 1 ms | given with each call |\n| --- | --- | --- |")
+    for n, delay in ((1, 0), (2, 0), (3, 0), (3, 2)):
+        of, parts = machine(rng, n), []
+        for text in ("sin(7*t + 1)", None):
+            coarse, fine = (followed_by(command, rng, n, delay, h, samples, sine, text, gain=gain, of=of)[0]
+                            for h, samples in (("0.002", 250), ("0.001", 500)))
+            parts.append(", ".join(f"{float(a / b / 2**i):.1f}" for i, (a, b) in enumerate(zip(coarse, fine))))
+        print(f"| {n}, {delay} | {' | '.join(parts)} |")
+    return int(max(map(max, found.values())) > mpf("1e-13"))
+
+
 def plant(rng, n, kind, h):
     """A and B of a random plant, of some `kind`, in coordinates that mix its modes."""
     a = [[0.0] * n for _ in range(n)]
@@ -517,7 +584,7 @@ def stage(command, _):
 
 
 if __name__ == "__main__":
-    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "plants": plants, "gains": gains, "stage": stage}
+    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "machines": machines, "plants": plants, "gains": gains, "stage": stage}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("what", choices=commands)
     parser.add_argument("command", metavar="COMMAND")

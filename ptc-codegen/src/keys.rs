@@ -149,7 +149,7 @@ pub static KEYS: [KeyInfo; 54] = [
     KeyInfo {
         key: "output",
         meaning: "output of the model, x1, which is brought to 0",
-        legal: "an expression in the states",
+        legal: "an expression in the states; beside A and B a row, one number for each of them",
         example: "angle",
     },
     KeyInfo {

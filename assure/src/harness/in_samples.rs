@@ -22,7 +22,7 @@ const MOTOR: [(&str, &str); 11] = [
     ("after_observer", "-90+20i,-90-20i,-100,-120"),
 ];
 
-const DESIGNS: [Keys; 23] = [
+const DESIGNS: [Keys; 25] = [
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
     &[
@@ -169,7 +169,7 @@ const DESIGNS: [Keys; 23] = [
         ("model.output", "q"),
         ("model.dynamics", "w, i/(1 + q^2) - w/4, 50*(V - 2*i - w)"),
     ],
-    // References: given with each call, beside inputs under way and an observer; known; of a model.
+    // References: given with each call, beside inputs under way and an observer; known; of a model, and of linear plants.
     &[
         ("n", "2"),
         ("mu", "exp(a=1)"),
@@ -199,6 +199,30 @@ const DESIGNS: [Keys; 23] = [
         ("model.input", "F"),
         ("model.output", "q + q^3/6"),
         ("model.dynamics", "w, F/(2 + q^2) - k*q^3 - 3*w"),
+    ],
+    // Of linear plants: given with each call beside an input under way and an observer; known.
+    &[
+        ("mu", "exp(a=1)"),
+        ("poles", "-4,-5,-6,-7"),
+        ("sample_time", "0.01"),
+        ("tau", "0.5"),
+        ("delay", "1"),
+        ("reference", "input"),
+        ("observer_poles", "-4,-5,-6"),
+        ("A", "[[0,1,0],[0,-1,10],[0,-2,-50]]"),
+        ("B", "[0,0,100]"),
+        ("C", "[[1,0,0]]"),
+    ],
+    &[
+        ("mu", "exp(a=1)"),
+        ("precision", "f32"),
+        ("poles", "-4,-5"),
+        ("sample_time", "0.01"),
+        ("tau", "0.3"),
+        ("reference", "size*dt^2/(1 + t^2)"),
+        ("A", "[[-1,1],[3,-2]]"),
+        ("B", "[1,2]"),
+        ("model.output", "[-2,1]"),
     ],
 ];
 

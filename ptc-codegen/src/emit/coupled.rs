@@ -1,5 +1,7 @@
 //! What the head of an emitted file says of a plant with several inputs.
 
+use std::fmt::Display;
+
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use crate::algebra::BigRational;
@@ -7,7 +9,6 @@ use crate::diagnostic::digits;
 use crate::expression::Expression;
 use crate::model::Coupled;
 use crate::model::coupled::Inverse;
-use crate::parameter::Name;
 use crate::request::{Exact, Reference, Spec};
 
 /// What the outputs follow, and what the laws see of it.
@@ -56,8 +57,8 @@ pub(super) fn sampled(exact: &Exact) -> Vec<String> {
     lines
 }
 
-/// A sum of multiples of states.
-fn sum(row: &[BigRational], states: &[Name]) -> String {
+/// A sum of multiples, to four digits.
+pub(super) fn sum(row: &[BigRational], states: &[impl Display]) -> String {
     let terms = row.iter().zip(states).filter(|(factor, _)| !factor.is_zero());
     let text = terms.fold(String::new(), |text, (factor, state)| {
         let sign = match (text.is_empty(), factor.is_negative()) {

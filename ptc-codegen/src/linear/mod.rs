@@ -8,6 +8,7 @@ mod delay;
 mod exponential;
 #[cfg(feature = "simulate")]
 mod flow;
+mod following;
 mod matrix;
 mod outputs;
 mod pair;
@@ -24,6 +25,7 @@ pub use delay::Delay;
 pub(crate) use flow::norm;
 #[cfg(feature = "simulate")]
 pub(crate) use flow::{Rows, flow};
+pub use following::Following;
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
 pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, zero_order_hold};

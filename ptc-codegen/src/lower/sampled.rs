@@ -38,7 +38,8 @@ fn of_form(spec: &Spec, form: Form) -> Program {
 
 /// The known reference of `spec` at time t since the start, that of a sample: r, ..., r^(n-1) there, then r^(n)
 /// in the middle of the time in which the input of this sample acts, and of those in which the inputs under
-/// way act; all watched, of several outputs one after the other.
+/// way act; all watched, of several outputs one after the other. Of a linear plant its states on the reference,
+/// and its input.
 pub fn reference_at_sample(spec: &Spec, sampled: &Sampled) -> Program {
     let at = |derivative: &Expression, time: &Expression| {
         derivative.substitute(&|e| {
@@ -56,7 +57,8 @@ pub fn reference_at_sample(spec: &Spec, sampled: &Sampled) -> Program {
     let middles: Vec<_> = sampled.middles().map(middle).collect();
     let mut all = Vec::new();
     for derivatives in spec.known_references() {
-        let Some((last, below)) = derivatives.split_last() else { continue };
+        let followed = sampled.followed(derivatives);
+        let Some((last, below)) = followed.split_last() else { continue };
         all.extend(below.iter().map(|derivative| at(derivative, &now)));
         all.extend(middles.iter().map(|middle| at(last, middle)));
     }

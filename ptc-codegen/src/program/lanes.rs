@@ -29,20 +29,25 @@ impl Pack {
         Self([value; LANES])
     }
 
-    /// A number for each lane.
+    /// A number for each lane, by a loop, as compilers leave calls in what the library makes arrays with.
     #[inline]
-    pub fn of(number: impl FnMut(usize) -> f64) -> Self {
-        Self(std::array::from_fn(number))
+    pub fn of(mut number: impl FnMut(usize) -> f64) -> Self {
+        let mut all = [0.0; LANES];
+        for lane in 0..LANES {
+            all[lane] = number(lane);
+        }
+        Self(all)
     }
 
     /// A function of each number.
     #[inline]
     #[must_use]
-    pub fn map(&self, function: impl FnMut(f64) -> f64) -> Self {
-        Self(self.0.map(function))
+    pub fn map(&self, mut function: impl FnMut(f64) -> f64) -> Self {
+        Self::of(|lane| function(self.0[lane]))
     }
 
     /// Takes some lanes of another pack.
+    #[inline]
     pub fn take(&mut self, from: &Self, lanes: &[bool; LANES]) {
         for lane in 0..LANES {
             self.0[lane] = if lanes[lane] { from.0[lane] } else { self.0[lane] };
@@ -173,6 +178,7 @@ impl Lanes {
     }
 
     /// Computes what the inputs of `stage` decide, those of earlier stages being computed.
+    #[inline]
     pub fn run(&mut self, stage: Stage) {
         let Self { tape, registers, arrays } = self;
         perform(&tape.due[stage as usize], registers, arrays);

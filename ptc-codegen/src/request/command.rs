@@ -136,17 +136,20 @@ impl Spec {
     fn sampled_words(&self, sampled: &Sampled) -> Vec<String> {
         let mut words = vec!["--clock samples".to_owned()];
         if let Some(plant) = &sampled.linear {
-            let row = |row: &Vec<BigRational>| {
+            let row = |row: &[BigRational]| {
                 let entries: Vec<_> = row.iter().map(constant::text).collect();
                 format!("[{}]", entries.join(","))
             };
             let rows = |rows: &[Vec<BigRational>]| {
-                format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join(","))
+                format!("[{}]", rows.iter().map(|own| row(own)).collect::<Vec<_>>().join(","))
             };
             words.push(format!("--A=\"{}\" --B=\"{}\"", rows(&plant.a), row(&plant.b)));
             if !plant.measures_states() {
                 words.push(format!("--C=\"{}\"", rows(&plant.c)));
             }
+            words.extend(
+                sampled.follows.as_ref().map(|own| format!("--output=\"{}\"", row(own.output()))),
+            );
         }
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
         words.extend(deadbeat.map(|count| format!("--deadbeat={count}")));

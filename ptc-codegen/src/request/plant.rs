@@ -53,13 +53,20 @@ impl Spec {
     /// The tracking error of each chain, its coordinates less the reference and its derivatives, one output
     /// after the other, as functions of the plant's states and time; none without a reference in t.
     pub fn errors(&self) -> Vec<Expression> {
+        let followed = |all: &[Expression]| match self.sampled() {
+            Some(sampled) => sampled.followed(all),
+            None => all.to_vec(),
+        };
         // The last derivative is no part of the error.
-        let wanted = self.known_references().flat_map(|all| &all[..all.len() - 1]);
+        let wanted = self.known_references().map(followed).flat_map(|mut all| {
+            all.pop();
+            all
+        });
         let chain: Vec<_> = match self.has_model() {
             true => self.coordinates().cloned().collect(),
             false => (1..=self.n).map(|j| Variable::State(j).into()).collect(),
         };
-        chain.into_iter().zip(wanted).map(|(x, r)| x.sub(r.clone())).collect()
+        chain.into_iter().zip(wanted).map(|(x, r)| x.sub(r)).collect()
     }
 
     /// The names of the coordinates of the chains after their letter: `1`..`n`, or `1_2` for the first of output 2.

@@ -6,7 +6,7 @@ use super::{Clock, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
-use crate::linear::{Chains, Delay, Linear, Several};
+use crate::linear::{Chains, Delay, Following, Linear, Several};
 use crate::model::{Coupled, Model};
 use crate::parameter::{Fixed, Parameter};
 
@@ -17,6 +17,8 @@ pub struct Sampled {
     pub delay: Delay,
     /// The plant where it is not a chain.
     pub linear: Option<Linear>,
+    /// Where its output follows a reference.
+    pub follows: Option<Following>,
     /// A linear plant with several inputs, sampled exactly.
     pub exact: Option<Box<Exact>>,
     /// Constant input gain g of a chain.
@@ -64,6 +66,26 @@ impl Sampled {
         let inputs = self.delay.inputs();
         let latest = self.delay.part() + whole(inputs) - half;
         (0..=inputs).map(move |age| &latest - whole(age))
+    }
+
+    /// What the states follow, and r^(n) of a chain or the input on the reference, from r, r', ..., r^(n).
+    pub fn followed(&self, derivatives: &[Expression]) -> Vec<Expression> {
+        let Some(follows) = &self.follows else { return derivatives.to_vec() };
+        let term = |(weight, r): (&BigRational, &Expression)| {
+            Expression::from(weight.clone()).mul(r.clone())
+        };
+        let sum = |row: &Vec<BigRational>| {
+            let terms =
+                row.iter().zip(derivatives).filter(|(weight, _)| !weight.is_zero()).map(term);
+            terms.reduce(Expression::add).unwrap_or_else(|| Expression::integer(0))
+        };
+        follows.rows().iter().map(sum).collect()
+    }
+
+    /// The letters of what the states follow and of what the inputs count less: x_r and u_r, where the reference is
+    /// not that of the states.
+    pub fn followed_letters(&self) -> [&'static str; 2] {
+        if self.follows.is_some() { ["x_r", "u_r"] } else { ["reference", "rho"] }
     }
 
     /// Whether there is an observer.

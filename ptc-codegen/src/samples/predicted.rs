@@ -6,6 +6,8 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use num_traits::Zero;
+
 use super::controller::Builder;
 use super::estimates::Named;
 use super::observer::Injection;
@@ -121,8 +123,15 @@ fn shown(c: &[Vec<BigRational>]) -> Matrix {
 
 /// Row `i` of a matrix times values.
 fn combination(matrix: &Matrix, i: usize, value: &dyn Fn(usize) -> Expr) -> Expr {
-    let terms = (0..matrix.columns())
-        .filter(|j| *matrix.at(i, *j) != BigRational::default())
-        .map(|j| Expr::Number(matrix.at(i, j).clone()).mul(value(j)));
+    weighted(&matrix.rows()[i], value)
+}
+
+/// The sum of values with these weights.
+pub(super) fn weighted(weights: &[BigRational], value: &dyn Fn(usize) -> Expr) -> Expr {
+    let terms = weights
+        .iter()
+        .enumerate()
+        .filter(|(_, weight)| !weight.is_zero())
+        .map(|(j, weight)| Expr::Number(weight.clone()).mul(value(j)));
     Expr::sum(terms)
 }

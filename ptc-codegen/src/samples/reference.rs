@@ -6,12 +6,15 @@
 //! (time left)^(n-i)/(n-i)!. Of a known reference rho is r^(n) in the middle of that time, so that the integral of
 //! r^(n+1) (t - middle) is 0 in e_n, and O(h^(n+2-i)) in e_i. What is left of e_n is O(h^3), where r^(n) at the
 //! beginning of the time would leave O(h^2).
+//!
+//! Of a linear plant the states on the reference are in place of r, ..., r^(n-1), and its input there of r^(n).
 
 use std::ops::{Mul, Sub};
 
 use super::controller::Builder;
+use super::predicted::weighted;
 use super::staged::{Names, Staged};
-use crate::algebra::integer;
+use crate::algebra::{BigRational, integer};
 use crate::code::{Cell, Expr, Place, Shape, Statement, Variable};
 use crate::lower::reference_at_sample;
 use crate::parameter::Parameter;
@@ -72,7 +75,7 @@ impl Builder<'_> {
     pub(super) fn follow(&mut self) -> Vec<Statement> {
         let (mut body, wanted) = match self.spec.reference {
             None => return Vec::new(),
-            Some(Reference::Input) => (Vec::new(), self.remembered_references()),
+            Some(Reference::Input) => self.remembered_references(),
             Some(Reference::Known(_)) => self.known_references(),
         };
         body.insert(0, Statement::Note("The tracking error.".to_owned()));
@@ -104,18 +107,38 @@ impl Builder<'_> {
         }
     }
 
-    /// What a call is given of each reference, and rho of the inputs under way.
-    fn remembered_references(&mut self) -> Vec<Vec<Expr>> {
+    /// Statements before what a call is given of each reference, and this with rho of the inputs under way.
+    fn remembered_references(&mut self) -> (Vec<Statement>, Vec<Vec<Expr>>) {
         let mut given = self.given_references();
+        let mut body = Vec::new();
+        let mut last = "last one of r";
+        if let Some((rows, given)) = self.on_given_reference().zip(given.first_mut()) {
+            let followed = rows.iter().map(|row| weighted(row, &|l| given[l].clone()));
+            let mut followed: Vec<_> = followed.collect();
+            if let Some(input) = followed.last_mut() {
+                let mean = std::mem::replace(input, Expr::local("u_r"));
+                body.push(Statement::Let("u_r".to_owned(), Shape::Real, mean));
+            }
+            *given = followed;
+            last = "input on the reference";
+        }
         // Several inputs are not late.
         let inputs = self.sampled.delay.inputs();
+        let [_, letter] = self.sampled.followed_letters();
         for age in 1..=inputs {
-            let about = format!("last one of r, {age} samples ago");
-            self.remember(&format!("rho{age}"), &about);
+            self.remember(&format!("{letter}{age}"), &format!("{last}, {age} samples ago"));
         }
-        let under_way = (1..=inputs).map(|age| Expr::field(format!("rho{age}")));
+        let under_way = (1..=inputs).map(|age| Expr::field(format!("{letter}{age}")));
         given.iter_mut().take(1).for_each(|first| first.extend(under_way.clone()));
-        given
+        (body, given)
+    }
+
+    /// The states of a linear plant on the reference and the mean of its input there while that of this sample acts,
+    /// over what a call is given of the reference.
+    fn on_given_reference(&self) -> Option<Vec<Vec<BigRational>>> {
+        let follows = self.sampled.follows.as_ref()?;
+        let begin = self.sampled.middles().next()? - BigRational::new(1.into(), 2.into());
+        Some(follows.mean(self.fixed(Parameter::SampleTime)?, &begin))
     }
 
     /// Statements before the values of known references, and r, r', ..., rho of each.
@@ -126,8 +149,10 @@ impl Builder<'_> {
         let (orders, inputs) = (self.orders(), self.sampled.delay.inputs());
         let mut watched = Vec::new();
         for (n, output) in orders.iter().zip(1..) {
-            let of_time = (0..*n).map(|order| format!("reference{order}"));
-            let names = of_time.chain((0..=inputs).map(|age| format!("rho{age}")));
+            let [of_state, of_input] = self.sampled.followed_letters();
+            let first = usize::from(self.sampled.follows.is_some());
+            let of_time = (first..n + first).map(|order| format!("{of_state}{order}"));
+            let names = of_time.chain((0..=inputs).map(|age| format!("{of_input}{age}")));
             watched.extend(names.map(|name| self.of_output(&name, output)));
         }
         let program = reference_at_sample(self.spec, self.sampled);
@@ -147,8 +172,9 @@ impl Builder<'_> {
         let Some(rates) = self.rates.first().filter(|_| self.spec.references() > 0) else {
             return Vec::new();
         };
-        let set =
-            |age: usize| Statement::Set(Place::Field(format!("rho{age}")), rates[age - 1].clone());
+        let [_, letter] = self.sampled.followed_letters();
+        let field = |age: usize| Place::Field(format!("{letter}{age}"));
+        let set = |age: usize| Statement::Set(field(age), rates[age - 1].clone());
         (1..rates.len()).rev().map(set).collect()
     }
 }

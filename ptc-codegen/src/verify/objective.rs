@@ -178,6 +178,7 @@ impl Level {
         Self { value, low: None, high }
     }
 
+    #[inline]
     pub(super) fn excess(self, kind: &Kind) -> f64 {
         let exists = |bound: Option<f64>| bound.is_none_or(f64::is_finite);
         // A value or a bound that does not exist holds nothing.

@@ -99,9 +99,12 @@ fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
 fn of_error(spec: &Spec, mut outcome: Outcome) -> Outcome {
     if spec.reference.is_some() && outcome.verdict != Verdict::NotChecked {
         let start = if outcome.name == "deadline" { "; x0_max bounds it at the start" } else { "" };
-        let n = spec.n;
+        let (follows, adds) = match spec.sampled().is_some_and(|own| own.follows.is_some()) {
+            true => ("x - x_r", "u_r".to_owned()),
+            false => ("x_i - r^(i-1)", format!("r^({})", spec.n)),
+        };
         outcome.details.push(format!(
-            "x is the tracking error, x_i - r^(i-1){start}; u stands for what the law adds to r^({n})"
+            "x is the tracking error, {follows}{start}; u stands for what the law adds to {adds}"
         ));
     }
     outcome

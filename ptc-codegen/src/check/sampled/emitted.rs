@@ -42,6 +42,7 @@ pub(super) fn steps(
     // is done with it.
     let reference = spec.reference.as_ref().map(|_| Reference::Input);
     let spec = &Spec { after: After::Hold, reference, ..spec.clone() };
+    let sampled = &Sampled { follows: None, ..sampled.clone() };
     let code = crate::samples::controller(spec, sampled, Vec::new());
     let kept: Vec<_> = kept(&code).collect();
     let acting = format!("u{}", chain.delay);

@@ -2,7 +2,8 @@
 //!
 //! In e_i = x_i - r^(i-1), and with inputs that count less rho, the loop is that of the law without a reference,
 //! moved beside it by r^(n) - rho alone. With c the middle of the time in which an input acts, at which rho is
-//! r^(n), that is r^(n+1)(c) (t - c) + rest, |rest| <= (t - c)^2/2 max |r^(n+2)|.
+//! r^(n), that is r^(n+1)(c) (t - c) + rest, |rest| <= (t - c)^2/2 max |r^(n+2)|. Of a linear plant its states on the
+//! reference are in place of r, ..., r^(n-1), and its input there of r^(n).
 
 use num_traits::Zero;
 
@@ -26,7 +27,7 @@ const OF_TIME: f64 = 4.0;
 /// Bounds over a run.
 #[derive(Clone, Debug)]
 pub(super) struct Followed {
-    /// Of |r|, |r'|, ..., and of |rho|, and how far each may be off as the program computes it.
+    /// Of |r|, |r'|, ..., and of |rho|, or what stands for them, and how far each may be off as the program computes it.
     pub(super) numbers: Vec<Near>,
     /// Of |r^(n+1)|, where r^(n) - rho goes with it by the distance from the middle of a sample.
     pub(super) slope: f64,
@@ -48,9 +49,16 @@ impl Followed {
         if spec.reference.is_some() && jitter {
             return Err("what jitter leaves of a reference is not examined".to_owned());
         }
+        if own.follows.is_some() && own.observes() {
+            return Err("what an observer of a linear plant makes of a reference is not examined"
+                .to_owned());
+        }
         let given = match &spec.reference {
             None => return Ok(None),
             Some(Reference::Known(all)) => &all[0],
+            Some(Reference::Input) if own.follows.is_some() => {
+                return Err("what a reference that each call is given leaves of a linear plant is not examined".to_owned());
+            }
             Some(Reference::Input) => {
                 let numbers = vec![(0.0, 0.0); n + 1];
                 return Ok(Some(Self { numbers, slope: 0.0, rest: 0.0, most: 0.0 }));
@@ -72,7 +80,9 @@ impl Followed {
         let (below, rates) = values.split_at(n);
         let most = |a: Near, b: Near| (a.0.max(b.0), a.1.max(b.1));
         let rate = rates.iter().copied().fold((0.0, 0.0), most);
-        let further = over(spec, plant(spec, &all[n + 1..]), &cells);
+        let last = |rates: usize| own.followed(&all[rates..=rates + n]).pop();
+        let further: Vec<_> = [1, 2].into_iter().filter_map(last).collect();
+        let further = over(spec, plant(spec, &further), &cells);
         let further = further.map_err(|order| lacks(n + 1 + order.min(1)))?;
         let [slope, curve] = [0, 1].map(|order: usize| further[order].0);
         let most = 0.5 * h * slope * ROUNDED;

@@ -12,7 +12,7 @@ use super::followed::Followed;
 use super::force::Force;
 use super::gain::{Gain, true_gain};
 use super::gains::gains;
-use super::moved::Moved;
+use super::moved::{Moved, Ways};
 use super::relative::Late;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
@@ -41,6 +41,8 @@ pub(crate) struct Loop<'a> {
     late: Option<Late>,
     /// What a reference moves; `None` without one.
     pub(super) followed: Option<Followed>,
+    /// What inputs do to a linear plant that follows one.
+    ways: Option<Ways>,
 }
 
 impl<'a> Loop<'a> {
@@ -123,7 +125,11 @@ impl<'a> Loop<'a> {
             Some(own) => Followed::new(spec, own)?,
             None => None,
         };
-        Ok(Self { spec, expanded, period, samples, gains, plant, between, late, followed })
+        let ways = match own.filter(|_| followed.is_some()) {
+            Some(plant) => Some(Ways::new(plant, &h).ok_or(fast)?),
+            None => None,
+        };
+        Ok(Self { spec, expanded, period, samples, gains, plant, between, late, followed, ways })
     }
 
     /// The same, to be bounded at the samples alone.
@@ -148,7 +154,10 @@ impl<'a> Loop<'a> {
         sampled.x0 = start.take(self.plant.n).collect();
         if let Some((followed, own)) = self.followed.as_ref().zip(self.spec.sampled()) {
             let known = Range::from(&Interval::exact(&own.gain));
-            let moved = Moved::new(followed, &sampled, known, gain);
+            let moved = match &self.ways {
+                Some(ways) => Moved::of_plant(followed, &sampled, ways, gain),
+                None => Moved::new(followed, &sampled, known, gain),
+            };
             // The input that acted last counts less its rho.
             for _ in self.plant.moved..self.plant.n {
                 sampled.x0.pop();

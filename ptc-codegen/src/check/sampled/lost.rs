@@ -10,6 +10,7 @@ use num_traits::ToPrimitive;
 use super::chain::Near;
 use super::followed::Followed;
 use super::rounded::{ROUNDED, Rounded};
+use crate::algebra::BigRational;
 use crate::request::Sampled;
 
 /// How far each term of a sum is at most from what it is in e: what is kept, by its names, what is measured, the
@@ -28,7 +29,14 @@ pub(super) fn shifts(
         // An estimated constant does not know the reference.
         None => (0.0, 0.0),
     };
-    let measured = (0..own.measured).map(|order| (followed.size(order), 0.0));
+    let states = (0..n).map(|order| followed.size(order));
+    let measured = (0..own.measured).map(|place| {
+        let Some(plant) = &own.linear else { return (followed.size(place), 0.0) };
+        let parts = plant.c[place].iter().zip(states.clone());
+        let part =
+            |(c, size): (&BigRational, f64)| c.to_f64().map_or(f64::INFINITY, f64::abs) * size;
+        (parts.map(part).sum::<f64>() * ROUNDED, 0.0)
+    });
     let under_way = vec![followed.numbers[n]; own.delay.inputs()];
     let reference = followed.numbers.iter().copied().chain(under_way);
     kept.iter().map(of_kept).chain(measured).chain(reference).collect()

@@ -4,14 +4,21 @@
 //! (time left)^(n-i)/(n-i)!, and e_{k+1} = Phi e_k + Gamma w_k - res_k. An observer sees the true input and does
 //! not see res: an estimate that a controller keeps counts less Phi^-1 (R_{k+1} - Gamma rho_k), so that its
 //! prediction is one of e, and Phi^-1 res_k, the integral against (-time gone)^(n-i)/(n-i)!, moves it.
+//!
+//! Of a linear plant R are the states on the reference, rho stands for the input there, v, and res is the integral of
+//! v - rho against exp(A (time left)) B.
 
-use super::chain::{Chain, Near, Unit, along};
+use num_traits::{One, Zero};
+
+use super::chain::{Chain, Near, Unit, along, centre};
 use super::followed::Followed;
 use super::force;
 use super::gain::Gain;
 use super::rounded::ROUNDED;
 use super::worst::Sampled;
-use crate::expression::enclosure::Range;
+use crate::algebra::BigRational;
+use crate::expression::enclosure::{Interval, Range};
+use crate::linear::{self, Delay, Linear, zero_order_hold};
 
 /// What moves a loop of e beside the law, and what it takes of u.
 #[derive(Clone, Debug)]
@@ -21,8 +28,8 @@ pub(super) struct Moved {
     /// The most that |r^(n) - rho| <= 1 adds, and of the plant alone.
     whole: Vec<Near>,
     plant: Vec<Near>,
-    /// Where estimates are kept, and of which state.
-    estimates: Vec<(usize, usize)>,
+    /// Where estimates of a chain are kept, and of which state; `None` for another plant.
+    estimates: Option<Vec<(usize, usize)>>,
     slope: f64,
     rest: f64,
     /// What rho adds where the input gain is not that of the law.
@@ -34,8 +41,75 @@ pub(super) struct Moved {
     pub(super) between: Vec<f64>,
 }
 
+/// What an input does to a linear plant in a sample.
+#[derive(Clone, Debug)]
+pub(super) struct Ways {
+    /// That is the time from the middle.
+    slanted: Vec<Near>,
+    /// That is at most 1, any signal.
+    most: Vec<Near>,
+}
+
+impl Ways {
+    /// `None` if a mode is too fast for the period `h`.
+    pub(super) fn new(plant: &Linear, h: &BigRational) -> Option<Self> {
+        let n = plant.b.len();
+        // The input is the last state of a plant whose input is its rate: it is what is left of the time, twice.
+        let mut a = plant.a.clone();
+        a.iter_mut().zip(&plant.b).for_each(|(row, b)| row.push(b.clone()));
+        a.push(vec![BigRational::zero(); n + 1]);
+        let mut b = vec![BigRational::zero(); n + 1];
+        b[n] = BigRational::one();
+        let ramp = zero_order_hold(&Linear { a, b, c: Vec::new() }, h, &Delay::default())?;
+        let half = h / BigRational::from_integer(2.into());
+        let near = |value: &BigRational| centre(Range::from(&Interval::exact(value)), 0.0);
+        let slanted = (0..n).map(|i| &ramp.newer[i] + &ramp.older[i] - &ramp.phi[i][n] * &half);
+        // |exp(A s) B| at no time of the sample is more than this.
+        let kick = linear::Between::new(plant, h)?.kick(plant, &BigRational::zero())?;
+        Some(Self {
+            slanted: slanted.map(|value| near(&value)).collect(),
+            most: kick.iter().map(|kick| near(&(kick * h))).collect(),
+        })
+    }
+}
+
 impl Moved {
-    /// Of a loop whose law divides by `known`, of a plant with a `gain`.
+    /// Of a loop of a linear plant.
+    pub(super) fn of_plant(
+        followed: &Followed,
+        sampled: &Sampled,
+        ways: &Ways,
+        gain: &Gain,
+    ) -> Self {
+        let filled = |column: &[Near]| {
+            let mut column = column.to_vec();
+            column.resize(sampled.size(), (0.0, 0.0));
+            column
+        };
+        let ends = [-1.0, 1.0].map(|side| gain.value * Range::from(1.0 + side * gain.error));
+        let off = ends.map(|end| (end - Range::from(1.0)).size().high());
+        let input = followed.size(ways.most.len());
+        let wrong = off[0].max(off[1]) * input;
+        let beside = 2.0 * (followed.most + wrong) * ROUNDED;
+        Self {
+            slanted: filled(&ways.slanted),
+            whole: filled(&ways.most),
+            plant: filled(&ways.most),
+            estimates: None,
+            slope: followed.slope,
+            rest: followed.rest,
+            wrong,
+            input,
+            acting: (input + wrong) * ROUNDED,
+            between: ways
+                .most
+                .iter()
+                .map(|(most, error)| beside * (most + error) * ROUNDED)
+                .collect(),
+        }
+    }
+
+    /// Of a loop of a chain whose law divides by `known`, of a plant with a `gain`.
     pub(super) fn new(followed: &Followed, sampled: &Sampled, known: Range, gain: &Gain) -> Self {
         let chain = &sampled.chain;
         let (n, h) = (chain.moved, chain.shares[1]);
@@ -78,7 +152,7 @@ impl Moved {
             slanted,
             whole: of(&all, &share),
             plant: of(&plant, &share),
-            estimates,
+            estimates: Some(estimates),
             slope: followed.slope,
             rest: followed.rest,
             wrong,
@@ -90,12 +164,17 @@ impl Moved {
 
     /// The most that it adds to what `row` sees in a sample.
     pub(super) fn adds(&self, chain: &Chain, row: &[f64]) -> f64 {
-        let any = |size: f64, estimates: &[(usize, usize)]| match size {
-            0.0 => 0.0,
-            size => size * force::most(chain, row, estimates)[1],
+        let any = |size: f64, estimates: &[(usize, usize)]| match (size, &self.estimates) {
+            (0.0, _) => 0.0,
+            (size, Some(_)) => size * force::most(chain, row, estimates)[1],
+            (size, None) => {
+                let parts = row.iter().zip(&self.whole);
+                size * parts.map(|(p, (most, error))| p.abs() * (most + error)).sum::<f64>()
+                    * ROUNDED
+            }
         };
         self.slope * along(row, &self.slanted).abs()
-            + any(self.rest, &self.estimates)
+            + any(self.rest, self.estimates.as_deref().unwrap_or_default())
             + any(self.wrong, &[])
     }
 

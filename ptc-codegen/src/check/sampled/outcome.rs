@@ -163,7 +163,11 @@ pub(super) fn followed(spec: &Spec) -> Option<String> {
         Reference::Known(_) => "u is that of the plant",
         Reference::Input => "u is what the law adds to what follows r^(n)",
     };
-    Some(format!("x is the tracking error, x_i - r^(i-1), which x0_max bounds at the start; {u}"))
+    let follows = match spec.sampled().is_some_and(|own| own.follows.is_some()) {
+        true => "x - x_r, x_r the state in which the output is r",
+        false => "x_i - r^(i-1)",
+    };
+    Some(format!("x is the tracking error, {follows}, which x0_max bounds at the start; {u}"))
 }
 
 /// What the bounds are about, and what was left out.

@@ -176,7 +176,12 @@ impl Reader<'_> {
         read.into_iter().collect()
     }
 
-    fn row(&mut self, key: &'static str, node: &Node, columns: usize) -> Option<Vec<BigRational>> {
+    pub(super) fn row(
+        &mut self,
+        key: &'static str,
+        node: &Node,
+        columns: usize,
+    ) -> Option<Vec<BigRational>> {
         let entries = items(node);
         if entries.len() != columns {
             let message = format!("a row of {key} has {}", counted(&entries.len(), "number"));

@@ -80,12 +80,6 @@ impl Reader<'_> {
         let of_start = matches!(&spec.feedback, Feedback::Expression(law) if law.any(&latches));
         let beside = [
             (
-                "reference",
-                samples && self.keys.contains_key("A"),
-                "a linear plant in samples comes to rest with all its states, and r gives one of them",
-                "leave it out; in samples a chain of integrators (`n`) and a model that is not linear follow a reference, and with `clock` = time every model does",
-            ),
-            (
                 "what",
                 spec.what == What::Associated || !samples && spec.what == What::Observer,
                 "a reference belongs to a controller: the infinite-time system is that of the error, whatever it is",

@@ -84,6 +84,7 @@ impl Abreast {
     }
 
     /// The same at another state.
+    #[inline]
     pub fn again(&mut self, state: &[Pack]) {
         for (register, x) in self.state.iter().zip(state) {
             self.lanes.fill(*register, x);

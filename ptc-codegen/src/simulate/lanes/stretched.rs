@@ -57,6 +57,7 @@ impl StretchedLanes {
         *self.outputs.lanes.get(self.closed.stretched())
     }
 
+    #[inline]
     fn mapped(&mut self) {
         for (x, value) in self.x.iter_mut().zip(&self.states) {
             *x = *self.back.lanes.get(*value);

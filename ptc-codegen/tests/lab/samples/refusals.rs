@@ -76,6 +76,8 @@ fn references_that_are_refused_are_named() {
     let common = [("mu", "exp(a=1)"), ("clock", "samples"), ("sample_time", "0.01")];
     let chain = [&common[..], &[("n", "2")]].concat();
     let plant = [&common[..], &[("A", "[[0,1],[-1,0]]"), ("B", "[0,1]")]].concat();
+    let [speed, unreached, wrong] =
+        ["0,1", "0,0", "1"].map(|output| [&plant[..], &[("output", output)]].concat());
     let observer = [
         ("what", "observer"),
         ("measured", "x1"),
@@ -84,8 +86,11 @@ fn references_that_are_refused_are_named() {
     ];
     let alone = [&chain[..], &observer].concat();
     for (keys, reference, wanted) in [
-        (&plant, "t", "a linear plant in samples comes to rest with all its states"),
-        (&plant, "input", "a chain of integrators (`n`) and a model that is not linear"),
+        (&plant, "t", "no output of the plant that could follow it"),
+        (&plant, "input", "no output of the plant that could follow it"),
+        (&speed, "t", "the relative degree of the output is 1, and the plant has 2 states"),
+        (&unreached, "t", "no input reaches the output"),
+        (&wrong, "t", "a row of output has 1 number"),
         (&chain, "sin(t - t0)", "`t0` in a reference in samples"),
         (&chain, "sin(t/tau)", "it is left to run time as a number of samples"),
         (&chain, "1/t", "derivatives at all t >= 0: t has to be not 0"),

@@ -3,6 +3,7 @@
 
 #[cfg(feature = "lab")]
 mod check;
+mod followed;
 mod observer;
 use crate::support::exact_plant as plant;
 mod reference;
@@ -55,11 +56,12 @@ fn a_chain_is_one_of_them() {
 fn its_command_gives_the_same() {
     let spec = read(
         "sample_time = 0.01\ntau = 1\npoles = [-4,-5,-6]\nmeasured = [\"x2\"]\nobserver_poles = [-3,-4]\n\
-         after_observer = [\"-30+5i\",\"-30-5i\"]\ndelay = 1\n[plant]\nA = [[0,1],[-1,\"-1/3\"]]\nB = [0.25,1]\n",
+         after_observer = [\"-30+5i\",\"-30-5i\"]\ndelay = 1\nreference = \"sin(t)\"\n[model]\noutput = [4,-1]\n[plant]\nA = [[0,1],[-1,\"-1/3\"]]\nB = [0.25,1]\n",
     );
     let command = spec.expect("a design").command();
     let wanted = [
         "--A=\"[[0,1],[-1,-1/3]]\" --B=\"[0.25,1]\" --C=\"[[0,1]]\"",
+        "--output=\"[4,-1]\"",
         "--after-observer=-30+5i,-30-5i",
     ];
     for wanted in wanted {

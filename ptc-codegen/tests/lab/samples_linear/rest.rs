@@ -28,17 +28,17 @@ const PLANTS: [(&str, [&str; 4]); 7] = [
     ("first", ["-0.25", "2", "4", "0.5"]),
 ];
 
-fn listed(rows: &str) -> String {
+pub(super) fn listed(rows: &str) -> String {
     format!("[[{}]]", rows.replace(';', "],["))
 }
 
-fn poles(count: usize) -> String {
+pub(super) fn poles(count: usize) -> String {
     let each: Vec<_> = (0..count).map(|i| format!("-{}", count + i)).collect();
     each.join(",")
 }
 
 /// The rows of a matrix.
-fn rows(text: &str) -> Vec<Vec<BigRational>> {
+pub(super) fn rows(text: &str) -> Vec<Vec<BigRational>> {
     text.split(';').map(|row| row.split(',').map(number).collect()).collect()
 }
 

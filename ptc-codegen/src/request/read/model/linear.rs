@@ -54,13 +54,14 @@ impl Reader<'_> {
             return None;
         }
         let plant = self.linear_rows(&model).ok()?;
+        let output = self.row_of_output(&model);
         let used: Vec<_> = parameters(&model).map(|name| format!("params.{name}")).collect();
         let replaced = |entry: &&Entry| {
             let name = entry.key.strip_prefix("model.").unwrap_or(&entry.key);
             REPLACED.contains(&name) || used.contains(&entry.key)
         };
         let kept = entries.iter().filter(|entry| !replaced(entry)).cloned();
-        Some(kept.chain(plant).collect())
+        Some(kept.chain(plant).chain(output).collect())
     }
 
     /// A, B, and C or the measured states of a model.
@@ -102,6 +103,13 @@ impl Reader<'_> {
                 Err(wrong)
             }
         }
+    }
+
+    /// The output as a row, where it follows a reference.
+    fn row_of_output(&self, model: &Model) -> Option<Entry> {
+        let place = self.keys.get("output").filter(|_| self.keys.contains_key("reference"))?.place;
+        let row = self.slopes(model, "the output", &model.output).ok()?;
+        Some(Entry { key: "output".to_owned(), place, value: numbers(&row.states, place) })
     }
 
     /// Whether a model is linear in the states and the input, whatever its parameters are.

@@ -29,7 +29,10 @@ pub(super) struct Read {
 impl Reader<'_> {
     /// Whether the design has a model, however it is written.
     pub(super) fn has_model(&self) -> bool {
-        KEYS.iter().any(|key| self.keys.contains_key(key)) || self.has_coupled()
+        // Beside A and B the output is a row.
+        let of_plant = |key: &str| key == "output" && self.keys.contains_key("A");
+        let mut given = KEYS.iter().filter(|key| self.keys.contains_key(**key));
+        given.any(|key| !of_plant(key)) || self.has_coupled()
     }
 
     /// The model, if there is one that can be read.

@@ -1,5 +1,6 @@
 //! The clock in samples: its keys, and what it has no meaning for.
 
+mod following;
 mod observer;
 mod several;
 
@@ -119,8 +120,10 @@ impl Reader<'_> {
                 (measured, observes.then_some(estimates), vec![estimates])
             }
         };
+        let follows = linear.as_ref().and_then(|(plant, _)| self.following(spec, plant));
         let sampled = Sampled {
             delay: late,
+            follows,
             linear: linear.map(|(plant, _)| plant),
             exact: self.exact(spec),
             gain,
