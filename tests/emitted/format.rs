@@ -35,8 +35,7 @@ fn c_and_cpp_are_formatted() {
         let files = ptc_codegen::generate_selftest(&spec).expect("a self-test");
         files.into_iter().map(|file| (file.name, file.text))
     });
-    let files: Vec<_> =
-        goldens("c").into_iter().chain(goldens("cpp")).into_iter().chain(selftests).collect();
+    let files: Vec<_> = goldens("c").into_iter().chain(goldens("cpp")).chain(selftests).collect();
     let style = format!("--style=file:{}/.clang-format", env!("CARGO_MANIFEST_DIR"));
     formatted(("clang-format", "version 14."), &files, &["--dry-run", "--Werror", &style]);
 }

@@ -10,7 +10,7 @@ use support::entries;
 
 /// A design with its period, the bounds of the chains at the start, the chains of its states and back, and the
 /// chains of its references: a chain is an output with its derivatives.
-pub struct Case {
+pub(crate) struct Case {
     pub text: String,
     pub h: f64,
     pub start: &'static [f64],
@@ -20,7 +20,7 @@ pub struct Case {
 }
 
 /// What runs have to come near to, and what they lose themselves.
-pub struct Nearness {
+pub(crate) struct Nearness {
     /// Of 24 runs so many are from corners of the bounds at the start, the others from a part of these.
     pub corners: u32,
     /// Bounds on the way, and of the inputs, in parts of what the runs reach.
@@ -31,24 +31,24 @@ pub struct Nearness {
 }
 
 /// Bounds of the chains at the deadline, on the way, and of the inputs.
-pub type Bounds = (Vec<f64>, Vec<f64>, Vec<f64>);
+pub(crate) type Bounds = (Vec<f64>, Vec<f64>, Vec<f64>);
 
 const WAY: &str = "on the way, between samples too";
 
 /// What `loop` says of a design.
-pub fn loop_of(text: &str) -> Outcome {
+pub(crate) fn loop_of(text: &str) -> Outcome {
     let (spec, _) = read_design(&entries(text)).unwrap_or_else(|found| panic!("{text}: {found:?}"));
     let report = examine(&spec);
     report.outcomes.into_iter().find(|outcome| outcome.name == "loop").expect("the check")
 }
 
 /// The line that starts so.
-pub fn line<'a>(outcome: &'a Outcome, start: &str) -> &'a str {
+pub(crate) fn line<'a>(outcome: &'a Outcome, start: &str) -> &'a str {
     outcome.details.iter().find(|line| line.starts_with(start)).expect("a line")
 }
 
 /// The bounds of a loop that is proved.
-pub fn bounds(outcome: &Outcome) -> Bounds {
+pub(crate) fn bounds(outcome: &Outcome) -> Bounds {
     assert_eq!(outcome.verdict, Verdict::Sound, "{outcome:?}");
     let way = line(outcome, WAY);
     (chains(&outcome.summary), chains(way), inputs(way))
@@ -70,7 +70,7 @@ fn inputs(line: &str) -> Vec<f64> {
 }
 
 /// That runs with random errors stay within the bounds, and come near to them.
-pub fn stays_within(case: Case, near: &Nearness) {
+pub(crate) fn stays_within(case: Case, near: &Nearness) {
     let Case { text, h, start, chains, states, follows } = case;
     let (last, way, most) = bounds(&loop_of(&text));
     // But for the accuracy of the run itself.
@@ -119,7 +119,7 @@ pub fn stays_within(case: Case, near: &Nearness) {
 
 /// That the verdict turns where `error` crosses the bounds of a design of orders 1 and 2, and where `limits`
 /// cross those of its `inputs`.
-pub fn turns_at_the_bounds(text: &str, inputs: [&str; 2]) {
+pub(crate) fn turns_at_the_bounds(text: &str, inputs: [&str; 2]) {
     let (last, _, most) = bounds(&loop_of(text));
     let error = |part: f64| {
         let [a, b, c] = [0, 1, 2].map(|i| part * last[i]);
@@ -144,13 +144,13 @@ pub fn turns_at_the_bounds(text: &str, inputs: [&str; 2]) {
 }
 
 /// A design without its line `error`.
-pub fn without_error(text: &str) -> String {
+pub(crate) fn without_error(text: &str) -> String {
     let kept = text.lines().filter(|line| !line.starts_with("error = "));
     kept.map(|line| format!("{line}\n")).collect()
 }
 
 /// That designs in which a text is replaced by another have such a verdict with such a reason.
-pub fn has_verdicts(text: &str, all: &[(&str, &str, Verdict, &str)]) {
+pub(crate) fn has_verdicts(text: &str, all: &[(&str, &str, Verdict, &str)]) {
     for (from, to, verdict, why) in all {
         assert!(text.contains(from), "{from}");
         let other = text.replacen(from, to, 1);

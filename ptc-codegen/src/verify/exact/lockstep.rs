@@ -85,8 +85,8 @@ impl<'a> Lockstep<'a> {
             if jobs == [None; LANES] {
                 continue;
             }
-            for ((x, scaled), power) in x.iter_mut().zip(&self.scaled).zip(&self.powers) {
-                *x = Pack::of(|lane| scaled.0[lane] * power.0[lane]);
+            for j in 0..table.n {
+                x[j] = Pack::of(|lane| self.scaled[j].0[lane] * self.powers[j].0[lane]);
             }
             let u = self.control(step);
             let at = At::of((&clock[0], &clock[1]), &Pack::all(step.share));
@@ -166,9 +166,9 @@ impl<'a> Lockstep<'a> {
             for lane in 0..LANES {
                 moved.0[lane] = step.force[i] * self.force.0[lane];
             }
-            for (factor, x) in row.iter().zip(&self.scaled) {
+            for j in 0..n {
                 for lane in 0..LANES {
-                    moved.0[lane] += factor * x.0[lane];
+                    moved.0[lane] += row[j] * self.scaled[j].0[lane];
                 }
             }
         }
@@ -178,9 +178,9 @@ impl<'a> Lockstep<'a> {
     /// u of the law.
     fn control(&self, step: &Step) -> Pack {
         let mut u = Pack::all(0.0);
-        for (factor, x) in step.control.iter().zip(&self.scaled) {
+        for j in 0..self.table.n {
             for lane in 0..LANES {
-                u.0[lane] += factor * x.0[lane];
+                u.0[lane] += step.control[j] * self.scaled[j].0[lane];
             }
         }
         let power = &self.powers[self.table.n];
