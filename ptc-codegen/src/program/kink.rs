@@ -74,10 +74,10 @@ pub fn steady(program: &Program) -> Vec<bool> {
 }
 
 impl Machine {
-    /// The kinks that time or state may cross.
+    /// The kinks of the outputs that time or state may cross.
     pub fn kinks(&self) -> Vec<Kink> {
         let due = [Stage::Tick, Stage::Step].into_iter().flat_map(|stage| self.due(stage));
-        due.filter_map(|value| {
+        due.filter(|value| self.decides(**value)).filter_map(|value| {
             let operation = self.arithmetic(*value)?;
             let (left, right) = match operation {
                 Arithmetic::Call(Function::Sign | Function::Abs, a) => (a, None),

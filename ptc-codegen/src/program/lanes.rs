@@ -30,16 +30,20 @@ impl Pack {
     }
 
     /// A number for each lane.
-    #[inline]
-    pub fn of(number: impl FnMut(usize) -> f64) -> Self {
-        Self(std::array::from_fn(number))
+    #[inline(always)]
+    pub fn of(mut number: impl FnMut(usize) -> f64) -> Self {
+        let mut all = [0.0; LANES];
+        for lane in 0..LANES {
+            all[lane] = number(lane);
+        }
+        Self(all)
     }
 
     /// A function of each number.
-    #[inline]
+    #[inline(always)]
     #[must_use]
-    pub fn map(&self, function: impl FnMut(f64) -> f64) -> Self {
-        Self(self.0.map(function))
+    pub fn map(&self, mut function: impl FnMut(f64) -> f64) -> Self {
+        Self::of(|lane| function(self.0[lane]))
     }
 
     /// Takes some lanes of another pack.
