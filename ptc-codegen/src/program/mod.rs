@@ -237,11 +237,7 @@ impl Program {
         })
     }
 
-    fn reached(
-        &self,
-        roots: &[Value],
-        from: impl Fn(&Op, &mut dyn FnMut(Value)),
-    ) -> Vec<Value> {
+    fn reached(&self, roots: &[Value], from: impl Fn(&Op, &mut dyn FnMut(Value))) -> Vec<Value> {
         let mut wanted = vec![false; roots.iter().map(|root| root.0 + 1).max().unwrap_or(0)];
         for root in roots {
             wanted[root.0] = true;

@@ -15,7 +15,7 @@
 
 use std::sync::Arc;
 
-use super::flow::{Flow, Chain, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Which};
 use super::nodes::{NODES, Nodes};
 use super::system::{System, integrated};
 use crate::program::lanes::{LANES, Pack};
@@ -344,9 +344,7 @@ impl Steps for Collocation {
     fn within(&mut self, at: &Pack, into: &mut [Pack]) {
         let (mut below, weights) = (Pack::all(0.0), &self.nodes.weights);
         into.fill(Pack::all(0.0));
-        let part = Pack::of(|lane| {
-            -(self.from.0[lane] - at.0[lane]).exp_m1() / self.fall.0[lane]
-        });
+        let part = Pack::of(|lane| -(self.from.0[lane] - at.0[lane]).exp_m1() / self.fall.0[lane]);
         for (l, weight) in weights.iter().enumerate() {
             let node = l.checked_sub(1);
             let place = node.map_or(0.0, |node| self.nodes.places[node]);

@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use super::flow::{Flow, Chain, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Which};
 use super::tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::Accuracy;

@@ -24,12 +24,7 @@ impl System {
 
     /// K less what the slopes make of the states that follow from K: with A, which integrates, and P, how fast the
     /// chain goes, x_n = A K and x_i = A P x_(i+1), so that this is 1 - (((S_1 A P + S_2) A P + ...) + S_n) A.
-    pub(super) fn form(
-        &mut self,
-        nodes: &Nodes,
-        pace: &[Pack; NODES],
-        slopes: &[[Pack; NODES]],
-    ) {
+    pub(super) fn form(&mut self, nodes: &Nodes, pace: &[Pack; NODES], slopes: &[[Pack; NODES]]) {
         let Some((first, others)) = slopes.split_first() else { return };
         for node in 0..NODES {
             // A diagonal has one number in a row.
