@@ -5,9 +5,11 @@
 //! An explicit method has to follow these. Steps that scale them out do not help either: what is left
 //! grows like e^(q sigma) beside them, and asks for just as many.
 //!
-//! A polynomial is asked to satisfy the equations at all nodes of a step at once. In a chain, dy_i/dsigma =
-//! pace y_(i+1), its states follow from the rates K of the last component at the nodes, y_n = y_n(0) + h A K
-//! and y_i = y_i(0) + h A pace y_(i+1), so that a system of NODES equations is what is solved, whatever n is.
+//! A polynomial of time is asked to satisfy the equations at all nodes of a step at once: what decays like a
+//! power of time-to-go is close to one, however far time-to-go falls on the step. In a chain, with rates and
+//! pace by the part of the step, dy_i = pace y_(i+1), its states follow from the rates K of the last component
+//! at the nodes, y_n = y_n(0) + A K and y_i = y_i(0) + A pace y_(i+1), so that a system of NODES equations is
+//! what is solved, whatever n is.
 //! Where the plant and the law are linear its first solution is the exact one.
 
 // Lanes are counted, which compilers make vectors of.
