@@ -74,20 +74,21 @@ pub fn steady(program: &Program) -> Vec<bool> {
 }
 
 impl Machine {
-    /// The kinks that time or state may cross.
+    /// The kinks of the outputs that time or state may cross.
     pub fn kinks(&self) -> Vec<Kink> {
         let due = [Stage::Tick, Stage::Step].into_iter().flat_map(|stage| self.due(stage));
-        due.filter_map(|value| {
-            let operation = self.arithmetic(*value)?;
-            let (left, right) = match operation {
-                Arithmetic::Call(Function::Sign | Function::Abs, a) => (a, None),
-                Arithmetic::Min(a, b) | Arithmetic::Max(a, b) => (a, Some(b)),
-                _ => return None,
-            };
-            let (left, right) = (Value(left), right.map(Value));
-            Some(Kink { value: Value(*value), left, right, operation })
-        })
-        .collect()
+        due.filter(|value| self.decides(**value))
+            .filter_map(|value| {
+                let operation = self.arithmetic(*value)?;
+                let (left, right) = match operation {
+                    Arithmetic::Call(Function::Sign | Function::Abs, a) => (a, None),
+                    Arithmetic::Min(a, b) | Arithmetic::Max(a, b) => (a, Some(b)),
+                    _ => return None,
+                };
+                let (left, right) = (Value(left), right.map(Value));
+                Some(Kink { value: Value(*value), left, right, operation })
+            })
+            .collect()
     }
 
     /// Distance from a kink, signed, at the values at present.

@@ -30,7 +30,7 @@ impl Pack {
     }
 
     /// A number for each lane, by a loop, as compilers leave calls in what the library makes arrays with.
-    #[inline]
+    #[inline(always)]
     pub fn of(mut number: impl FnMut(usize) -> f64) -> Self {
         let mut all = [0.0; LANES];
         for lane in 0..LANES {
@@ -40,7 +40,7 @@ impl Pack {
     }
 
     /// A function of each number.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn map(&self, mut function: impl FnMut(f64) -> f64) -> Self {
         Self::of(|lane| function(self.0[lane]))

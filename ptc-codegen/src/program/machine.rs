@@ -28,6 +28,8 @@ struct Plan {
     steps: Vec<Step>,
     /// Of each stage, the values that become known in it, in order of computation.
     due: [Vec<usize>; 5],
+    /// The values on which the outputs depend, in order.
+    deciding: Vec<Value>,
 }
 
 /// What the values are at present.
@@ -80,7 +82,7 @@ impl Machine {
             arrays: vec![Vec::new(); count],
             arguments: Vec::new(),
         };
-        let plan = Arc::new(Plan { steps, due });
+        let plan = Arc::new(Plan { steps, due, deciding: program.deciding(outputs) });
         let mut machine = Self { precision: program.precision, plan, slots };
         for (index, definition) in program.values.iter().enumerate() {
             if definition.stage == Stage::Generation {
@@ -134,6 +136,11 @@ impl Machine {
     /// The values that become known in a stage.
     pub(super) fn due(&self, stage: Stage) -> &[usize] {
         &self.plan.due[stage as usize]
+    }
+
+    /// Whether the outputs depend on a value: see [`Program::deciding`].
+    pub(super) fn decides(&self, index: usize) -> bool {
+        self.plan.deciding.binary_search(&Value(index)).is_ok()
     }
 
     /// How a value comes about, where numbers alone decide it.

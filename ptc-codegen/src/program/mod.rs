@@ -225,13 +225,26 @@ impl Program {
 
     /// The values needed for `roots`, in order of computation.
     pub fn needed(&self, roots: &[Value]) -> Vec<Value> {
+        self.reached(roots, |op, reach| op.each_operand(reach))
+    }
+
+    /// Those on which the numbers of `roots` depend: what only guides the iteration of a [`Root`], such as its
+    /// start, moves the root by less than its rounding.
+    pub fn deciding(&self, roots: &[Value]) -> Vec<Value> {
+        self.reached(roots, |op, reach| match op {
+            Op::Root(root) => reach(root.residual),
+            op => op.each_operand(reach),
+        })
+    }
+
+    fn reached(&self, roots: &[Value], from: impl Fn(&Op, &mut dyn FnMut(Value))) -> Vec<Value> {
         let mut wanted = vec![false; roots.iter().map(|root| root.0 + 1).max().unwrap_or(0)];
         for root in roots {
             wanted[root.0] = true;
         }
         for index in (0..wanted.len()).rev() {
             if wanted[index] {
-                self.values[index].op.each_operand(|operand| wanted[operand.0] = true);
+                from(&self.values[index].op, &mut |operand| wanted[operand.0] = true);
             }
         }
         (0..wanted.len()).filter(|i| wanted[*i]).map(Value).collect()

@@ -1,6 +1,6 @@
 //! Many runs by one method: every lane takes the next one as soon as its own is done.
 
-use super::flow::{Flow, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Which};
 use super::{Clock, Instants, Job, LaneSide, See};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
@@ -10,9 +10,9 @@ use crate::simulate::solver::FIRST;
 /// Steps of a run above which it counts as stiff, as for one that is run by itself.
 const MOST: usize = 1200;
 
-/// Steps after which a run is left where the rest, at the length of the last step, takes more than that:
-/// by then the first steps, which are short, are done.
-const SETTLED: usize = 40;
+/// Steps after which the length of the last one says how many the rest takes: by then the first steps, which
+/// are short, are done.
+const SETTLED: usize = 8;
 
 /// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
 const REFUSED: usize = 200;
@@ -37,11 +37,17 @@ struct Place {
 }
 
 impl Place {
-    /// Whether a run goes on that has come to `at` and takes a step of `step` next.
-    fn goes_on(&self, at: f64, step: f64) -> bool {
+    /// The way that is left from a sigma.
+    fn left(&self, at: f64) -> f64 {
+        self.finish - at
+    }
+
+    /// Whether a run goes on that has come to `at` and takes a step of `step` next, where the rest is worth
+    /// `most` of them.
+    fn goes_on(&self, (at, step): (f64, f64), most: f64) -> bool {
         #[allow(clippy::cast_precision_loss)]
-        let left = MOST as f64 - self.steps as f64;
-        let is_stiff = self.steps >= SETTLED && (self.finish - at) / step > left;
+        let most = most.min(MOST as f64 - self.steps as f64);
+        let is_stiff = self.steps >= SETTLED && self.left(at) / step > most;
         !is_stiff && self.steps < MOST && self.refused < REFUSED
     }
 }
@@ -61,6 +67,30 @@ impl Due {
         let finish = -last.copied().unwrap_or(1.0).ln();
         let place = Place { job: index, piece: 0, next: 0, finish, steps: 0, refused: 0 };
         Self { place, at: 0.0, step: FIRST, y: None }
+    }
+
+    /// The same by a method whose steps are longer.
+    pub(super) fn longer(self, factor: f64) -> Self {
+        Self { step: factor * self.step, ..self }
+    }
+}
+
+/// A side at the times of its lanes.
+struct Clocked<'a, S> {
+    side: &'a mut S,
+    clock: &'a Clock,
+}
+
+impl<S: LaneSide> Chain for Clocked<'_, S> {
+    fn last(&mut self, share: &Pack, state: &[Pack], again: bool) -> [Pack; 2] {
+        self.side.last(&self.clock.at(share), state, again)
+    }
+
+    fn late(&self, share: &Pack) -> Pack {
+        match self.side.rounds_time() {
+            true => self.clock.late(share),
+            false => Pack::all(0.0),
+        }
     }
 }
 
@@ -216,26 +246,27 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
                 self.places[lane] = None;
             }
         }
-        method.begin(fresh, &mut |share, y, again| side.last(&clock.at(share), y, again));
+        method.begin(fresh, &mut Clocked { side: *side, clock });
     }
 
     fn step(&mut self, see: See<'_>) {
         let active: Which = self.places.map(|place| place.is_some());
         let Self { side, clock, method, end, .. } = self;
         let from = method.flow().at;
-        let moved =
-            method.step(&active, end, &mut |share, y, again| side.last(&clock.at(share), y, again));
+        let mut chain = Clocked { side: *side, clock };
+        let moved = method.step(&active, end, &mut chain);
         if moved.contains(&true) {
-            method.accept(&moved, &mut |share, y, again| side.last(&clock.at(share), y, again));
+            method.accept(&moved, &mut chain);
         }
         let mut stays = [true; LANES];
         for lane in (0..LANES).filter(|lane| active[*lane]) {
             let Flow { at, step, y } = self.method.flow();
+            let (at, step) = (at.0[lane], step.0[lane]);
             let finite = y.iter().all(|y| y.0[lane].is_finite());
             if let Some(place) = self.places[lane].as_mut().filter(|_| finite) {
                 place.steps += 1;
                 place.refused += usize::from(!moved[lane]);
-                stays[lane] = place.goes_on(at.0[lane], step.0[lane]);
+                stays[lane] = place.goes_on((at, step), self.method.worth(place.left(at)));
             } else {
                 self.places[lane] = None;
             }

@@ -5,9 +5,11 @@
 //! An explicit method has to follow these. Steps that scale them out do not help either: what is left
 //! grows like e^(q sigma) beside them, and asks for just as many.
 //!
-//! A polynomial is asked to satisfy the equations at all nodes of a step at once. In a chain, dy_i/dsigma =
-//! pace y_(i+1), its states follow from the rates K of the last component at the nodes, y_n = y_n(0) + h A K
-//! and y_i = y_i(0) + h A pace y_(i+1), so that a system of NODES equations is what is solved, whatever n is.
+//! A polynomial of time is asked to satisfy the equations at all nodes of a step at once: what decays like a
+//! power of time-to-go is close to one, however far time-to-go falls on the step. In a chain, with rates and
+//! pace by the part of the step, dy_i = pace y_(i+1), its states follow from the rates K of the last component
+//! at the nodes, y_n = y_n(0) + A K and y_i = y_i(0) + A pace y_(i+1), so that a system of NODES equations is
+//! what is solved, whatever n is.
 //! Where the plant and the law are linear its first solution is the exact one.
 
 // Lanes are counted, which compilers make vectors of.
@@ -15,15 +17,21 @@
 
 use std::sync::Arc;
 
-use super::flow::{Flow, LastRate, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Which};
 use super::nodes::{NODES, Nodes};
-use super::system::System;
+use super::system::{System, integrated};
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::Accuracy;
 
 /// A step is what its error allows times this, and changes by factors between these.
 const SAFETY: f64 = 0.9;
 const FACTORS: [f64; 2] = [0.2, 4.0];
+
+/// The part of the state at the begin of a step that counts for its size, beside that at the end.
+const START: f64 = 0.1;
+
+/// Longest step, in sigma: time-to-go falls by a factor of e.
+const LONGEST: f64 = 1.0;
 
 /// The difference by which a slope is formed, as a part of the state.
 const MOVED: f64 = 1e-6;
@@ -49,9 +57,11 @@ pub(super) struct Collocation {
     nodes: Arc<Nodes>,
     accuracy: Accuracy,
     flow: Flow,
-    /// The last step.
+    /// The last step: where it begins, T/tau there, its length and by what part T falls on it.
     from: Pack,
+    share: Pack,
     length: Pack,
+    fall: Pack,
     /// The error that a step may have, and that of the step that was refused before; 0 for none.
     allowed: Pack,
     refused: Pack,
@@ -63,6 +73,8 @@ pub(super) struct Collocation {
     /// At each node: how fast the chain goes, and the slopes of the last rate by the components.
     pace: [Pack; NODES],
     slopes: Vec<[Pack; NODES]>,
+    /// By which part of the step each last rate is computed later.
+    late: [Pack; NODES],
     system: System,
 }
 
@@ -75,7 +87,9 @@ impl Collocation {
             accuracy,
             flow: Flow::new(order),
             from: Pack::all(0.0),
+            share: Pack::all(1.0),
             length: Pack::all(0.0),
+            fall: Pack::all(0.0),
             allowed: Pack::all(1.0),
             refused: Pack::all(0.0),
             first: vec![Pack::all(0.0); order],
@@ -83,6 +97,7 @@ impl Collocation {
             k: NONE,
             pace: NONE,
             slopes: vec![NONE; order],
+            late: NONE,
             system: System::new(),
         }
     }
@@ -90,31 +105,41 @@ impl Collocation {
     /// T/tau at a node.
     fn share(&self, node: usize) -> Pack {
         let place = self.nodes.places[node];
-        Pack::of(|lane| (-(self.from.0[lane] + place * self.length.0[lane])).exp())
+        Pack::of(|lane| self.share.0[lane] * (1.0 - place * self.fall.0[lane]))
     }
 
-    /// h A times values at the nodes.
-    fn integrated(&self, values: &[Pack; NODES]) -> [Pack; NODES] {
-        let mut integrals = NONE;
-        for (integral, row) in integrals.iter_mut().zip(&self.nodes.integrals) {
-            for (weight, value) in row.iter().zip(values) {
-                for lane in 0..LANES {
-                    integral.0[lane] += weight * value.0[lane];
-                }
-            }
-            for lane in 0..LANES {
-                integral.0[lane] *= self.length.0[lane];
-            }
+    /// sigma by the part of the step at a node.
+    fn factor(&self, node: usize) -> Pack {
+        let place = self.nodes.places[node];
+        self.fall.map(|fall| fall / (1.0 - place * fall))
+    }
+
+    /// Of the pace and the last rate at a node, by sigma, those by the part of the step.
+    fn on_step(&self, node: usize, rates: [Pack; 2]) -> [Pack; 2] {
+        let factor = self.factor(node);
+        rates.map(|rate| Pack::of(|lane| factor.0[lane] * rate.0[lane]))
+    }
+
+    /// The state where the last rate of a node is computed, which is that of the node but for the rounding of time.
+    /// Near the deadline the law amplifies that by far more than the accuracy of a step.
+    fn computed(&self, node: usize, state: &mut [Pack]) {
+        let late = &self.late[node];
+        for (i, state) in state.iter_mut().enumerate() {
+            let pace = &self.pace[node];
+            let rate = match self.x.get(i + 1) {
+                Some(x) => Pack::of(|lane| pace.0[lane] * x[node].0[lane]),
+                None => self.k[node],
+            };
+            let x = &self.x[i][node];
+            *state = Pack::of(|lane| x.0[lane] + late.0[lane] * rate.0[lane]);
         }
-        integrals
     }
 
     /// The states that follow from the last rates.
-    fn follow(&self) -> Vec<[Pack; NODES]> {
-        let mut x = vec![NONE; self.first.len()];
+    fn follow(&mut self) {
         let mut rate = self.k;
-        for (x, first) in x.iter_mut().zip(&self.first).rev() {
-            *x = self.integrated(&rate);
+        for (x, first) in self.x.iter_mut().zip(&self.first).rev() {
+            *x = integrated(&rate, &self.nodes.integrals);
             for node in 0..NODES {
                 for lane in 0..LANES {
                     x[node].0[lane] += first.0[lane];
@@ -122,17 +147,16 @@ impl Collocation {
                 }
             }
         }
-        x
     }
 
     /// The equations, linear around the state at the begin of the step, and their first solution.
-    fn begin_step(&mut self, last: LastRate<'_>) {
+    fn begin_step(&mut self, chain: &mut dyn Chain) {
         let mut state = self.first.clone();
         let mut right = NONE;
         for node in 0..NODES {
             let share = self.share(node);
             let base;
-            [self.pace[node], base] = last(&share, &state, false);
+            [self.pace[node], base] = self.on_step(node, chain.last(&share, &state, false));
             for i in 0..state.len() {
                 let own = state[i];
                 let size = Pack::of(|lane| {
@@ -140,17 +164,20 @@ impl Collocation {
                     MOVED * own.0[lane].abs().max(SMALL * most).max(f64::MIN_POSITIVE / MOVED)
                 });
                 state[i] = Pack::of(|lane| own.0[lane] + size.0[lane]);
-                let [_, there] = last(&share, &state, true);
+                let [_, there] = self.on_step(node, chain.last(&share, &state, true));
                 self.slopes[i][node] = Pack::of(|lane| {
                     (there.0[lane] - base.0[lane]) / (state[i].0[lane] - own.0[lane])
                 });
                 state[i] = own;
             }
             right[node] = base;
+            let factor = self.factor(node);
+            let late = chain.late(&share);
+            self.late[node] = Pack::of(|lane| late.0[lane] / factor.0[lane]);
         }
         self.k = NONE;
-        let off = self.follow();
-        for ((off, slopes), first) in off.iter().zip(&self.slopes).zip(&self.first) {
+        self.follow();
+        for ((off, slopes), first) in self.x.iter().zip(&self.slopes).zip(&self.first) {
             for node in 0..NODES {
                 for lane in 0..LANES {
                     let off = off[node].0[lane] - first.0[lane];
@@ -158,53 +185,63 @@ impl Collocation {
                 }
             }
         }
-        self.system.form(&self.nodes, &self.length, &self.pace, &self.slopes);
+        self.system.form(&self.nodes, &self.pace, &self.slopes);
         self.system.solve(&mut right);
         self.k = right;
-        self.x = self.follow();
+        self.follow();
     }
 
     /// A lane keeps its numbers from where its equations are solved; the lanes in which they are.
-    fn solve(&mut self, active: &Which, last: LastRate<'_>) -> Which {
+    fn solve(&mut self, active: &Which, chain: &mut dyn Chain) -> Which {
         let mut left = *active;
         let mut state = self.first.clone();
+        // Of the first solution, from the state at the begin of the step.
+        let mut before = self.change(|i, _| &self.first[i]);
         for _ in 0..ROUNDS {
             let mut right = NONE;
             for node in 0..NODES {
-                for (state, x) in state.iter_mut().zip(&self.x) {
-                    *state = x[node];
-                }
-                let [_, rate] = last(&self.share(node), &state, false);
+                self.computed(node, &mut state);
+                let [_, rate] = self.on_step(node, chain.last(&self.share(node), &state, false));
                 right[node] = Pack::of(|lane| rate.0[lane] - self.k[node].0[lane]);
             }
             self.system.solve(&mut right);
             for node in 0..NODES {
-                let new = Pack::of(|lane| self.k[node].0[lane] + right[node].0[lane]);
-                self.k[node].take(&new, &left);
-            }
-            let x = self.follow();
-            let weights = self.weights();
-            let mut most = Pack::all(0.0);
-            for i in 0..x.len() {
-                for node in 0..NODES {
-                    for lane in 0..LANES {
-                        let change = (x[i][node].0[lane] - self.x[i][node].0[lane]).abs();
-                        let part = change * weights[i].0[lane];
-                        // What is no number is not solved.
-                        most.0[lane] = if part <= most.0[lane] { most.0[lane] } else { part };
-                    }
-                    self.x[i][node].take(&x[i][node], &left);
+                for lane in (0..LANES).filter(|lane| left[*lane]) {
+                    self.k[node].0[lane] += right[node].0[lane];
                 }
             }
+            let old = self.x.clone();
+            self.follow();
+            let change = self.change(|i, node| &old[i][node]);
             for lane in 0..LANES {
-                let solved = most.0[lane] <= SOLVED * self.allowed.0[lane];
+                let (change, before) = (change.0[lane], before.0[lane]);
+                // Each round leaves the same part of what was left.
+                let next = if change < before { change * (change / before) } else { change };
+                let solved = change.min(next) <= SOLVED * self.allowed.0[lane];
                 left[lane] &= !solved;
             }
+            before = change;
             if left == [false; LANES] {
                 break;
             }
         }
         std::array::from_fn(|lane| active[lane] && !left[lane])
+    }
+
+    /// How far the states are from others, as a part of what an error counts; infinite for what is no number.
+    fn change<'a>(&'a self, other: impl Fn(usize, usize) -> &'a Pack) -> Pack {
+        let mut most = Pack::all(0.0);
+        for (i, (x, weight)) in self.x.iter().zip(self.weights()).enumerate() {
+            for node in 0..NODES {
+                let other = other(i, node);
+                for lane in 0..LANES {
+                    let part = (x[node].0[lane] - other.0[lane]).abs() * weight.0[lane];
+                    let part = if part.is_nan() { f64::INFINITY } else { part };
+                    most.0[lane] = most.0[lane].max(part);
+                }
+            }
+        }
+        most
     }
 
     /// Of each component what an error counts.
@@ -214,7 +251,7 @@ impl Collocation {
         let both = self.first.iter().zip(&self.x);
         both.map(|(first, x)| {
             Pack::of(|lane| {
-                let size = first.0[lane].abs().max(x[NODES - 1].0[lane].abs());
+                let size = (START * first.0[lane].abs()).max(x[NODES - 1].0[lane].abs());
                 // A state counts as accurate within the accuracy of those before it.
                 most.0[lane] = f64::max(most.0[lane], size);
                 1.0 / (relative * most.0[lane] + absolute)
@@ -244,7 +281,7 @@ impl Collocation {
                 let term = tail[0].0[lane].abs().max(0.1 * tail[1].0[lane].abs());
                 // The integral of P_j over a part of a step is 1/(2 j + 1) of it at most.
                 #[allow(clippy::cast_precision_loss)]
-                let part = self.length.0[lane] * term / (2 * NODES - 1) as f64 * weight.0[lane];
+                let part = term / (2 * NODES - 1) as f64 * weight.0[lane];
                 error.0[lane] = if part <= error.0[lane] { error.0[lane] } else { part };
             }
         }
@@ -257,18 +294,20 @@ impl Steps for Collocation {
         &mut self.flow
     }
 
-    fn begin(&mut self, lanes: &Which, _: LastRate<'_>) {
+    fn begin(&mut self, lanes: &Which, _: &mut dyn Chain) {
         self.allowed.take(&Pack::all(1.0), lanes);
         self.refused.take(&Pack::all(0.0), lanes);
     }
 
-    fn step(&mut self, active: &Which, end: &Pack, last: LastRate<'_>) -> Which {
+    fn step(&mut self, active: &Which, end: &Pack, chain: &mut dyn Chain) -> Which {
         self.from = self.flow.at;
         let cut;
+        self.share = self.from.map(|from| (-from).exp());
         (self.length, cut) = self.flow.lengths(active, end);
+        self.fall = self.length.map(|length| -(-length).exp_m1());
         self.first.copy_from_slice(&self.flow.y);
-        self.begin_step(last);
-        let solved = self.solve(active, last);
+        self.begin_step(chain);
+        let solved = self.solve(active, chain);
         let error = self.error();
         let loosest = (LOOSEST / self.accuracy.relative).max(1.0);
         std::array::from_fn(|lane| {
@@ -282,20 +321,22 @@ impl Steps for Collocation {
                     self.allowed.0[lane] = (LOOSER * self.allowed.0[lane]).min(loosest);
                     self.refused.0[lane] = 0.0;
                 }
-                // By the eighth root, or the sixteenth: on the safe side of the twelfth.
+                // By the eighth root, or the sixteenth and the 64th: on the safe side of the twelfth.
                 let root = error.sqrt().sqrt().sqrt();
-                let wanted = SAFETY / if moved { root.sqrt() } else { root };
+                let half = root.sqrt();
+                let wanted = SAFETY / if moved { half * half.sqrt().sqrt() } else { root };
                 let [least, most] = FACTORS;
                 let is_known = solved[lane] && !wanted.is_nan();
                 let factor = if is_known { wanted.clamp(least, most) } else { least };
                 let length = self.length.0[lane];
+                let factor = factor.min(LONGEST / length);
                 self.flow.go_on(lane, (moved, cut[lane]), (length, factor), end.0[lane]);
             }
             moved
         })
     }
 
-    fn accept(&mut self, moved: &Which, _: LastRate<'_>) {
+    fn accept(&mut self, moved: &Which, _: &mut dyn Chain) {
         for (y, x) in self.flow.y.iter_mut().zip(&self.x) {
             y.take(&x[NODES - 1], moved);
         }
@@ -305,7 +346,7 @@ impl Steps for Collocation {
     fn within(&mut self, at: &Pack, into: &mut [Pack]) {
         let (mut below, weights) = (Pack::all(0.0), &self.nodes.weights);
         into.fill(Pack::all(0.0));
-        let part = Pack::of(|lane| (at.0[lane] - self.from.0[lane]) / self.length.0[lane]);
+        let part = Pack::of(|lane| -(self.from.0[lane] - at.0[lane]).exp_m1() / self.fall.0[lane]);
         for (l, weight) in weights.iter().enumerate() {
             let node = l.checked_sub(1);
             let place = node.map_or(0.0, |node| self.nodes.places[node]);

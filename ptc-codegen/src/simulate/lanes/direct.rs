@@ -86,6 +86,10 @@ impl LaneSide for DirectLanes {
         std::array::from_fn(|lane| law[lane] || motion[lane])
     }
 
+    fn rounds_time(&self) -> bool {
+        true
+    }
+
     fn begin(&mut self, _: &At, x0: &[Pack]) -> Vec<Pack> {
         x0.to_vec()
     }

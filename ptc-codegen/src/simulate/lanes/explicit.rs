@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use super::flow::{Flow, LastRate, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Which};
 use super::tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::Accuracy;
@@ -21,6 +21,12 @@ const FACTORS: [f64; 2] = [0.2, 10.0];
 
 /// The difference by which a slope is formed, as a part of the state.
 const MOVED: f64 = 1e-6;
+
+/// What collocation takes instead: a step of it as many of these for each component and one more, on a way of
+/// this length each, once some that are shorter have brought it to where that suffices.
+const DEARER: f64 = 1.5;
+const FAR: f64 = 0.3;
+const SHORT: f64 = 6.0;
 
 /// The rates, by sigma, at a T/tau and a state of each lane.
 type Rates<'a> = &'a mut dyn FnMut(&Pack, &[Pack], &mut [Pack]);
@@ -271,9 +277,9 @@ impl Explicit {
 }
 
 /// All rates of a chain, from that of its last component.
-fn rates_of(last: LastRate<'_>) -> impl FnMut(&Pack, &[Pack], &mut [Pack]) {
+fn rates_of(chain: &mut dyn Chain) -> impl FnMut(&Pack, &[Pack], &mut [Pack]) {
     |share, state, rates| {
-        let [pace, rate] = last(share, state, false);
+        let [pace, rate] = chain.last(share, state, false);
         let end = state.len() - 1;
         for i in 0..end {
             for lane in 0..LANES {
@@ -289,20 +295,26 @@ impl Steps for Explicit {
         &mut self.flow
     }
 
-    fn begin(&mut self, lanes: &Which, last: LastRate<'_>) {
+    fn worth(&self, left: f64) -> f64 {
+        #[allow(clippy::cast_precision_loss)]
+        let dearer = DEARER * (self.order + 1) as f64;
+        dearer * (left / FAR + SHORT)
+    }
+
+    fn begin(&mut self, lanes: &Which, chain: &mut dyn Chain) {
         let share = self.flow.at.map(|at| (-at).exp());
-        rates_of(last)(&share, &self.flow.y, &mut self.state);
+        rates_of(chain)(&share, &self.flow.y, &mut self.state);
         for (rate, new) in self.rate.iter_mut().zip(&self.state) {
             rate.take(new, lanes);
         }
     }
 
-    fn step(&mut self, active: &Which, end: &Pack, last: LastRate<'_>) -> Which {
-        self.take(active, end, &mut rates_of(last))
+    fn step(&mut self, active: &Which, end: &Pack, chain: &mut dyn Chain) -> Which {
+        self.take(active, end, &mut rates_of(chain))
     }
 
-    fn accept(&mut self, moved: &Which, last: LastRate<'_>) {
-        self.finish(moved, &mut rates_of(last));
+    fn accept(&mut self, moved: &Which, chain: &mut dyn Chain) {
+        self.finish(moved, &mut rates_of(chain));
     }
 
     fn within(&mut self, at: &Pack, into: &mut [Pack]) {

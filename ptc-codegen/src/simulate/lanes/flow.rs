@@ -5,9 +5,15 @@ use crate::program::lanes::{LANES, Pack};
 /// Lanes that something is true of.
 pub(super) type Which = [bool; LANES];
 
-/// Of a chain, by sigma, at a T/tau and a state of each lane: how fast it goes, dy_i = pace y_(i+1), and the
-/// rate of its last component; whether T is as it was at the call before.
-pub(super) type LastRate<'a> = &'a mut dyn FnMut(&Pack, &[Pack], bool) -> [Pack; 2];
+/// What is integrated: a chain by sigma, of which T/tau and the states of the lanes are given.
+pub(super) trait Chain {
+    /// How fast it goes, dy_i = pace y_(i+1), and the rate of its last component; whether T is as it was at the
+    /// call before.
+    fn last(&mut self, share: &Pack, state: &[Pack], again: bool) -> [Pack; 2];
+
+    /// By how much later, in sigma, the last component is computed than asked, as times are rounded.
+    fn late(&self, share: &Pack) -> Pack;
+}
 
 /// Where each lane is.
 #[derive(Clone, Debug)]
@@ -23,16 +29,22 @@ pub(super) struct Flow {
 pub(super) trait Steps {
     fn flow(&mut self) -> &mut Flow;
 
+    /// How many steps a rest of a run is worth: where it takes more, it is left to another method.
+    fn worth(&self, left: f64) -> f64 {
+        let _ = left;
+        f64::INFINITY
+    }
+
     /// Begins anew in some lanes, where they are.
-    fn begin(&mut self, lanes: &Which, last: LastRate<'_>);
+    fn begin(&mut self, lanes: &Which, chain: &mut dyn Chain);
 
     /// A step in each of the `active` lanes, at most to its `end`; those whose step is accurate enough
     /// are to [`accept`](Self::accept) it.
-    fn step(&mut self, active: &Which, end: &Pack, last: LastRate<'_>) -> Which;
+    fn step(&mut self, active: &Which, end: &Pack, chain: &mut dyn Chain) -> Which;
 
     /// Takes the step of the lanes that `moved`: afterwards [`within`](Self::within) gives their states
     /// in it.
-    fn accept(&mut self, moved: &Which, last: LastRate<'_>);
+    fn accept(&mut self, moved: &Which, chain: &mut dyn Chain);
 
     /// The state of each lane at a sigma in its last step.
     fn within(&mut self, at: &Pack, into: &mut [Pack]);

@@ -92,7 +92,25 @@ impl Clock {
     fn at(&self, share: &Pack) -> At {
         At::of((&self.tau, &self.t0), share)
     }
+
+    /// By how much later, in sigma, t is than where a share of tau is left.
+    fn late(&self, share: &Pack) -> Pack {
+        let at = self.at(share);
+        Pack::of(|lane| {
+            let (t0, tau, t) = (self.t0.0[lane], self.tau.0[lane], at.t.0[lane]);
+            let deadline = t0 + tau;
+            // What the deadline is rounded by.
+            let part = deadline - t0;
+            let rest = (t0 - (deadline - part)) + (tau - part);
+            let time_to_go = (deadline - t) + rest;
+            let late = at.time_to_go.0[lane] / time_to_go - 1.0;
+            if late.abs() < LATE { late } else { 0.0 }
+        })
+    }
 }
+
+/// What rounds a time by more than this, in sigma, leaves no time that is another than the deadline.
+const LATE: f64 = 0.1;
 
 /// One side of Theorem 1 in lanes.
 pub trait LaneSide {
@@ -130,6 +148,11 @@ pub trait LaneSide {
     /// The plant's state and the control.
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack);
 
+    /// Whether it computes with t, as it is rounded, and not with T.
+    fn rounds_time(&self) -> bool {
+        false
+    }
+
     /// What |u| has to stay below in each lane, for the run to be that without a bound.
     fn bound(&self) -> Option<Pack> {
         None
@@ -139,6 +162,9 @@ pub trait LaneSide {
 /// The accuracy of a step, as a part of what is asked for: that of the dense output, whose order is one
 /// less, is ten times as large.
 const CLOSER: f64 = 0.1;
+
+/// What a step of collocation is longer by than one of the explicit method, where a run turns out to be stiff.
+const LONGER: f64 = 4.0;
 
 /// Runs the jobs, and hands over their instants: of each job in order, of all in any. Whether each came
 /// to its end; what was seen of one that did not counts for nothing.
@@ -154,6 +180,7 @@ pub fn run<S: LaneSide>(
     let explicit = Explicit::new(side.order(), side.slant(), accuracy);
     let stiff = Batch::of(side, jobs, due, &mut done, explicit).run(see);
     if !stiff.is_empty() {
+        let stiff = stiff.into_iter().map(|due| due.longer(LONGER)).collect();
         let collocation = Collocation::new(side.order(), accuracy);
         Batch::of(side, jobs, stiff, &mut done, collocation).run(see);
     }

@@ -13,6 +13,8 @@ pub(super) struct Nodes {
     pub(super) places: Row,
     /// Integrals from 0 to each node, of the polynomial with these values at the nodes.
     pub(super) integrals: [Row; NODES],
+    /// The same, column by column.
+    pub(super) by_column: [Row; NODES],
     /// The last two coefficients of that polynomial in Legendre's, the highest first.
     pub(super) tail: [Row; 2],
     /// Barycentric weights of 0 and the nodes.
@@ -39,13 +41,13 @@ impl Nodes {
         let places = points.map(|point| 0.5 * (1.0 + point));
         let all: [f64; NODES + 1] =
             std::array::from_fn(|l| l.checked_sub(1).map_or(0.0, |l| places[l]));
+        let integrals: [Row; NODES] = std::array::from_fn(|l| {
+            std::array::from_fn(|m| (0..NODES).map(|j| integral(l, j) * coefficients[j][m]).sum())
+        });
         Self {
             places,
-            integrals: std::array::from_fn(|l| {
-                std::array::from_fn(|m| {
-                    (0..NODES).map(|j| integral(l, j) * coefficients[j][m]).sum()
-                })
-            }),
+            integrals,
+            by_column: std::array::from_fn(|m| integrals.map(|row| row[m])),
             tail: [coefficients[NODES - 1], coefficients[NODES - 2]],
             weights: std::array::from_fn(|l| {
                 let others = (0..=NODES).filter(|m| *m != l);

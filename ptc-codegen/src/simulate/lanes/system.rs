@@ -9,100 +9,78 @@ use crate::program::lanes::{LANES, Pack};
 /// Equations for a number at each node, as factors.
 #[derive(Clone, Debug)]
 pub(super) struct System {
-    /// Rows.
+    /// Rows, with the inverses of the pivots in their places.
     factors: Box<[[Pack; NODES]; NODES]>,
     /// The row that each lane exchanges with each one.
     pivots: [[usize; LANES]; NODES],
-    /// From the last rates to a component, and to the one before it.
-    map: Box<[[Pack; NODES]; NODES]>,
-    next: Box<[[Pack; NODES]; NODES]>,
 }
 
-const NONE: [[Pack; NODES]; NODES] = [[Pack::all(0.0); NODES]; NODES];
+const NONE: [Pack; NODES] = [Pack::all(0.0); NODES];
 
 impl System {
     pub(super) fn new() -> Self {
-        let none = || Box::new(NONE);
-        Self { factors: none(), pivots: [[0; LANES]; NODES], map: none(), next: none() }
+        Self { factors: Box::new([NONE; NODES]), pivots: [[0; LANES]; NODES] }
     }
 
-    /// K less what the slopes make of the states that follow from K, on a step of each lane.
-    pub(super) fn form(
-        &mut self,
-        nodes: &Nodes,
-        length: &Pack,
-        pace: &[Pack; NODES],
-        slopes: &[[Pack; NODES]],
-    ) {
-        *self.factors = NONE;
-        for row in 0..NODES {
-            self.factors[row][row] = Pack::all(1.0);
+    /// K less what the slopes make of the states that follow from K: with A, which integrates, and P, how fast the
+    /// chain goes, x_n = A K and x_i = A P x_(i+1), so that this is 1 - (((S_1 A P + S_2) A P + ...) + S_n) A.
+    pub(super) fn form(&mut self, nodes: &Nodes, pace: &[Pack; NODES], slopes: &[[Pack; NODES]]) {
+        let Some((first, others)) = slopes.split_first() else { return };
+        for node in 0..NODES {
+            // A diagonal has one number in a row.
+            let mut own = NONE;
             for column in 0..NODES {
-                self.map[row][column] = length.map(|length| nodes.integrals[row][column] * length);
+                own[column] = first[node].map(|slope| slope * nodes.integrals[node][column]);
             }
-        }
-        for (i, slopes) in slopes.iter().enumerate().rev() {
-            for row in 0..NODES {
+            for slopes in others {
                 for column in 0..NODES {
                     for lane in 0..LANES {
-                        self.factors[row][column].0[lane] -=
-                            slopes[row].0[lane] * self.map[row][column].0[lane];
+                        own[column].0[lane] *= pace[column].0[lane];
                     }
                 }
+                for lane in 0..LANES {
+                    own[node].0[lane] += slopes[node].0[lane];
+                }
+                own = integrated(&own, &nodes.by_column);
             }
-            if i > 0 {
-                self.before(nodes, length, pace);
+            let row = &mut self.factors[node];
+            for column in 0..NODES {
+                row[column] = own[column].map(|own| -own);
+            }
+            for lane in 0..LANES {
+                row[node].0[lane] += 1.0;
             }
         }
         self.factor();
     }
 
-    /// The map to the component before.
-    fn before(&mut self, nodes: &Nodes, length: &Pack, pace: &[Pack; NODES]) {
-        let Self { map, next, .. } = self;
-        for (own, pace) in map.iter_mut().zip(pace) {
-            for value in own {
-                for lane in 0..LANES {
-                    value.0[lane] *= pace.0[lane] * length.0[lane];
-                }
-            }
-        }
-        **next = NONE;
-        for (next, weights) in next.iter_mut().zip(&nodes.integrals) {
-            for (own, weight) in map.iter().zip(weights) {
-                for column in 0..NODES {
-                    for lane in 0..LANES {
-                        next[column].0[lane] += weight * own[column].0[lane];
-                    }
-                }
-            }
-        }
-        std::mem::swap(map, next);
-    }
-
     fn factor(&mut self) {
         let factors = &mut self.factors;
         for step in 0..NODES {
-            for lane in 0..LANES {
-                let mut pivot = step;
-                for row in step + 1..NODES {
-                    let [own, most] = [row, pivot].map(|row| factors[row][step].0[lane].abs());
-                    pivot = if own > most { row } else { pivot };
-                }
-                self.pivots[step][lane] = pivot;
-                for column in (0..NODES).filter(|_| pivot != step) {
-                    let own = factors[step][column].0[lane];
-                    factors[step][column].0[lane] = factors[pivot][column].0[lane];
-                    factors[pivot][column].0[lane] = own;
+            let mut most = factors[step][step].map(f64::abs);
+            let mut pivots = [step; LANES];
+            for row in step + 1..NODES {
+                for lane in 0..LANES {
+                    let own = factors[row][step].0[lane].abs();
+                    if own > most.0[lane] {
+                        (most.0[lane], pivots[lane]) = (own, row);
+                    }
                 }
             }
-            let (above, below) = factors.split_at_mut(step + 1);
-            let pivot = &above[step];
-            for row in below {
-                for lane in 0..LANES {
-                    row[step].0[lane] /= pivot[step].0[lane];
+            for lane in (0..LANES).filter(|lane| pivots[*lane] != step) {
+                for column in 0..NODES {
+                    let own = factors[step][column].0[lane];
+                    factors[step][column].0[lane] = factors[pivots[lane]][column].0[lane];
+                    factors[pivots[lane]][column].0[lane] = own;
                 }
-                let factor = row[step];
+            }
+            self.pivots[step] = pivots;
+            factors[step][step] = factors[step][step].map(|own| 1.0 / own);
+            let pivot = factors[step];
+            for row in step + 1..NODES {
+                let row = &mut factors[row];
+                let factor = Pack::of(|lane| row[step].0[lane] * pivot[step].0[lane]);
+                row[step] = factor;
                 for column in step + 1..NODES {
                     for lane in 0..LANES {
                         row[column].0[lane] -= factor.0[lane] * pivot[column].0[lane];
@@ -123,21 +101,40 @@ impl System {
             }
         }
         for row in 0..NODES {
+            let mut own = right[row];
             for column in 0..row {
-                for lane in 0..LANES {
-                    right[row].0[lane] -= self.factors[row][column].0[lane] * right[column].0[lane];
-                }
+                less(&mut own, &self.factors[row][column], &right[column]);
             }
+            right[row] = own;
         }
         for row in (0..NODES).rev() {
+            let mut own = right[row];
             for column in row + 1..NODES {
-                for lane in 0..LANES {
-                    right[row].0[lane] -= self.factors[row][column].0[lane] * right[column].0[lane];
-                }
+                less(&mut own, &self.factors[row][column], &right[column]);
             }
-            for lane in 0..LANES {
-                right[row].0[lane] /= self.factors[row][row].0[lane];
-            }
+            right[row] = Pack::of(|lane| own.0[lane] * self.factors[row][row].0[lane]);
         }
     }
+}
+
+#[inline(always)]
+fn less(own: &mut Pack, factor: &Pack, solved: &Pack) {
+    for lane in 0..LANES {
+        own.0[lane] -= factor.0[lane] * solved.0[lane];
+    }
+}
+
+/// The products of a row with some columns.
+pub(super) fn integrated(row: &[Pack; NODES], columns: &[[f64; NODES]; NODES]) -> [Pack; NODES] {
+    let mut products = NONE;
+    for (product, column) in products.iter_mut().zip(columns) {
+        let mut sum = [0.0; LANES];
+        for node in 0..NODES {
+            for lane in 0..LANES {
+                sum[lane] += column[node] * row[node].0[lane];
+            }
+        }
+        *product = Pack(sum);
+    }
+    products
 }
