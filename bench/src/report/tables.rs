@@ -238,8 +238,8 @@ pub(super) fn builds(text: &mut String, builds: Builds) {
     text.push_str("\n| build | processor s |\n| --- | ---: |\n");
     let Builds { command, lab, tests, user, none, one, twenty } = builds;
     for (what, seconds) in [
-        ("`cargo build --release -p ptc-codegen`, from nothing", command),
-        ("the same with `--features lab`", lab),
+        ("`cargo build -p ptc-codegen`, from nothing", command),
+        ("`cargo build --release -p ptc-codegen --features lab`, from nothing", lab),
         ("`cargo test --workspace`, from nothing, tests run", tests),
         ("a crate with one controller, `cargo build`, from nothing", user),
         ("after a change, no controller", none),

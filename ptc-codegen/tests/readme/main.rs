@@ -149,7 +149,7 @@ fn blocks_of(page: &str, language: &str) -> Vec<String> {
 fn shell(command: &str, folder: &Path) -> String {
     let binary = format!("'{}'", env!("CARGO_BIN_EXE_ptc-codegen"));
     let command = command.replace("cargo run --release -p ptc-codegen --features lab --", &binary);
-    let command = command.replace("cargo run --release -p ptc-codegen --", &binary);
+    let command = command.replace("cargo run -p ptc-codegen --", &binary);
     let output = Command::new("sh").args(["-c", &command]).current_dir(folder).output();
     let output = output.expect("a shell");
     let told = String::from_utf8_lossy(&output.stderr);
