@@ -55,7 +55,7 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
     let mut outcomes = vec![
         membership(&continuous),
-        of_error(&continuous, of_chain(&continuous, growth)),
+        of_error(&spec, of_chain(&continuous, growth)),
         exact("sampling"),
         exact("deadline"),
         looped,

@@ -11,7 +11,8 @@ impl Reader<'_> {
         let given = self.keys.get("output").copied();
         // An observer alone refuses one.
         if spec.reference.is_none() || spec.what == What::Observer {
-            if let Some(node) = given {
+            let node = given.filter(|_| !self.keys.contains_key("reference"));
+            if let Some(node) = node {
                 let message = "`output` without a reference that it follows".to_owned();
                 let help =
                     "leave it out: beside A and B it is a row, as those of C, for `reference`";
