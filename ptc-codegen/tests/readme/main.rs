@@ -164,6 +164,14 @@ fn commands(page: &str, start: &str) -> Vec<String> {
     lines.filter(|line| line.starts_with(start)).map(ToOwned::to_owned).collect()
 }
 
+/// Those that run the generator, with or without optimisation.
+fn runs(page: &str) -> Vec<String> {
+    let all = commands(page, "cargo run ");
+    let found: Vec<_> = all.into_iter().filter(|line| line.contains(" -p ptc-codegen ")).collect();
+    assert!(!found.is_empty(), "a page that runs nothing");
+    found
+}
+
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     if folder.exists() {
@@ -175,7 +183,7 @@ fn folder(name: &str) -> PathBuf {
 
 /// Runs the commands of a page in `folder`, and its program, which prints what the page shows.
 fn walk(page: &str, folder: &Path) {
-    for command in commands(page, "cargo run --release -p ptc-codegen") {
+    for command in runs(page) {
         shell(&command, folder);
     }
     let [main] = &blocks_of(page, "c")[..] else { panic!("one program in C") };
@@ -195,7 +203,7 @@ fn from_plant_to_firmware() {
     fs::create_dir(folder.join("examples")).expect("writable");
     fs::write(folder.join("examples/encoder.toml"), ENCODER).expect("writable");
     fs::write(folder.join("examples/pendulum.toml"), PENDULUM).expect("writable");
-    for command in commands(README, "cargo run --release -p ptc-codegen") {
+    for command in runs(README) {
         shell(&command, &folder);
     }
     for file in ["out/ptc_exp3.h", "out/ptc_exp3.c", "out/stage.h", "out/stage.c", "out/x.svg"] {
