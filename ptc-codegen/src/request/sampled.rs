@@ -158,6 +158,11 @@ impl Spec {
         self.sampled()?.exact.as_deref()
     }
 
+    /// Whether the states of a linear plant follow a reference of its output.
+    pub fn states_follow(&self) -> bool {
+        self.sampled().is_some_and(|own| own.follows.is_some())
+    }
+
     /// Whether eps is left to the checks.
     pub fn leaves_eps(&self) -> bool {
         match self.sampled() {

@@ -99,7 +99,7 @@ fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
 fn of_error(spec: &Spec, mut outcome: Outcome) -> Outcome {
     if spec.reference.is_some() && outcome.verdict != Verdict::NotChecked {
         let start = if outcome.name == "deadline" { "; x0_max bounds it at the start" } else { "" };
-        let (follows, adds) = match spec.sampled().is_some_and(|own| own.follows.is_some()) {
+        let (follows, adds) = match spec.states_follow() {
             true => ("x - x_r", "u_r".to_owned()),
             false => ("x_i - r^(i-1)", format!("r^({})", spec.n)),
         };

@@ -12,7 +12,7 @@ use super::followed::Followed;
 use super::force::Force;
 use super::gain::{Gain, true_gain};
 use super::gains::gains;
-use super::moved::{Moved, Ways};
+use super::moved::{Moved, Response};
 use super::relative::Late;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
@@ -42,7 +42,7 @@ pub(crate) struct Loop<'a> {
     /// What a reference moves; `None` without one.
     pub(super) followed: Option<Followed>,
     /// What inputs do to a linear plant that follows one.
-    ways: Option<Ways>,
+    response: Option<Response>,
 }
 
 impl<'a> Loop<'a> {
@@ -125,11 +125,22 @@ impl<'a> Loop<'a> {
             Some(own) => Followed::new(spec, own)?,
             None => None,
         };
-        let ways = match own.filter(|_| followed.is_some()) {
-            Some(plant) => Some(Ways::new(plant, &h).ok_or(fast)?),
+        let response = match own.filter(|_| followed.is_some()) {
+            Some(plant) => Some(Response::new(plant, &h).ok_or(fast)?),
             None => None,
         };
-        Ok(Self { spec, expanded, period, samples, gains, plant, between, late, followed, ways })
+        Ok(Self {
+            spec,
+            expanded,
+            period,
+            samples,
+            gains,
+            plant,
+            between,
+            late,
+            followed,
+            response,
+        })
     }
 
     /// The same, to be bounded at the samples alone.
@@ -154,8 +165,8 @@ impl<'a> Loop<'a> {
         sampled.x0 = start.take(self.plant.n).collect();
         if let Some((followed, own)) = self.followed.as_ref().zip(self.spec.sampled()) {
             let known = Range::from(&Interval::exact(&own.gain));
-            let moved = match &self.ways {
-                Some(ways) => Moved::of_plant(followed, &sampled, ways, gain),
+            let moved = match &self.response {
+                Some(response) => Moved::of_plant(followed, &sampled, response, gain),
                 None => Moved::new(followed, &sampled, known, gain),
             };
             // The input that acted last counts less its rho.

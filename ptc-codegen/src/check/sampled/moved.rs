@@ -43,14 +43,14 @@ pub(super) struct Moved {
 
 /// What an input does to a linear plant in a sample.
 #[derive(Clone, Debug)]
-pub(super) struct Ways {
+pub(super) struct Response {
     /// That is the time from the middle.
     slanted: Vec<Near>,
     /// That is at most 1, any signal.
     most: Vec<Near>,
 }
 
-impl Ways {
+impl Response {
     /// `None` if a mode is too fast for the period `h`.
     pub(super) fn new(plant: &Linear, h: &BigRational) -> Option<Self> {
         let n = plant.b.len();
@@ -78,7 +78,7 @@ impl Moved {
     pub(super) fn of_plant(
         followed: &Followed,
         sampled: &Sampled,
-        ways: &Ways,
+        response: &Response,
         gain: &Gain,
     ) -> Self {
         let filled = |column: &[Near]| {
@@ -86,22 +86,20 @@ impl Moved {
             column.resize(sampled.size(), (0.0, 0.0));
             column
         };
-        let ends = [-1.0, 1.0].map(|side| gain.value * Range::from(1.0 + side * gain.error));
-        let off = ends.map(|end| (end - Range::from(1.0)).size().high());
-        let input = followed.size(ways.most.len());
-        let wrong = off[0].max(off[1]) * input;
+        let input = followed.size(response.most.len());
+        let wrong = off(gain, Range::from(1.0)) * input;
         let beside = 2.0 * (followed.most + wrong) * ROUNDED;
         Self {
-            slanted: filled(&ways.slanted),
-            whole: filled(&ways.most),
-            plant: filled(&ways.most),
+            slanted: filled(&response.slanted),
+            whole: filled(&response.most),
+            plant: filled(&response.most),
             estimates: None,
             slope: followed.slope,
             rest: followed.rest,
             wrong,
             input,
             acting: (input + wrong) * ROUNDED,
-            between: ways
+            between: response
                 .most
                 .iter()
                 .map(|(most, error)| beside * (most + error) * ROUNDED)
@@ -142,11 +140,8 @@ impl Moved {
         let kept = of(&estimates, &turned);
         slanted[chain.n..].copy_from_slice(&kept[chain.n..]);
         let all = [plant.as_slice(), &estimates].concat();
-        let ends = [-1.0, 1.0].map(|side| gain.value * Range::from(1.0 + side * gain.error));
-        let off = ends.map(|end| (end / known - Range::from(1.0)).size().high());
         let rate = followed.size(n);
-        // Two ranges of the same number are a rounding apart.
-        let wrong = off[0].max(off[1]) * rate;
+        let wrong = off(gain, known) * rate;
         let beside = 2.0 * (followed.most + wrong);
         Self {
             slanted,
@@ -182,6 +177,14 @@ impl Moved {
     pub(super) fn causes(&self) -> [(&Vec<Near>, f64); 3] {
         [(&self.slanted, self.slope), (&self.whole, self.rest), (&self.plant, self.wrong)]
     }
+}
+
+/// How far the input gain of a plant may be from the `known` one, as a part of it. Two ranges of the same number are a
+/// rounding apart.
+fn off(gain: &Gain, known: Range) -> f64 {
+    let ends = [-1.0, 1.0].map(|side| gain.value * Range::from(1.0 + side * gain.error));
+    let [low, high] = ends.map(|end| (end / known - Range::from(1.0)).size().high());
+    low.max(high)
 }
 
 #[allow(clippy::cast_precision_loss)]

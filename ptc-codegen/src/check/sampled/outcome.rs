@@ -163,7 +163,7 @@ pub(super) fn followed(spec: &Spec) -> Option<String> {
         Reference::Known(_) => "u is that of the plant",
         Reference::Input => "u is what the law adds to what follows r^(n)",
     };
-    let follows = match spec.sampled().is_some_and(|own| own.follows.is_some()) {
+    let follows = match spec.states_follow() {
         true => "x - x_r, x_r the state in which the output is r",
         false => "x_i - r^(i-1)",
     };
