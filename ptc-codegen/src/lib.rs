@@ -70,12 +70,14 @@ pub mod plant;
 pub mod plot;
 #[doc(hidden)]
 pub mod program;
+#[cfg(feature = "files")]
 #[doc(hidden)]
 pub mod reference;
 #[doc(hidden)]
 pub mod request;
 #[doc(hidden)]
 pub mod samples;
+#[cfg(feature = "files")]
 #[doc(hidden)]
 pub mod selftest;
 #[cfg(feature = "simulate")]
@@ -92,6 +94,7 @@ pub mod verify;
 
 #[doc(hidden)]
 pub mod accepted;
+#[cfg(feature = "files")]
 mod interface;
 
 // The command, which names the library as other programs do.
@@ -108,10 +111,13 @@ pub fn command(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
 }
 
 #[doc(hidden)]
-pub use accepted::{
-    Accepted, dump, generate, generate_selftest, generate_with_proof, macro_items, project,
-};
+pub use accepted::{Accepted, macro_items};
+#[cfg(feature = "files")]
+#[doc(hidden)]
+pub use accepted::{dump, generate, generate_selftest, generate_with_proof, project};
+#[cfg(feature = "files")]
 pub use emit::{File, Language, Project};
+#[cfg(feature = "files")]
 pub use interface::{Design, Mistake, Mistakes};
 
 #[cfg(doctest)]

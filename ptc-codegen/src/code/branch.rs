@@ -67,6 +67,7 @@ pub struct Branch {
 }
 
 impl Taken {
+    #[cfg(feature = "files")]
     pub(super) fn insert(&mut self, place: At, holds: bool) {
         self.0.insert((place, holds));
     }

@@ -9,6 +9,7 @@ mod branch;
 mod check;
 mod expression;
 mod function;
+#[cfg(feature = "files")]
 mod interpret;
 mod operation;
 mod visit;
@@ -16,9 +17,11 @@ mod visit;
 pub use branch::{Branch, Condition, Taken};
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Axes, Callback, Ending, Finish, Function, Inputs, Owner};
+#[cfg(feature = "files")]
 pub use interpret::{Argument, Called, Instance, Outcome};
 
 use crate::expression::Function as Call;
+#[cfg(feature = "files")]
 use crate::internal::fault;
 use crate::parameter::{Parameter, Precision};
 use crate::program::{Root, number};
@@ -57,6 +60,7 @@ impl Status {
     }
 
     /// The status with a number, as an array of them holds it.
+    #[cfg(feature = "files")]
     pub(crate) fn of_number(number: f64) -> Self {
         let all = [
             Self::Ok,

@@ -63,6 +63,7 @@ impl Measured {
     }
 
     /// As a line of the head.
+    #[cfg(feature = "files")]
     pub(crate) fn told(&self) -> String {
         let Self { target, instructions, stack, code, .. } = self;
         format!(

@@ -1,13 +1,20 @@
 //! The run-time parameters as the emitted code declares them, with meaning, unit and domain.
 
-use super::Language;
 use crate::code::{Shape, Variable};
 use crate::expression::Expression;
 use crate::parameter::Parameter;
 use crate::request::Spec;
 
+/// How a language writes an element of an array, counted from 0.
+pub(super) type Element = fn(&str, usize) -> String;
+
+/// As most languages do.
+pub(super) fn element(name: &str, index: usize) -> String {
+    format!("{name}[{index}]")
+}
+
 /// The run-time parameters in the order of the emitted struct, arrays taken together.
-pub(super) fn declared(spec: &Spec, language: Language) -> Vec<Variable> {
+pub(super) fn declared(spec: &Spec, element: Element) -> Vec<Variable> {
     let parameters: Vec<_> = spec.run_time_parameters().collect();
     let declare = |group: &[Parameter]| {
         let first = *group.first()?;
@@ -15,7 +22,7 @@ pub(super) fn declared(spec: &Spec, language: Language) -> Vec<Variable> {
         let unit = spec.unit(first);
         let about = match first {
             Parameter::Gain(_) | Parameter::Rate(_) => {
-                format!("{meaning}, {domain}; {}", elements(spec, group, language))
+                format!("{meaning}, {domain}; {}", elements(spec, group, element))
             }
             Parameter::Named(_) => format!("{meaning}, {domain}"),
             Parameter::M => format!("{meaning} [1], {domain}"),
@@ -69,9 +76,9 @@ pub(super) fn linear(n: usize) -> String {
 
 /// Which element of an array is which parameter, in which unit. Where there are more than three, the
 /// first and the last show the rule.
-fn elements(spec: &Spec, group: &[Parameter], language: Language) -> String {
+fn elements(spec: &Spec, group: &[Parameter], element: Element) -> String {
     let one = |parameter: &Parameter| {
-        let element = language.element(parameter.key(), parameter.index().unwrap_or(0));
+        let element = element(parameter.key(), parameter.index().unwrap_or(0));
         format!("{element} is {} [{}]", parameter.symbol(), parameter.unit_for(spec.n))
     };
     match group {
@@ -79,16 +86,5 @@ fn elements(spec: &Spec, group: &[Parameter], language: Language) -> String {
             format!("{}, ..., {}", one(first), one(last))
         }
         all => all.iter().map(one).collect::<Vec<_>>().join(", "),
-    }
-}
-
-impl Language {
-    /// Element `index`, counted from 0, of an array.
-    fn element(self, name: &str, index: usize) -> String {
-        match self {
-            Self::Matlab => format!("{name}({})", index + 1),
-            Self::StructuredText => format!("{name}[{}]", index + 1),
-            _ => format!("{name}[{index}]"),
-        }
     }
 }

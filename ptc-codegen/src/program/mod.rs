@@ -13,6 +13,7 @@
 //! [`Program::fma`] is; the interpreter fuses likewise.
 
 mod arithmetic;
+#[cfg(feature = "files")]
 mod axes;
 pub mod cost;
 pub mod digits;

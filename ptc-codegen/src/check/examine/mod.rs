@@ -8,14 +8,18 @@ mod guard;
 mod in_samples;
 mod known;
 mod numbers;
+#[cfg(feature = "files")]
 mod period;
 mod plane;
 mod report;
 mod resolution;
 
 use guard::{choose_eps, guard, superseded};
-pub(crate) use known::{decay, rounded_down};
+#[cfg(feature = "files")]
+pub(crate) use known::decay;
+pub(crate) use known::rounded_down;
 pub(crate) use numbers::Numbers;
+#[cfg(feature = "files")]
 pub(crate) use period::held_period;
 pub use plane::{Plane, plane};
 pub use report::Report;
@@ -28,6 +32,7 @@ use crate::expression::effort::bounded;
 use crate::request::Spec;
 
 /// The outcomes of `sampling` and `deadline` alone, and the design with the eps that they set.
+#[cfg(feature = "files")]
 pub(crate) fn guarded(spec: &Spec) -> (Spec, Outcome, Outcome) {
     let mut spec = spec.clone();
     let (sampling, deadline) = guard(&mut spec, None);

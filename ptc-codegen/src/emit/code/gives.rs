@@ -1,8 +1,6 @@
-//! What a call gives, and whether it needs the mathematical library.
+//! What a call gives.
 
-use crate::code::{Expr, Finish, Function, Shape, Statement, Status};
-use crate::expression::Function as Math;
-use crate::internal::fault;
+use crate::code::{Finish, Function, Shape, Status};
 
 /// What a call gives, by the words that languages have for it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -49,38 +47,5 @@ impl Gives {
             Some(_) if ranges => Self::Value,
             Some(_) => Self::Number,
         }
-    }
-}
-
-/// Each place of the gains with its value.
-pub(super) fn paired(
-    places: impl Iterator<Item = String>,
-    values: &[Expr],
-) -> Vec<(String, &Expr)> {
-    let places: Vec<_> = places.collect();
-    if places.len() != values.len() {
-        fault(format!("{} values for {} gains", values.len(), places.len()));
-    }
-    places.into_iter().zip(values).collect()
-}
-
-/// Whether a statement calls a function of the mathematical library.
-pub(super) fn calls(statement: &Statement) -> bool {
-    let mut found = false;
-    statement.visit(&mut |value| found |= is_call(value));
-    found
-}
-
-/// Whether a function does.
-pub(super) fn calls_library(function: &Function) -> bool {
-    let mut found = function.has(|s| matches!(s, Statement::Rows { fused: true, .. }));
-    function.visit(&mut |value| found |= is_call(value));
-    found
-}
-
-fn is_call(value: &Expr) -> bool {
-    match value {
-        Expr::Call(function, _) => !matches!(function, Math::Abs | Math::Sign),
-        value => matches!(value, Expr::Pow(..) | Expr::Fused(_)),
     }
 }

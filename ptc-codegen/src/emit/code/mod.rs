@@ -2,29 +2,52 @@
 //!
 //! [`Code`]: crate::code::Code
 
+#[cfg(feature = "files")]
+mod apart;
 mod block;
+#[cfg(feature = "files")]
 mod c;
+#[cfg(feature = "files")]
+mod called;
+#[cfg(feature = "files")]
 mod cpp;
+#[cfg(feature = "files")]
 mod elimination;
 mod expression;
 mod gives;
+#[cfg(feature = "files")]
 mod legal;
+#[cfg(feature = "files")]
+pub(super) mod literal;
+#[cfg(feature = "files")]
 mod matlab;
+#[cfg(feature = "files")]
 mod powers;
+#[cfg(feature = "files")]
 mod python;
 mod rust;
 mod short;
+#[cfg(feature = "files")]
 mod st;
 mod text;
 
+#[cfg(feature = "files")]
+pub(super) use apart::apart;
+#[cfg(feature = "files")]
 pub(super) use c::{
     Condition, Notes, domain, externs, files as c, start_tests, word, written, zero_tests,
 };
+#[cfg(feature = "files")]
 pub(super) use cpp::file as cpp;
+#[cfg(feature = "files")]
 pub(super) use matlab::files as matlab;
+#[cfg(feature = "files")]
 pub(super) use python::file as python;
-pub(super) use rust::{file as rust, items as rust_items};
+#[cfg(feature = "files")]
+pub(super) use rust::file as rust;
+pub(super) use rust::items as rust_items;
 pub(super) use short::short;
+#[cfg(feature = "files")]
 pub(super) use st::{Kind, Library, Scope, Unit, file as st, library as st_library};
 
 /// Every language by name, and how it writes expressions.

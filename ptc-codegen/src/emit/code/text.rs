@@ -186,6 +186,7 @@ pub(in crate::emit) trait Text {
 }
 
 /// A word that begins a sentence.
+#[cfg(feature = "files")]
 pub(super) fn capital(word: &str) -> String {
     let (first, rest) = word.split_at(word.len().min(1));
     format!("{}{rest}", first.to_ascii_uppercase())
@@ -269,6 +270,7 @@ impl Lines {
     }
 
     /// `items` between `before` and `behind`, in as many lines as they need.
+    #[cfg(feature = "files")]
     pub(in crate::emit) fn list(&self, before: &str, items: &[String], behind: &str) -> String {
         let line = format!("{before}{}{behind}", items.join(", "));
         if self.has_room(&line) {

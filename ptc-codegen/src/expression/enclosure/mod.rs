@@ -17,6 +17,7 @@ use astro_float_num::{BigFloat, RoundingMode};
 
 #[cfg(any(test, feature = "lab"))]
 pub(crate) use fixed_point::FixedPoint;
+#[cfg(feature = "files")]
 pub(crate) use long::leading;
 
 /// The numbers from `low` to `high`, either of which may be infinite.

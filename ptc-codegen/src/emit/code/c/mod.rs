@@ -12,9 +12,10 @@ use std::collections::BTreeMap;
 
 pub(in crate::emit) use conditions::{Condition, domain, start_tests, written, zero_tests};
 
+use super::apart::apart;
 use super::text::{Level, Lines, Text};
 use crate::code::{Access, Callback, Code, Function, Owner, Shape, Solve, Status};
-use crate::emit::{File, apart::apart};
+use crate::emit::File;
 use crate::parameter::Precision;
 
 /// The lines behind an iteration with a tolerance, in numbers of a type.

@@ -1,7 +1,8 @@
 //! The file around the functions.
 
 use super::super::block::Block;
-use super::super::gives::{Gives, calls_library};
+use super::super::called::{calls, calls_library};
+use super::super::gives::Gives;
 use super::super::text::{Text, capital};
 use super::Cpp;
 use super::axes::AXES;
@@ -196,5 +197,5 @@ impl Cpp<'_> {
 
 /// Whether `init` calls a function of the library.
 fn init_calls(code: &Code) -> bool {
-    code.init.iter().any(super::super::gives::calls)
+    code.init.iter().any(calls)
 }

@@ -6,7 +6,8 @@ mod inputs;
 mod loops;
 
 use super::block::{Block, Branch};
-use super::gives::{Gives, calls_library, paired};
+use super::called::{calls_library, paired};
+use super::gives::Gives;
 use super::text::{Level, Lines, Text};
 use crate::code::{Access, Code, Ending, Expr, Finish, Function, Shape, Solve, Status, Test};
 use crate::emit::File;

@@ -1,7 +1,8 @@
 //! The files of the functions.
 
 use super::super::block::Block;
-use super::super::gives::{Gives, paired};
+use super::super::called::paired;
+use super::super::gives::Gives;
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;

@@ -11,9 +11,10 @@ use std::collections::BTreeMap;
 use super::block::{Block, Branch};
 use super::gives::Gives;
 use super::legal::checks;
+use super::literal::through_double;
 use super::text::{Level, Lines, Text};
 use crate::code::{AXIS, Code, Ending, Expr, Owner, Shape, Solve, Status, Test};
-use crate::emit::{File, literal::through_double};
+use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
 

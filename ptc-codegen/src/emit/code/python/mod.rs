@@ -11,9 +11,10 @@ use std::collections::BTreeMap;
 
 use super::block::Block;
 use super::gives::Gives;
+use super::literal::through_double;
 use super::text::{Level, Lines, Text, bare};
 use crate::code::{AXIS, Code, Expr, Shape, Status, Test};
-use crate::emit::{File, literal::through_double};
+use crate::emit::File;
 use crate::parameter::Precision;
 
 pub(super) struct Python<'a> {

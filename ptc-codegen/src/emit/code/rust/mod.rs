@@ -4,17 +4,20 @@ mod axes;
 mod inputs;
 mod items;
 mod loops;
+#[cfg(feature = "files")]
 mod module;
 
 use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text, bracketed};
 use crate::code::{AXIS, Code, Ending, Expr, Shape, Solve, Status, Test};
+#[cfg(feature = "files")]
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::{Precision, type_name};
 
 /// The self-contained file of a controller.
+#[cfg(feature = "files")]
 pub(in crate::emit) fn file(code: &Code) -> File {
     let items = Rust::new(code, "").items();
     let text = module::text(&code.head, code.precision, &items);

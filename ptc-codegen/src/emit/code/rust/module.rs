@@ -2,7 +2,8 @@
 
 use askama::Template;
 
-use crate::emit::{text_of, tidy};
+use crate::emit::files::text_of;
+use crate::emit::tidy;
 use crate::expression::Function;
 use crate::parameter::Precision;
 

@@ -9,7 +9,7 @@ use super::block::{Block, Branch};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Shape, Solve, Status, Test};
-use crate::emit::{File, st};
+use crate::emit::{File, files::st};
 use crate::internal::fault;
 use crate::parameter::Precision;
 pub(in crate::emit) use library::{Kind, Library, Scope, Unit};

@@ -7,7 +7,7 @@ mod variables;
 
 use askama::Template;
 
-use super::apart::apart;
+use super::code::apart;
 use super::code::{Notes, c, domain};
 use super::example::Example;
 use super::outline::Outline;
@@ -42,14 +42,26 @@ impl Version {
     pub fn headers(self) -> Vec<File> {
         let headers: [(&str, &str); 3] = match self {
             Self::Two => [
-                ("fmi2TypesPlatform.h", include_str!("../../../templates/fmu/fmi2TypesPlatform.h")),
-                ("fmi2FunctionTypes.h", include_str!("../../../templates/fmu/fmi2FunctionTypes.h")),
-                ("fmi2Functions.h", include_str!("../../../templates/fmu/fmi2Functions.h")),
+                (
+                    "fmi2TypesPlatform.h",
+                    include_str!("../../../../templates/fmu/fmi2TypesPlatform.h"),
+                ),
+                (
+                    "fmi2FunctionTypes.h",
+                    include_str!("../../../../templates/fmu/fmi2FunctionTypes.h"),
+                ),
+                ("fmi2Functions.h", include_str!("../../../../templates/fmu/fmi2Functions.h")),
             ],
             Self::Three => [
-                ("fmi3PlatformTypes.h", include_str!("../../../templates/fmu/fmi3PlatformTypes.h")),
-                ("fmi3FunctionTypes.h", include_str!("../../../templates/fmu/fmi3FunctionTypes.h")),
-                ("fmi3Functions.h", include_str!("../../../templates/fmu/fmi3Functions.h")),
+                (
+                    "fmi3PlatformTypes.h",
+                    include_str!("../../../../templates/fmu/fmi3PlatformTypes.h"),
+                ),
+                (
+                    "fmi3FunctionTypes.h",
+                    include_str!("../../../../templates/fmu/fmi3FunctionTypes.h"),
+                ),
+                ("fmi3Functions.h", include_str!("../../../../templates/fmu/fmi3Functions.h")),
             ],
         };
         let file = |(name, text): (&str, &str)| File { name: name.into(), text: text.into() };

@@ -1,44 +1,18 @@
-//! The whole line on one screen: a design that the checks accept, and the files that are made of it.
+//! The files of an accepted design, in every language and around it.
 
-use crate::check::examine::{Report, examine};
+use super::{Accepted, accepted, within};
 use crate::controller::Controller;
 use crate::controller::measured::Measured;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::Diagnostic;
 use crate::emit::{self, File, Language, Project};
 use crate::expansion::Expanded;
-use crate::internal::{fault, guarded};
 use crate::law::Law;
 use crate::program::cost::{self, Cost};
-use crate::program::{self, Op, Program, Stage, number, passes};
-use crate::request::{Spec, What};
-use crate::{lower, samples, selftest};
-
-/// A design that the checks accept, and its optimised program: what all files are made of.
-#[derive(Clone, Debug)]
-pub struct Accepted {
-    report: Report,
-    /// The law and its program; `None` if the clock is in samples.
-    staged: Option<(Law, Program)>,
-}
+use crate::program::{self, Stage, passes};
+use crate::request::Spec;
+use crate::{lower, selftest};
 
 impl Accepted {
-    /// The design of a report of [`examine`].
-    ///
-    /// # Errors
-    /// Every check that refuses it, or the coefficient that overflows.
-    pub fn of(report: Report) -> Result<Self, Vec<Diagnostic>> {
-        within(|| {
-            report.accepted()?;
-            if report.spec.sampled().is_some() {
-                in_range(&report.spec)?;
-                return Ok(Self { report, staged: None });
-            }
-            let law = Law::from(&report.spec, report.expanded.as_ref());
-            let program = optimised(&report.spec, &law)?;
-            Ok(Self { report, staged: Some((law, program)) })
-        })
-    }
-
     /// Its files, with what a step was measured to cost in their heads.
     ///
     /// # Errors
@@ -129,11 +103,6 @@ impl Accepted {
         let emitted = self.files(project.language(), &[])?;
         within(|| Ok(project.files(&self.report, emitted)))
     }
-
-    fn controller(&self) -> Controller<'_> {
-        let Some((law, program)) = &self.staged else { fault("a clock in samples has no law") };
-        Controller { report: &self.report, law, program, measured: &[] }
-    }
 }
 
 /// Generates the source files of one controller.
@@ -172,29 +141,6 @@ pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
     accepted(spec)?.files_with_proof()
 }
 
-/// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
-/// facade crate `ptc` in place of its own.
-///
-/// # Errors
-/// Everything in the spec that cannot be generated, and every check that refuses it.
-pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
-    let accepted = accepted(spec)?;
-    within(|| match &accepted.staged {
-        Some(_) => Ok(emit::emit_items(&accepted.controller())),
-        None => Ok(emit::emit_sampled_items(&accepted.report)),
-    })
-}
-
-/// The design of `spec`, if the checks accept it.
-fn accepted(spec: &Spec) -> Result<Accepted, Vec<Diagnostic>> {
-    within(|| Accepted::of(examine(spec)))
-}
-
-/// What `work` gives; a fault of the generator in it is an error too.
-fn within<T>(work: impl FnOnce() -> Result<T, Vec<Diagnostic>>) -> Result<T, Vec<Diagnostic>> {
-    guarded(work).map_err(|fault| vec![fault.into()])?
-}
-
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as
 /// text; `None` where there is no such pass.
 pub fn dump(spec: &Spec, expanded: Option<&Expanded>, name: &str) -> Option<String> {
@@ -214,44 +160,4 @@ pub fn dump(spec: &Spec, expanded: Option<&Expanded>, name: &str) -> Option<Stri
         }
     });
     text
-}
-
-/// Refuses a controller in samples whose fixed values make a weight that its precision does not hold.
-fn in_range(spec: &Spec) -> Result<(), Vec<Diagnostic>> {
-    let sampled = spec.sampled().map(|sampled| samples::controller(spec, sampled, Vec::new()));
-    let mut found = Diagnostics::default();
-    if let Some(lost) = sampled.and_then(|code| code.out_of_range()) {
-        let precision = spec.precision.name();
-        let of = if spec.what == What::Observer { "observer" } else { "law" };
-        let size = if lost.numer().bits() > lost.denom().bits() { "large" } else { "small" };
-        found.push(
-            "overflow",
-            "sample_time",
-            None,
-            format!("a weight of the {of} is too {size} for {precision} with the values that are fixed"),
-            "the weights hold the gains over powers of the sample period up to the order of the loop: take a longer period, a lower order, other units, or f64",
-        );
-    }
-    found.finish(Some(()))
-}
-
-/// The staged program, with all passes run. What the spec fixes must leave every coefficient finite.
-fn optimised(spec: &Spec, law: &Law) -> Result<Program, Vec<Diagnostic>> {
-    let program = passes::optimise(lower::lower(spec, law), &mut |_, _| {});
-    let overflow = program.values.iter().find(|definition| {
-        matches!(&definition.op, Op::Number(value)
-            if !number::round(value, spec.precision).is_finite())
-    });
-    let Some(overflow) = overflow else { return Ok(program) };
-    let name = overflow.name.as_ref().map_or("a coefficient", |(_, meaning)| meaning.as_str());
-    let precision = spec.precision.name();
-    let mut found = Diagnostics::default();
-    found.push(
-        "overflow",
-        "mu",
-        None,
-        format!("{name} overflows {precision} with the values that are fixed"),
-        "the coefficients hold k_i/a^(n+1-i): give a rate nearer to 1, smaller gains or a lower order",
-    );
-    found.finish(None)
 }

@@ -1,5 +1,6 @@
 //! The languages, and what is known of the back end of each.
 
+use super::declared::{Element, element};
 use super::{File, c, cpp, fmu, matlab, plcopen, python, rust, st};
 use crate::check::examine::Report;
 use crate::code::Code;
@@ -83,6 +84,15 @@ impl Language {
             Self::Fmu2 => Some(fmu::Version::Two),
             Self::Fmu3 => Some(fmu::Version::Three),
             _ => None,
+        }
+    }
+
+    /// How it writes an element of an array, counted from 0.
+    pub(super) fn element(self) -> Element {
+        match self {
+            Self::Matlab => |name, index| format!("{name}({})", index + 1),
+            Self::StructuredText => |name, index| format!("{name}[{}]", index + 1),
+            _ => element,
         }
     }
 

@@ -7,6 +7,7 @@ use super::constant;
 use super::samples::Samples;
 use crate::check::examine::Report;
 use crate::code::{Shape, Variable};
+use crate::emit::declared::element;
 use crate::parameter::{Parameter, Precision};
 use crate::program::number;
 use crate::request::Spec;
@@ -104,11 +105,9 @@ impl Config {
                 Clock::Samples(Samples::of(spec, sampled, &example, &words)),
                 &SAMPLED[..],
             ),
-            None => (
-                declared(spec, Language::C),
-                Clock::Time(Time::of(spec, &example, &words)),
-                &TIMED[..],
-            ),
+            None => {
+                (declared(spec, element), Clock::Time(Time::of(spec, &example, &words)), &TIMED[..])
+            }
         };
         let first = match &clock {
             Clock::Time(_) => words.number(1.0),

@@ -35,7 +35,7 @@ const WORDS: &str = "
     var_in_out var_input var_output var_temp wchar while with word wstring xor
 ";
 
-pub(super) fn is_word(word: &str) -> bool {
+pub(in crate::emit) fn is_word(word: &str) -> bool {
     let word = word.to_lowercase();
     WORDS.split_whitespace().any(|one| one == word)
 }
@@ -145,7 +145,7 @@ fn key_of(spec: &Spec, function: Function) -> &'static str {
 }
 
 /// A literal with its type, for controllers differ in the one that a bare number has.
-pub(super) fn literal(text: &str, precision: Precision) -> String {
+pub(in crate::emit) fn literal(text: &str, precision: Precision) -> String {
     let (real, text) = match precision {
         Precision::F32 => ("REAL", through_double(text)),
         Precision::F64 => ("LREAL", text.to_owned()),
@@ -160,7 +160,7 @@ pub(super) fn literal(text: &str, precision: Precision) -> String {
 }
 
 /// The greatest finite number.
-pub(super) fn greatest(precision: Precision) -> String {
+pub(in crate::emit) fn greatest(precision: Precision) -> String {
     let digits = match precision {
         Precision::F32 => "3.4028235e38",
         Precision::F64 => "1.7976931348623157e308",

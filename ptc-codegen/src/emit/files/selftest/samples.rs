@@ -5,7 +5,7 @@ use askama::Template;
 use super::numbers::Numbers;
 use super::{About, both, suffix};
 use crate::code::Code;
-use crate::emit::outline::Outline;
+use crate::emit::files::outline::Outline;
 use crate::emit::{File, code as printed};
 use crate::request::{Guard, Spec};
 use crate::selftest::samples::{Call, SelfTest, Session};

@@ -1,10 +1,10 @@
 //! Names in emitted C: nothing but the controller is called as the controller is.
 
-use super::File;
+use crate::emit::File;
 
 /// A C file in which a variable or parameter with the name of the controller has an underscore
 /// behind it. Members stay as they are: C keeps their names apart.
-pub(super) fn apart(file: File, name: &str) -> File {
+pub(in crate::emit) fn apart(file: File, name: &str) -> File {
     File { text: renamed(&file.text, name), ..file }
 }
 

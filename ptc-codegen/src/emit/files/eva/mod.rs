@@ -7,7 +7,7 @@ pub(super) use samples::harness as in_samples;
 use askama::Template;
 
 use super::acsl::place;
-use super::apart::apart;
+use super::code::apart;
 use super::code::externs;
 use super::outline::Outline;
 use super::{Controller, File, literal, text_of, tidy};

@@ -191,7 +191,7 @@ fn parameters(controller: &Controller<'_>, language: Language) -> Vec<String> {
         lines.push(format!("  {} = {value}{unit}, fixed: {meaning}", parameter.symbol()));
     }
     let greatest = controller.report.greatest.as_ref();
-    for parameter in declared(spec, language) {
+    for parameter in declared(spec, language.element()) {
         let most = greatest.filter(|(bounded, _)| bounded.key() == parameter.name);
         let most = most.map(|(_, most)| format!(", at most {most}")).unwrap_or_default();
         lines.push(format!("  {}: {}{most}", parameter.name, parameter.about));

@@ -1,24 +1,18 @@
 //! The program of a controller in samples, with its head.
 
-use super::{Language, axes, code, coupled, followed, header, observed, plant};
+use super::super::in_samples;
+use super::{Language, axes, coupled, followed, header, observed, plant};
 use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
-use crate::internal::fault;
 use crate::model::Coupled;
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
-use crate::samples;
 
 /// The program; `None` if the clock is time.
 pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
     let sampled = report.spec.sampled()?;
-    let code = samples::controller(&report.spec, sampled, head(report, sampled, language));
-    let code = code::short(code);
-    match code.check() {
-        Ok(()) => Some(code),
-        Err(error) => fault(error),
-    }
+    Some(in_samples(&report.spec, sampled, head(report, sampled, language)))
 }
 
 /// What becomes of the plant, and by which law; nothing for an observer alone.

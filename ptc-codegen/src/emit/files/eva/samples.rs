@@ -7,10 +7,11 @@ use askama::Template;
 
 use super::{Call, LAW, OPTIONS, Range, STATE, literal, rounded, stem};
 use crate::code::{Code, Shape, Variable};
-use crate::emit::acsl::{changed, place};
-use crate::emit::apart::apart;
-use crate::emit::outline::Outline;
-use crate::emit::{File, text_of, tidy};
+use crate::emit::code::apart;
+use crate::emit::files::acsl::{changed, place};
+use crate::emit::files::outline::Outline;
+use crate::emit::files::text_of;
+use crate::emit::{File, tidy};
 use crate::internal::fault;
 use crate::parameter::{Domain, Parameter};
 use crate::request::{Guard, Spec, What};
