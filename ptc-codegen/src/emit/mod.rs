@@ -18,17 +18,17 @@ use crate::internal::fault;
 use crate::request::{Sampled, Spec};
 use crate::samples;
 
+/// Path of the facade crate, whose types the macro uses.
+const FACADE: &str = "::ptc::";
+
 /// The items of the Rust file of a controller on the types of the facade crate `ptc`.
 pub fn emit_items(controller: &Controller<'_>) -> String {
-    code::rust_items(&in_time(controller, Vec::new(), declared::element))
+    code::rust::items(&in_time(controller, Vec::new(), declared::element), FACADE)
 }
 
 /// The same of a controller in samples.
 pub fn emit_sampled_items(spec: &Spec) -> String {
-    match spec.sampled() {
-        Some(sampled) => code::rust_items(&in_samples(spec, sampled, Vec::new())),
-        None => fault("a controller without samples"),
-    }
+    code::rust::items(&in_samples(spec, &|_| Vec::new()), FACADE)
 }
 
 /// The program of a controller as it is printed, with the head of its file.
@@ -38,8 +38,9 @@ fn in_time(controller: &Controller<'_>, head: Vec<String>, element: Element) -> 
 }
 
 /// The same of a controller in samples.
-fn in_samples(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
-    let code = code::short(samples::controller(spec, sampled, head));
+fn in_samples(spec: &Spec, head: &dyn Fn(&Sampled) -> Vec<String>) -> Code {
+    let Some(sampled) = spec.sampled() else { fault("a controller without samples") };
+    let code = code::short(samples::controller(spec, sampled, head(sampled)));
     match code.check() {
         Ok(()) => code,
         Err(error) => fault(error),

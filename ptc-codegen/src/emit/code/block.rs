@@ -10,18 +10,18 @@ use crate::code::{
 use crate::internal::fault;
 
 /// The words around a test and its two blocks.
-pub(super) struct Branch {
-    pub(super) open: &'static str,
-    pub(super) turn: &'static str,
-    pub(super) then: &'static str,
+pub(in crate::emit) struct Branch {
+    pub(in crate::emit) open: &'static str,
+    pub(in crate::emit) turn: &'static str,
+    pub(in crate::emit) then: &'static str,
     /// Between the parts of a test that takes several lines.
-    pub(super) joint: &'static str,
-    pub(super) otherwise: &'static str,
-    pub(super) end: &'static str,
+    pub(in crate::emit) joint: &'static str,
+    pub(in crate::emit) otherwise: &'static str,
+    pub(in crate::emit) end: &'static str,
 }
 
 /// Statements in the words of a language.
-pub(super) trait Block: Text {
+pub(in crate::emit) trait Block: Text {
     /// Where the lines go.
     fn out(&mut self) -> &mut Lines;
 
@@ -297,7 +297,7 @@ fn half(a: Expr, b: Expr) -> Expr {
 }
 
 /// The tests behind which the same end stands, one after the other, that end, and the other one.
-pub(super) fn same(finish: &Finish) -> (Vec<&Test>, &Finish, &Finish) {
+pub(in crate::emit) fn same(finish: &Finish) -> (Vec<&Test>, &Finish, &Finish) {
     let Finish::If(test, yes, no) = finish else { fault("an end without a test") };
     let (mut tests, mut rest) = (vec![test], no.as_ref());
     while let Finish::If(test, other, no) = rest
@@ -310,7 +310,7 @@ pub(super) fn same(finish: &Finish) -> (Vec<&Test>, &Finish, &Finish) {
 }
 
 /// That one of the tests holds.
-pub(super) fn either(text: &(impl Text + ?Sized), tests: &[&Test]) -> String {
+pub(in crate::emit) fn either(text: &(impl Text + ?Sized), tests: &[&Test]) -> String {
     match tests {
         [one] => text.test(one),
         several => {
@@ -339,7 +339,7 @@ fn close(out: &mut Lines, end: &str) {
 }
 
 /// The local values of statements, each of one shape.
-pub(super) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, Shape>) {
+pub(in crate::emit) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, Shape>) {
     for statement in statements {
         match statement {
             Statement::Let(name, shape, _) | Statement::Variable(name, shape) => {

@@ -7,7 +7,7 @@ use crate::internal::fault;
 use crate::program::number;
 
 /// An expression and how tightly it holds together.
-pub(super) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
+pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
     match value {
         Expr::Number(exact) => {
             let value = number::round(exact, text.precision());
@@ -74,7 +74,7 @@ pub(super) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
 }
 
 /// The tests that must all hold, each as an operand of [`Text::and`] where there are several.
-pub(super) fn parts(text: &dyn Text, test: &Test) -> Vec<String> {
+pub(in crate::emit) fn parts(text: &dyn Text, test: &Test) -> Vec<String> {
     let two = |a: &Expr, sign: &str, b: &Expr| {
         vec![format!("{} {sign} {}", text.within(a, Level::Sum), text.within(b, Level::Sum))]
     };

@@ -4,7 +4,7 @@ use crate::code::{Finish, Function, Shape, Status};
 
 /// What a call gives, by the words that languages have for it.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Gives {
+pub(in crate::emit) enum Gives {
     /// Nothing.
     Nothing,
     /// Its status, which is `Ok` unless it failed.
@@ -30,7 +30,7 @@ pub(super) enum Gives {
 }
 
 impl Gives {
-    pub(super) fn of(function: &Function) -> Self {
+    pub(in crate::emit) fn of(function: &Function) -> Self {
         let result = function.results.first();
         let is = |name: &str| result.is_some_and(|result| result.name == name);
         let ranges = function.failures.contains(&Status::Range);

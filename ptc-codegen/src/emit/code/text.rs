@@ -187,13 +187,13 @@ pub(in crate::emit) trait Text {
 
 /// A word that begins a sentence.
 #[cfg(feature = "files")]
-pub(super) fn capital(word: &str) -> String {
+pub(in crate::emit) fn capital(word: &str) -> String {
     let (first, rest) = word.split_at(word.len().min(1));
     format!("{}{rest}", first.to_ascii_uppercase())
 }
 
 /// Without the brackets around the whole, where those of a statement or a call are enough.
-pub(super) fn bare(test: String) -> String {
+pub(in crate::emit) fn bare(test: String) -> String {
     let inner = test.strip_prefix('(').and_then(|inner| inner.strip_suffix(')'));
     let whole = |inner: &&str| {
         let mut depth = 0i32;

@@ -2,38 +2,38 @@
 //! FMUs, projects, whose text is in templates.
 
 mod acsl;
-mod axes;
+mod apart;
 mod c;
-pub mod coupled;
+mod called;
 mod cpp;
+mod elimination;
 mod eva;
 mod example;
 pub mod fmu;
-mod followed;
-mod formulas;
-mod header;
+mod head;
 mod language;
+mod legal;
+mod literal;
 mod matlab;
-mod observed;
 mod outline;
-mod plant;
 mod plcopen;
+mod powers;
 mod project;
 mod python;
 mod rust;
-mod sampled;
 mod selftest;
-pub(super) mod st;
+mod st;
 #[cfg(test)]
 mod table;
 
+pub use head::coupled;
 pub use language::Language;
 use language::{Print, Target};
 pub use project::Project;
 
-use super::code::literal;
+use super::code::{block, gives, text};
 use super::declared::declared;
-use super::{code, declared, in_time, tidy};
+use super::{declared, in_samples, in_time, tidy};
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::controller::Controller;
@@ -55,7 +55,12 @@ pub struct File {
 
 /// The program of a controller, with its head and parameters in the words of `language`.
 fn program(controller: &Controller<'_>, language: Language) -> Code {
-    in_time(controller, header::lines(controller, language), language.element())
+    in_time(controller, head::lines(controller, language), language.element())
+}
+
+/// The same of a controller in samples.
+fn program_in_samples(report: &Report, language: Language) -> Code {
+    in_samples(&report.spec, &|sampled| head::lines_in_samples(report, sampled, language))
 }
 
 /// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no
@@ -141,7 +146,7 @@ fn printed(
         Print::Fmu => fault("an FMU is no source file"),
     };
     if of == Language::StructuredText {
-        st::names_itself(&report.spec, &code::st(&program(of)), &mut found);
+        st::names_itself(&report.spec, &st::file(&program(of)), &mut found);
     }
     found.finish(Some(files))
 }
@@ -176,9 +181,7 @@ fn accepts(target: &Target, spec: &Spec, program: Option<&Program>) -> Result<()
 /// As [`emit`].
 pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     accepts(language.target(), &report.spec, None)?;
-    printed(language, report, |language| {
-        sampled::program(report, language).unwrap_or_else(|| fault("a controller without samples"))
-    })
+    printed(language, report, |language| program_in_samples(report, language))
 }
 
 /// Notes that a language, called `name`, has no fused multiply-add.
@@ -228,7 +231,7 @@ pub fn emit_sampled_selftest(
 
 /// The program of a controller in samples as its C prints it.
 pub fn sampled_c(report: &Report) -> Code {
-    sampled::program(report, Language::C).unwrap_or_else(|| fault("a controller without samples"))
+    program_in_samples(report, Language::C)
 }
 
 /// The C files of a controller with contracts and case splits in comments, and a harness with which
@@ -244,16 +247,16 @@ pub fn emit_sampled_with_proof(spec: &Spec, code: &Code) -> Vec<File> {
 
 /// The mapping, its closed forms and the law of a controller in time, as they are in a head.
 pub fn formulas(controller: &Controller<'_>) -> Vec<String> {
-    let mut lines = formulas::mapping(controller);
+    let mut lines = head::mapping(controller);
     if controller.spec().what != What::Associated {
-        lines.extend(formulas::law(controller));
+        lines.extend(head::law(controller));
     }
     lines.into_iter().skip_while(String::is_empty).collect()
 }
 
 /// The same of a controller in samples; empty for an observer alone.
 pub fn sampled_formulas(report: &Report) -> Vec<String> {
-    sampled::formulas(report)
+    head::formulas_in_samples(report)
 }
 
 /// The text of a template.

@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::code::{Kind, Library, Scope, Unit, st_library};
+use super::st::{Kind, Library, Scope, Unit, library as st_library};
 use super::{File, Language, Print, Target, st, text_of, tidy};
 use crate::check::examine::Report;
 use crate::code::Code;

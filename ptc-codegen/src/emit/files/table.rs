@@ -3,9 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-use super::code;
+use super::text::Text;
+use super::{c, cpp, matlab, python, st};
 use crate::algebra::BigRational;
-use crate::code::{Cell, Code, Expr, Operator, Test};
+use crate::code::{Cell, Code, Expr, Operator, Owner, Test};
+use crate::emit::code::rust::Rust;
 use crate::expression::Function;
 use crate::parameter::Precision;
 
@@ -52,8 +54,8 @@ fn table() -> String {
         ("NotNumber", Test::NotNumber(a())),
         ("CountEqual", Test::CountEqual(a(), b())),
     ];
-    let notes = code::Notes::default();
-    let printers = code::texts(&code, &notes);
+    let notes = c::Notes::default();
+    let printers = texts(&code, &notes);
     let names: Vec<_> = printers.iter().map(|(name, _)| *name).collect();
     let mut lines = vec![
         format!("| operation | {} |", names.join(" | ")),
@@ -95,4 +97,16 @@ fn contributing_shows_what_the_printers_write() {
         shown, table,
         "refresh with `UPDATE_GOLDEN=1 cargo test -p ptc-codegen --lib table`"
     );
+}
+
+/// Every language by name, and how it writes expressions.
+fn texts<'a>(code: &'a Code, notes: &'a c::Notes) -> Vec<(&'static str, Box<dyn Text + 'a>)> {
+    vec![
+        ("C", Box::new(c::C::new(code, notes))),
+        ("Rust", Box::new(Rust::new(code, ""))),
+        ("C++", Box::new(cpp::Cpp::new(code))),
+        ("MATLAB", Box::new(matlab::Matlab::new(code, Owner::Controller))),
+        ("Python", Box::new(python::Python::new(code))),
+        ("Structured Text", Box::new(st::StructuredText::new(code))),
+    ]
 }

@@ -4,32 +4,20 @@ mod axes;
 mod inputs;
 mod items;
 mod loops;
-#[cfg(feature = "files")]
-mod module;
 
 use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text, bracketed};
 use crate::code::{AXIS, Code, Ending, Expr, Shape, Solve, Status, Test};
-#[cfg(feature = "files")]
-use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::{Precision, type_name};
 
-/// The self-contained file of a controller.
-#[cfg(feature = "files")]
-pub(in crate::emit) fn file(code: &Code) -> File {
-    let items = Rust::new(code, "").items();
-    let text = module::text(&code.head, code.precision, &items);
-    File { name: format!("{}.rs", code.name), text }
+/// The items of a controller, whose types are at the path `runtime`.
+pub(in crate::emit) fn items(code: &Code, runtime: &'static str) -> String {
+    Rust::new(code, runtime).items()
 }
 
-/// The items alone, on the types of the facade crate.
-pub(in crate::emit) fn items(code: &Code) -> String {
-    Rust::new(code, "::ptc::").items()
-}
-
-pub(super) struct Rust<'a> {
+pub(in crate::emit) struct Rust<'a> {
     code: &'a Code,
     /// Path of the types that the items use.
     runtime: &'static str,
@@ -289,7 +277,7 @@ const SHORT: usize = 10;
 const CHOICE: usize = 50;
 
 impl<'a> Rust<'a> {
-    pub(super) fn new(code: &'a Code, runtime: &'static str) -> Self {
+    pub(in crate::emit) fn new(code: &'a Code, runtime: &'static str) -> Self {
         let (gives, together, lead) = (Gives::Status, false, (usize::MAX, ""));
         Self { code, runtime, gives, together, lead, out: Lines::default() }
     }

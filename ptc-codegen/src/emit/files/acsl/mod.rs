@@ -5,7 +5,7 @@ mod samples;
 pub(super) use samples::{changed, notes as in_samples};
 
 use super::Controller;
-use super::code::Notes;
+use super::c::Notes;
 use crate::code::Code;
 use crate::controller::plan::Plan;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};

@@ -7,7 +7,7 @@ use crate::code::{
     Access, Code, Ending, Expr, Finish, Function, Place, Shape, Statement, Status, Test,
 };
 use crate::collect::set;
-use crate::emit::code::{Notes, word};
+use crate::emit::files::c::{Notes, word};
 
 /// The contracts by function.
 pub(in crate::emit) fn notes(code: &Code) -> Notes {

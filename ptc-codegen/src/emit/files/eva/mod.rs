@@ -7,8 +7,8 @@ pub(super) use samples::harness as in_samples;
 use askama::Template;
 
 use super::acsl::place;
-use super::code::apart;
-use super::code::externs;
+use super::apart::apart;
+use super::c::externs;
 use super::outline::Outline;
 use super::{Controller, File, literal, text_of, tidy};
 use crate::code::{Code, Expr};

@@ -7,8 +7,8 @@ use askama::Template;
 
 use super::{Call, LAW, OPTIONS, Range, STATE, literal, rounded, stem};
 use crate::code::{Code, Shape, Variable};
-use crate::emit::code::apart;
 use crate::emit::files::acsl::{changed, place};
+use crate::emit::files::apart::apart;
 use crate::emit::files::outline::Outline;
 use crate::emit::files::text_of;
 use crate::emit::{File, tidy};

@@ -7,8 +7,8 @@ mod variables;
 
 use askama::Template;
 
-use super::code::apart;
-use super::code::{Notes, c, domain};
+use super::apart::apart;
+use super::c::{Notes, domain, files as c};
 use super::example::Example;
 use super::outline::Outline;
 use super::{File, Language, Print, Target, literal, stands_alone, text_of, tidy};

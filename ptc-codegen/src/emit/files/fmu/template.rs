@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::super::code::Condition;
+use super::super::c::Condition;
 use super::super::outline::Outline;
 use super::variables::{Unit, Variable};
 use crate::request::Spec;

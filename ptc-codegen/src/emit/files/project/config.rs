@@ -1,7 +1,7 @@
 //! The values with which a project runs, as text in its language.
 
 use super::super::example::{Example, SAMPLED, TIMED};
-use super::super::plant::chain;
+use super::super::head::chain;
 use super::super::{Language, c, declared, literal, rust};
 use super::constant;
 use super::samples::Samples;

@@ -9,7 +9,7 @@ mod templates;
 
 use askama::Template;
 
-use super::code::apart;
+use super::apart::apart;
 use super::{File, Language, stands_alone, text_of, tidy};
 use crate::algebra::BigRational;
 use crate::check::examine::Report;

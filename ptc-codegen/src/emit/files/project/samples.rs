@@ -1,7 +1,7 @@
 //! The plant of a controller in samples, as a project simulates it.
 
 use super::super::example::Example;
-use super::super::plant;
+use super::super::head::plant_in_samples;
 use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
@@ -107,7 +107,7 @@ fn linear(
 }
 
 fn about(spec: &Spec, sampled: &Sampled) -> String {
-    let plant = plant::in_samples(spec, sampled);
+    let plant = plant_in_samples(spec, sampled);
     match &sampled.linear {
         Some(_) if !sampled.measures_states() => format!("{plant}, y = C x"),
         _ => plant,

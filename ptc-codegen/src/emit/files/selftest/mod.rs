@@ -6,7 +6,7 @@ mod time;
 
 use askama::Template;
 
-use super::code::apart;
+use super::apart::apart;
 use super::{File, text_of, tidy};
 use crate::code::Code;
 use crate::parameter::Precision;

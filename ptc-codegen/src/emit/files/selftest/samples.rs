@@ -5,8 +5,9 @@ use askama::Template;
 use super::numbers::Numbers;
 use super::{About, both, suffix};
 use crate::code::Code;
+use crate::emit::File;
+use crate::emit::files::c;
 use crate::emit::files::outline::Outline;
-use crate::emit::{File, code as printed};
 use crate::request::{Guard, Spec};
 use crate::selftest::samples::{Call, SelfTest, Session};
 
@@ -29,7 +30,7 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         unreachable: test
             .untaken
             .iter()
-            .map(|one| (printed::written(code, &one.condition), one.reason.clone()))
+            .map(|one| (c::written(code, &one.condition), one.reason.clone()))
             .collect(),
     };
     let mut first = 0;
@@ -96,11 +97,11 @@ impl Numbers<'_> {
             fields.push(format!(".r = {{{}}}", rows(r, row)));
         }
         fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
-        fields.push(format!(".status = {}", printed::word(call.status)));
+        fields.push(format!(".status = {}", c::word(call.status)));
         fields.extend(match call.axes.as_slice() {
             [] => call.u.first().map(|u| format!(".u = {}", self.number(*u))),
             axes => {
-                let axes: Vec<_> = axes.iter().map(|status| printed::word(*status)).collect();
+                let axes: Vec<_> = axes.iter().map(|status| c::word(*status)).collect();
                 Some(format!(".u = {{{}}}, .axes = {{{}}}", self.list(&call.u), axes.join(", ")))
             }
         });

@@ -5,9 +5,10 @@ use askama::Template;
 use super::numbers::Numbers;
 use super::{About, both, suffix};
 use crate::controller::Controller;
+use crate::emit::files::c;
 use crate::emit::files::outline::Outline;
 use crate::emit::files::program;
-use crate::emit::{File, Language, code};
+use crate::emit::{File, Language};
 use crate::reference::tolerance;
 use crate::request::{After, Feedback, Guard, Spec};
 use crate::selftest::{Always, Call, SelfTest, Session, Wanted};
@@ -19,7 +20,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
     let program = program(controller, Language::C);
     let numbers = Numbers::new(spec, &program);
     let frame = Outline::new(controller.spec(), &program);
-    let tests = (code::start_tests(&program), code::zero_tests(&program));
+    let tests = (c::start_tests(&program), c::zero_tests(&program));
     let about = About {
         sessions: test.sessions.len(),
         calls: test.sessions.iter().map(|session| session.calls.len()).sum(),

@@ -5,8 +5,11 @@ mod axes;
 mod functions;
 mod helpers;
 mod inputs;
+mod target;
 
 use std::collections::BTreeMap;
+
+pub(in crate::emit) use target::TARGET;
 
 use super::block::{Block, Branch};
 use super::gives::Gives;

@@ -1,38 +1,38 @@
 //! C99: a header and a source file.
 
-use super::code::Notes;
-use super::{Controller, File, Language, Print, Target, acsl, code, eva, program};
+use super::super::{Controller, File, Language, Print, Target, acsl, eva, program};
+use super::Notes;
 use crate::code::Code;
 use crate::parameter::Precision;
 use crate::request::Spec;
 
-pub(super) const TARGET: Target = Target {
+pub(in crate::emit) const TARGET: Target = Target {
     language: Language::C,
     name: "c",
     about: "a header and a source file, C99",
     comment: ("/* ", " */"),
     is_word: |_| false,
     refuse: |_, _, _| {},
-    print: Print::Program(|program| code::c(program, &Notes::default())),
+    print: Print::Program(|program| super::files(program, &Notes::default())),
 };
 
 /// The header and the source with contracts and case splits in comments, and the harness of the proof.
-pub(super) fn files_with_proof(controller: &Controller<'_>) -> Vec<File> {
+pub(in crate::emit) fn files_with_proof(controller: &Controller<'_>) -> Vec<File> {
     let program = program(controller, Language::C);
-    let mut files = code::c(&program, &acsl::notes(controller, &program));
+    let mut files = super::files(&program, &acsl::notes(controller, &program));
     files.push(eva::harness(controller, &program));
     files
 }
 
 /// The same of a controller in samples.
-pub(super) fn sampled_files_with_proof(spec: &Spec, program: &Code) -> Vec<File> {
-    let mut files = code::c(program, &acsl::in_samples(program));
+pub(in crate::emit) fn sampled_files_with_proof(spec: &Spec, program: &Code) -> Vec<File> {
+    let mut files = super::files(program, &acsl::in_samples(program));
     files.push(eva::in_samples(spec, program));
     files
 }
 
 /// The type of numbers.
-pub(super) fn real(spec: &Spec) -> &'static str {
+pub(in crate::emit) fn real(spec: &Spec) -> &'static str {
     match spec.precision {
         Precision::F32 => "float",
         Precision::F64 => "double",

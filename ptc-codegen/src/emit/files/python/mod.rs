@@ -6,8 +6,11 @@ mod class;
 mod inputs;
 mod module;
 mod statement;
+mod target;
 
 use std::collections::BTreeMap;
+
+pub(in crate::emit) use target::TARGET;
 
 use super::block::Block;
 use super::gives::Gives;

@@ -1,9 +1,9 @@
 //! Python: one typed module on NumPy.
 
-use super::{Language, Print, Target, code, refuse_class, refuse_fma};
+use super::super::{Language, Print, Target, refuse_class, refuse_fma};
 use crate::parameter::type_name;
 
-pub(super) const TARGET: Target = Target {
+pub(in crate::emit) const TARGET: Target = Target {
     language: Language::Python,
     name: "python",
     about: "one typed module on NumPy, for batches of times and states",
@@ -16,7 +16,7 @@ pub(super) const TARGET: Target = Target {
         refuse_class(spec, &[], found);
         refuse_fma(spec, "NumPy", found);
     },
-    print: Print::Program(|program| vec![code::python(program)]),
+    print: Print::Program(|program| vec![super::file(program)]),
 };
 
 /// Keywords, modules that one of this name would hide, and names whose class the module has already.

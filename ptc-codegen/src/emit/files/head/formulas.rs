@@ -20,7 +20,7 @@ const SERIES: &str =
     "  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i";
 
 /// The time mapping and its closed forms.
-pub(super) fn mapping(controller: &Controller<'_>) -> Vec<String> {
+pub(in crate::emit) fn mapping(controller: &Controller<'_>) -> Vec<String> {
     let spec = controller.spec();
     let head = [
         String::new(),
@@ -152,7 +152,7 @@ pub(super) fn of_reference(spec: &Spec) -> Vec<String> {
 }
 
 /// Theorem 1, specialised.
-pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
+pub(in crate::emit) fn law(controller: &Controller<'_>) -> Vec<String> {
     let spec = controller.spec();
     let rate = match (spec.references(), spec.derivative(spec.n)) {
         (0, None) => String::new(),

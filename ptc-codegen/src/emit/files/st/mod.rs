@@ -4,15 +4,18 @@
 mod block;
 mod helpers;
 mod library;
+mod target;
 
 use super::block::{Block, Branch};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Shape, Solve, Status, Test};
-use crate::emit::{File, files::st};
+use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
 pub(in crate::emit) use library::{Kind, Library, Scope, Unit};
+pub(in crate::emit) use target::{TARGET, names_itself};
+use target::{greatest, is_word, literal};
 
 pub(super) struct StructuredText<'a> {
     code: &'a Code,
@@ -42,7 +45,7 @@ impl Text for StructuredText<'_> {
     }
 
     fn literal(&self, digits: &str) -> String {
-        st::literal(digits, self.code.precision)
+        literal(digits, self.code.precision)
     }
 
     fn count(&self, count: u32) -> String {
@@ -60,7 +63,7 @@ impl Text for StructuredText<'_> {
         let own = ["built", "ready", "self", "status"].contains(&name.as_str());
         let own = own || (name == "u" && !self.observes());
         let given = self.outputs().any(|function| function.name == name);
-        if own || given || st::is_word(&name) { format!("{name}_now") } else { name }
+        if own || given || is_word(&name) { format!("{name}_now") } else { name }
     }
 
     fn field(&self, name: &str) -> String {
@@ -126,7 +129,7 @@ impl Text for StructuredText<'_> {
     }
 
     fn finite(&self, value: &str) -> String {
-        format!("(ABS({value}) <= {})", st::greatest(self.code.precision))
+        format!("(ABS({value}) <= {})", greatest(self.code.precision))
     }
 
     fn and(&self) -> &'static str {

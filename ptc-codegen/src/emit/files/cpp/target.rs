@@ -1,15 +1,15 @@
 //! C++17: one header.
 
-use super::{Language, Print, Target, code, refuse_class};
+use super::super::{Language, Print, Target, refuse_class};
 
-pub(super) const TARGET: Target = Target {
+pub(in crate::emit) const TARGET: Target = Target {
     language: Language::Cpp,
     name: "cpp",
     about: "one header, C++17 and constexpr",
     comment: ("/* ", " */"),
     is_word: |word| WORDS.split_whitespace().any(|one| one == word),
     refuse: |spec, _, found| refuse_class(spec, &CLASSES, found),
-    print: Print::Program(|program| vec![code::cpp(program)]),
+    print: Print::Program(|program| vec![super::file(program)]),
 };
 
 /// The words of C++17 and C++20 that are none of C or Rust.

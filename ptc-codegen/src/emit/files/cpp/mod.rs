@@ -4,6 +4,9 @@ mod axes;
 mod header;
 mod inputs;
 mod loops;
+mod target;
+
+pub(in crate::emit) use target::TARGET;
 
 use super::block::{Block, Branch};
 use super::called::{calls_library, paired};

@@ -1,6 +1,6 @@
 //! What the head of a file says of an observer alone.
 
-use super::{Language, sampled};
+use super::{Language, samples};
 use crate::internal::fault;
 use crate::request::{Observer, Sampled, Spec};
 
@@ -39,7 +39,7 @@ pub(super) fn behaviour(
     language: Language,
 ) -> Vec<String> {
     let end = end(observer);
-    let then = sampled::then(observer);
+    let then = samples::then(observer);
     let delay = &given.delay;
     let acts = match delay.inputs() {
         0 => "it acted from tick k - 1 to tick k".to_owned(),
@@ -57,6 +57,6 @@ pub(super) fn behaviour(
         format!("k counts samples and may wrap; arm again within 2^32 - {end} samples."),
         format!("u is the input of tick k - 1 as it was applied, after clipping: {acts}."),
         format!("From sample {end} on the status is HOLD; {then}."),
-        sampled::guard(spec, language, ["what is measured and u are", "measurements and inputs"]),
+        samples::guard(spec, language, ["what is measured and u are", "measurements and inputs"]),
     ]
 }

@@ -7,10 +7,12 @@ mod inputs;
 mod loops;
 mod source;
 mod statement;
+mod target;
 
 use std::collections::BTreeMap;
 
 pub(in crate::emit) use conditions::{Condition, domain, start_tests, written, zero_tests};
+pub(in crate::emit) use target::{TARGET, files_with_proof, real, sampled_files_with_proof};
 
 use super::apart::apart;
 use super::text::{Level, Lines, Text};

@@ -13,7 +13,7 @@ use crate::program::{Op, Stage, cost};
 use crate::request::{After, Feedback, Guard, Reference, Spec, What};
 
 /// Lines of the head, without comment signs.
-pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
+pub(in crate::emit) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
     let spec = controller.spec();
     let lang = language.name();
     let associated = spec.what == What::Associated;

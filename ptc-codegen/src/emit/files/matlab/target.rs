@@ -1,18 +1,18 @@
 //! MATLAB: one function file for each function, for MATLAB, its Coder, Simulink, and GNU Octave.
 
-use super::{Language, Print, Target, code, refuse_fma};
+use super::super::{Language, Print, Target, refuse_fma};
 use crate::diagnostic::Diagnostics;
 use crate::program::Program;
 use crate::request::{Spec, What};
 
-pub(super) const TARGET: Target = Target {
+pub(in crate::emit) const TARGET: Target = Target {
     language: Language::Matlab,
     name: "matlab",
     about: "a function file for each function, MATLAB and GNU Octave",
     comment: ("% ", ""),
     is_word: |word| WORDS.split_whitespace().any(|one| one == word),
     refuse,
-    print: Print::Program(code::matlab),
+    print: Print::Program(super::files),
 };
 
 /// Keywords of MATLAB and Octave.

@@ -1,22 +1,14 @@
-//! The program of a controller in samples, with its head.
+//! The head of the files of a controller in samples.
 
-use super::super::in_samples;
-use super::{Language, axes, coupled, followed, header, observed, plant};
+use super::{Language, axes, coupled, followed, observed, plant, time};
 use crate::algebra::integer;
 use crate::check::examine::Report;
-use crate::code::Code;
 use crate::model::Coupled;
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
 
-/// The program; `None` if the clock is time.
-pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
-    let sampled = report.spec.sampled()?;
-    Some(in_samples(&report.spec, sampled, head(report, sampled, language)))
-}
-
 /// What becomes of the plant, and by which law; nothing for an observer alone.
-pub(super) fn formulas(report: &Report) -> Vec<String> {
+pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
     let spec = &report.spec;
     match spec.sampled() {
         Some(sampled) if spec.what != What::Observer => purpose(spec, sampled),
@@ -24,7 +16,12 @@ pub(super) fn formulas(report: &Report) -> Vec<String> {
     }
 }
 
-fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
+/// Lines of the head, without comment signs.
+pub(in crate::emit) fn lines(
+    report: &Report,
+    sampled: &Sampled,
+    language: Language,
+) -> Vec<String> {
     let spec = &report.spec;
     let (name, n) = (spec.name(), spec.n);
     let alone = sampled.observer.as_ref().filter(|_| spec.what == What::Observer);
@@ -83,8 +80,8 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         Some(observer) => observed::behaviour(spec, sampled, observer, language),
         None => behaviour(spec, sampled, language),
     });
-    rest.extend(header::checks(report));
-    lines.extend(rest.iter().flat_map(|line| header::wrap(line)));
+    rest.extend(time::checks(report));
+    lines.extend(rest.iter().flat_map(|line| time::wrap(line)));
     lines
 }
 

@@ -2,22 +2,22 @@
 
 use std::collections::BTreeSet;
 
-use super::literal::through_double;
-use super::{File, Language, Print, Target, code, names, refuse_fma};
+use super::super::literal::through_double;
+use super::super::{File, Language, Print, Target, names, refuse_fma};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Node, Subject};
 use crate::parameter::{Parameter, Precision};
 use crate::program::{Op, Program};
 use crate::request::{Feedback, Spec, What};
 
-pub(super) const TARGET: Target = Target {
+pub(in crate::emit) const TARGET: Target = Target {
     language: Language::StructuredText,
     name: "st",
     about: "a function block in IEC 61131-3 Structured Text",
     comment: ("(* ", " *)"),
     is_word,
     refuse,
-    print: Print::Program(|program| vec![code::st(program)]),
+    print: Print::Program(|program| vec![super::file(program)]),
 };
 
 /// Keywords, types and standard functions, all case-insensitive, and what the function
@@ -108,7 +108,7 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
 }
 
 /// Refuses a name that a variable of the function block has too.
-pub(super) fn names_itself(spec: &Spec, file: &File, found: &mut Diagnostics) {
+pub(in crate::emit) fn names_itself(spec: &Spec, file: &File, found: &mut Diagnostics) {
     let name = spec.name();
     if occurrences(&file.text, &name) > 1 {
         found.push(

@@ -1,0 +1,18 @@
+//! The heads of files: how to make them again, what the controller does, by which law and on which conditions.
+
+mod axes;
+pub mod coupled;
+mod followed;
+mod formulas;
+mod observed;
+mod plant;
+mod samples;
+mod time;
+
+pub(super) use formulas::{law, mapping};
+pub(super) use plant::{chain, in_samples as plant_in_samples};
+pub(super) use samples::{formulas as formulas_in_samples, lines as lines_in_samples};
+pub(super) use time::lines;
+
+use super::declared;
+use super::{Controller, Language};
