@@ -146,34 +146,47 @@ ptc_status ptc_exp2_axes3_step(
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
         ptc_exp2_axes3_gains gains;
-        const ptc_status now = ptc_exp2_axes3_tick(self, t, &gains);
 
-        status = now;
-        if (now >= PTC_OK) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            gains.gain[0] = self->c1 * inv_T * inv_T;
+            gains.gain[1] = self->c2 * inv_T;
+            gains.u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+        }
+        if (status >= PTC_OK) {
+            const ptc_status now = status;
             const double bound = (gains.u_max < 1.7976931348623157e308) ? gains.u_max : 1.7976931348623157e308;
             double v[3];
-            uint32_t beyond = 0U;
 
-            for (uint32_t axis = 0U; axis < 3U; axis++) {
-                v[axis] = (gains.gain[0] * x[axis][0]) + (gains.gain[1] * x[axis][1]);
-            }
-            for (uint32_t axis = 0U; axis < 3U; axis++) {
-                beyond |= (fabs(v[axis]) <= bound) ? 0U : 1U;
-            }
-            for (uint32_t axis = 0U; axis < 3U; axis++) {
-                u[axis] = v[axis];
-            }
+            v[0] = (gains.gain[0] * x[0][0]) + (gains.gain[1] * x[0][1]);
+            v[1] = (gains.gain[0] * x[1][0]) + (gains.gain[1] * x[1][1]);
+            v[2] = (gains.gain[0] * x[2][0]) + (gains.gain[1] * x[2][1]);
+            u[0] = v[0];
+            u[1] = v[1];
+            u[2] = v[2];
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 axes[axis] = now;
             }
-            if (beyond != 0U) {
-                for (uint32_t axis = 0U; axis < 3U; axis++) {
-                    if (!(fabs(v[axis]) <= bound)) {
+
+            uint32_t within = 0U;
+            while ((within < 3U) && (fabs(u[within]) <= bound)) {
+                within++;
+            }
+            if (within < 3U) {
+                for (uint32_t axis = within; axis < 3U; axis++) {
+                    if (!(fabs(u[axis]) <= bound)) {
                         if ((isfinite(x[axis][0]) != 0) && (isfinite(x[axis][1]) != 0)) {
-                            if (gains.u_max < v[axis]) {
+                            if (gains.u_max < u[axis]) {
                                 u[axis] = gains.u_max;
                                 axes[axis] = PTC_SATURATED;
-                            } else if (v[axis] < -gains.u_max) {
+                            } else if (u[axis] < -gains.u_max) {
                                 u[axis] = -gains.u_max;
                                 axes[axis] = PTC_SATURATED;
                             } else {
@@ -198,7 +211,7 @@ ptc_status ptc_exp2_axes3_step(
         } else {
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 u[axis] = 0.0;
-                axes[axis] = now;
+                axes[axis] = status;
             }
         }
     } else {

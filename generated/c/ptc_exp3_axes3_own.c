@@ -163,12 +163,39 @@ ptc_status ptc_exp3_axes3_own_step(
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
         ptc_exp3_axes3_own_gains gains;
-        const ptc_status now = ptc_exp3_axes3_own_tick(self, t, &gains);
 
-        status = now;
-        if (now >= PTC_OK) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double v1 = inv_T * inv_T;
+            const double v2 = (-120.0) * v1 * inv_T;
+            const double v3 = (-60.0) * inv_T * inv_T;
+            const double v4 = (-12.0) * inv_T;
+            gains.gain[0] = v2;
+            gains.gain[1] = v3;
+            gains.gain[2] = v4;
+            gains.gain[3] = v2;
+            gains.gain[4] = v3;
+            gains.gain[5] = v4;
+            gains.gain[6] = (-336.0) * v1 * inv_T;
+            gains.gain[7] = (-126.0) * inv_T * inv_T;
+            gains.gain[8] = (-18.0) * inv_T;
+            gains.input_gain[0] = self->input_gain;
+            gains.input_gain[1] = self->input_gain;
+            gains.input_gain[2] = 2.0;
+            gains.u_max[0] = 40.0;
+            gains.u_max[1] = 40.0;
+            gains.u_max[2] = 15.0;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+        }
+        if (status >= PTC_OK) {
+            const ptc_status now = status;
             double v[3];
-            uint32_t beyond = 0U;
 
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 const double s1 = gains.gain[3U * axis] * x[axis][0];
@@ -177,25 +204,28 @@ ptc_status ptc_exp3_axes3_own_step(
                 const double input_gain = gains.input_gain[axis];
                 v[axis] = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
             }
-            for (uint32_t axis = 0U; axis < 3U; axis++) {
-                beyond |= ((isfinite(v[axis]) != 0) && (fabs(v[axis]) <= gains.u_max[axis])) ? 0U : 1U;
-            }
-            for (uint32_t axis = 0U; axis < 3U; axis++) {
-                u[axis] = v[axis];
-            }
+            u[0] = v[0];
+            u[1] = v[1];
+            u[2] = v[2];
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 axes[axis] = now;
             }
-            if (beyond != 0U) {
-                for (uint32_t axis = 0U; axis < 3U; axis++) {
-                    if (!((isfinite(v[axis]) != 0) && (fabs(v[axis]) <= gains.u_max[axis]))) {
+
+            uint32_t within = 0U;
+            while ((within < 3U)
+                && ((isfinite(u[within]) != 0) && (fabs(u[within]) <= gains.u_max[within]))) {
+                within++;
+            }
+            if (within < 3U) {
+                for (uint32_t axis = within; axis < 3U; axis++) {
+                    if (!((isfinite(u[axis]) != 0) && (fabs(u[axis]) <= gains.u_max[axis]))) {
                         if ((isfinite(x[axis][0]) != 0)
                             && (isfinite(x[axis][1]) != 0)
                             && (isfinite(x[axis][2]) != 0)) {
-                            if (gains.u_max[axis] < v[axis]) {
+                            if (gains.u_max[axis] < u[axis]) {
                                 u[axis] = gains.u_max[axis];
                                 axes[axis] = PTC_SATURATED;
-                            } else if (v[axis] < -gains.u_max[axis]) {
+                            } else if (u[axis] < -gains.u_max[axis]) {
                                 u[axis] = -gains.u_max[axis];
                                 axes[axis] = PTC_SATURATED;
                             } else {
@@ -220,7 +250,7 @@ ptc_status ptc_exp3_axes3_own_step(
         } else {
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 u[axis] = 0.0;
-                axes[axis] = now;
+                axes[axis] = status;
             }
         }
     } else {

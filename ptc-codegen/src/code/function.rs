@@ -82,10 +82,10 @@ pub enum Finish {
     Inputs(Box<Inputs>),
 }
 
-/// What `axis` does, for several axes at once: what it computes in a loop without a branch, which compilers
-/// turn into vector instructions, and its tests behind it. In the terms of `axis`: each array that it is
-/// given is the row of an axis, the fields are those of the gains, and u before the tests is the local
-/// value v.
+/// What `axis` does, for several axes at once: what it computes, without a branch but those of a quotient, and
+/// its tests behind it. In the terms of `axis`: each array that it is given is the row of an axis, the fields
+/// are those of the gains, and u before the tests is the local value v. Arrays in its body are the sums of
+/// which v is made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
     /// How many.

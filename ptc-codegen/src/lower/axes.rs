@@ -6,6 +6,7 @@ use super::rows;
 use super::rows::Rows;
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Node};
+use crate::internal::fault;
 use crate::law::Law;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Op, Value};
@@ -18,7 +19,15 @@ pub(super) struct Shared {
     pub(super) divisors: Vec<Value>,
     pub(super) bounds: Vec<Value>,
     pub(super) axis: Option<Value>,
+    pub(super) parts: Vec<Vec<Value>>,
 }
+
+/// From this order on, where four divides it, u of one of several axes is a sum of four sums. Each takes every
+/// fourth state, so that compilers put four that are adjacent into a vector as they lie, where those of
+/// different axes would have to be gathered. For 8 axes of order 12 that is 434 instead of 466 instructions
+/// with -O2, 276 instead of 324 with -O3, and 166 instead of 292 with -O3 -mavx2; at order 8 it is a loss with
+/// -O2, 370 instead of 332, and without vectors it always is, as the sums go through memory.
+const ORDER_OF_PARTS: usize = 12;
 
 /// Whether what depends on time serves several axes: gains that are held after the deadline, with no
 /// f(x, t), g(x, t) and r(t) of one axis.
@@ -45,9 +54,9 @@ pub(super) fn shared<'a>(
         let number = spec.input_gain.as_ref().and_then(Expression::number);
         let gain = spec.input_gain.as_ref().filter(|_| number.is_none());
         let divisor = gain.map(|gain| input_gain(b, gain));
-        let axis = Some(axis(b, number, divisor.is_some()));
+        let (axis, parts) = axis(b, number, divisor.is_some());
         let divisors = divisor.into_iter().collect();
-        return Shared { gains, divisors, bounds: Vec::new(), axis };
+        return Shared { gains, divisors, bounds: Vec::new(), axis: Some(axis), parts };
     };
     let one = b.integer(1);
     let mut all = Shared::default();
@@ -70,31 +79,49 @@ pub(super) fn shared<'a>(
         }
     }
     b.of_all(spec);
-    all.axis = Some(axis(b, None, !all.divisors.is_empty()));
+    let (axis, parts) = axis(b, None, !all.divisors.is_empty());
+    (all.axis, all.parts) = (Some(axis), parts);
     all
 }
 
 /// u = sum_j gain_j x_j, of the tracking error where there is a reference, over g: a number, or what
-/// `tick` handed over.
-fn axis(b: &mut Builder<'_>, number: Option<&BigRational>, handed_over: bool) -> Value {
-    let mut sum = None;
-    for j in 1..=b.spec.n {
+/// `tick` handed over. Behind it stand its parts.
+fn axis(
+    b: &mut Builder<'_>,
+    number: Option<&BigRational>,
+    handed_over: bool,
+) -> (Value, Vec<Vec<Value>>) {
+    let n = b.spec.n;
+    let in_parts = b.spec.axes.is_some() && n >= ORDER_OF_PARTS && n.is_multiple_of(4);
+    let mut sums = vec![None; if in_parts { 4 } else { 1 }];
+    let count = sums.len();
+    for j in 1..=n {
         let gain = b.push(Op::Input(Input::Gain(j)));
         let x = b.coordinate(j);
         let product = b.mul(gain, x);
-        sum = b.sum(sum, Some(product));
+        let sum = &mut sums[(j - 1) % count];
+        *sum = b.sum(*sum, Some(product));
     }
-    let sum = sum.unwrap_or_else(|| b.integer(0));
-    let wanted = match b.reference(b.spec.n) {
+    let sums: Vec<_> = sums.into_iter().flatten().collect();
+    let (sum, parts) = match sums.as_slice() {
+        [first, second, third, fourth] => {
+            let halves = [b.add(*first, *third), b.add(*second, *fourth)];
+            (b.add(halves[0], halves[1]), vec![sums, halves.to_vec()])
+        }
+        [sum] => (*sum, Vec::new()),
+        _ => fault("an axis without a sum"),
+    };
+    let wanted = match b.reference(n) {
         Some(rate) => b.add(sum, rate),
         None => sum,
     };
-    match number {
+    let u = match number {
         Some(number) => over_number(b, wanted, number),
         None if handed_over => {
             let divisor = b.push(Op::Input(Input::Divisor));
             b.push(Op::Quotient(wanted, divisor))
         }
         None => wanted,
-    }
+    };
+    (u, parts)
 }

@@ -79,6 +79,7 @@ impl<'a> Builder<'a> {
             divisors: Vec::new(),
             bounds: Vec::new(),
             axis: None,
+            parts: Vec::new(),
             determinant: None,
             watched: Vec::new(),
         };

@@ -79,8 +79,8 @@ fn controller(spec: &Spec, law: &Law, form: plant::Form) -> Program {
     let elapsed = b.elapsed;
     let limits = Limits { start_time, u_max, past, late, hold_from, eps, elapsed };
     let program = b.finish(step, limits);
-    let Shared { gains, divisors, bounds, axis } = shared;
-    Program { others, gains, divisors, bounds, axis, determinant, ..program }
+    let Shared { gains, divisors, bounds, axis, parts } = shared;
+    Program { others, gains, divisors, bounds, axis, parts, determinant, ..program }
 }
 
 /// u of a chain, and what several axes share; these have no step of one.

@@ -36,6 +36,7 @@ impl Program {
         self.step = controls.remove(0);
         self.others = controls;
         (self.gains, self.divisors, self.bounds) = (Vec::new(), Vec::new(), Vec::new());
+        self.parts.clear();
         self
     }
 }

@@ -159,6 +159,9 @@ pub struct Program {
     pub bounds: Vec<Value>,
     /// u from the gains that `tick` left, before it is clipped; `None` if there are no gains.
     pub axis: Option<Value>,
+    /// The sums of which `axis` is made, those of a level in the order of their computation and each level of
+    /// the one before; empty where it is one sum.
+    pub parts: Vec<Vec<Value>>,
     /// Determinant of the decoupling matrix, by which the inputs are divided; none where there is none, or
     /// it is a number.
     pub determinant: Option<Value>,

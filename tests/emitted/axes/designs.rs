@@ -5,7 +5,8 @@ use ptc_codegen::request::Spec;
 
 use super::support::specs::spec;
 
-/// Shared and own gains, limits and input gains, references, both precisions, and guards that trust.
+/// Shared and own gains, limits and input gains, references, both precisions, guards that trust, and an order
+/// at which u is a sum of four sums.
 pub(super) fn specs() -> Vec<Spec> {
     let own: [(&str, &str); 8] = [
         ("n", "2"),
@@ -32,6 +33,11 @@ pub(super) fn specs() -> Vec<Spec> {
         with(
             &[("n", "2"), ("mu", "tanh(a=0.5)"), ("gains", "[[20,9],[42,13]]")],
             &[("axes", "2"), ("name", "two"), ("u_max", "inf"), ("g", "1/mass")],
+        ),
+        with(&[("n", "12"), ("mu", "exp(a=4)")], &[("axes", "3"), ("name", "high")]),
+        with(
+            &[("n", "12"), ("mu", "exp(a=4)"), ("reference", "input"), ("precision", "f32")],
+            &[("axes", "3"), ("name", "high_own"), ("g", "[2, b, 1]"), ("limits", "20,30,0.5")],
         ),
         quadrotor(),
     ]

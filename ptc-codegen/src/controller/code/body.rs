@@ -18,12 +18,13 @@ pub(super) struct Body {
 
 /// What `routine` computes. The states and references `local` are local values, the others elements of
 /// x and r; the array xi is given to the infinite-time system. Behind the roots of the routine stand
-/// those of `further` values.
+/// those of `further` values; those of `parts` stand in arrays.
 pub(super) fn body(
     plan: &Plan<'_>,
     routine: Routine,
     (local, xi_is_given): (&[Input], bool),
     further: &[Value],
+    parts: &[Vec<Value>],
 ) -> Body {
     let roots = [plan.roots(routine).as_slice(), further].concat();
     let mut writer = Writer {
@@ -31,6 +32,8 @@ pub(super) fn body(
         routine,
         local,
         xi_is_given,
+        parts,
+        elements: Vec::new(),
         uses: uses(plan, routine, &roots),
         known: BTreeMap::new(),
         statements: Vec::new(),
@@ -65,11 +68,17 @@ fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, u
 /// What the laws of all outputs give.
 const LAWS: &str = "laws";
 
+/// The sums of which u of an axis is made, level by level.
+const PARTS: [&str; 2] = ["part", "half"];
+
 struct Writer<'a> {
     plan: &'a Plan<'a>,
     routine: Routine,
     local: &'a [Input],
     xi_is_given: bool,
+    parts: &'a [Vec<Value>],
+    /// Those of the array that is being filled.
+    elements: Vec<Expr>,
     uses: BTreeMap<Value, usize>,
     known: BTreeMap<Value, Expr>,
     statements: Vec<Statement>,
@@ -160,7 +169,22 @@ impl Writer<'_> {
                 }
             }
         };
+        let known = self.element(value, known);
         self.known.insert(value, known);
+    }
+
+    /// What stands for a value whose expression is `known`: an element, where it is one of the parts, and the
+    /// array behind the last one.
+    fn element(&mut self, value: Value, known: Expr) -> Expr {
+        let level = self.parts.iter().zip(PARTS).find(|(level, _)| level.contains(&value));
+        let Some((level, name)) = level else { return known };
+        self.elements.push(known);
+        let place = self.elements.len() - 1;
+        if level.last() == Some(&value) {
+            let elements = std::mem::take(&mut self.elements);
+            self.statements.push(Statement::Array(name.to_owned(), elements));
+        }
+        Expr::Element(name.to_owned(), place)
     }
 
     /// Calls the law of all outputs, once.

@@ -2,6 +2,7 @@
 //! and the `step` of all axes.
 
 use super::Builder;
+use super::body::body;
 use crate::code::{
     AXIS, Access, Axes, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status,
     Test, Variable,
@@ -97,7 +98,8 @@ impl Builder<'_> {
     fn of_all_axes(&self, count: usize) -> Axes {
         let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
         let inputs = self.inputs_of_axis(axis);
-        let mut body = self.body(Routine::Axis, &[]);
+        let parts = &self.controller.program.parts;
+        let mut body = body(&self.plan, Routine::Axis, (&[], false), &[], parts);
         let Some(value) = body.roots.pop() else { fault("an axis without u") };
         let limit = self.limit_of_axis();
         // One test for both, that v is finite and that it is within a bound which may be infinite.

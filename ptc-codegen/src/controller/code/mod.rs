@@ -93,7 +93,7 @@ impl Builder<'_> {
     /// What `routine` computes; of the elements of x and r those that are `local` are local values.
     fn body(&self, routine: Routine, local: &[Input]) -> Body {
         let given = self.spec.what == What::Associated;
-        body(&self.plan, routine, (local, given), &[])
+        body(&self.plan, routine, (local, given), &[], &[])
     }
 
     /// Whether arguments are checked.

@@ -32,7 +32,7 @@ impl Builder<'_> {
         }
         let checks = digits::checks(self.spec, self.controller.program);
         let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
-        let mut body = body(&self.plan, Routine::Init, (&[], false), &values);
+        let mut body = body(&self.plan, Routine::Init, (&[], false), &values, &[]);
         let mut checked = body.roots.split_off(body.roots.len() - values.len()).into_iter();
         let kept = |check: &Condition| self.kept(check, &mut checked, &mut body.statements);
         let kept = checks.iter().map(kept).collect();

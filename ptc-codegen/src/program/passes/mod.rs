@@ -63,6 +63,9 @@ fn rebuild(
     new.step = to(program.step);
     new.others = program.others.iter().copied().map(to).collect();
     new.axis = program.axis.map(to);
+    for part in new.parts.iter_mut().flatten() {
+        *part = to(*part);
+    }
     new.gains = program.gains.iter().copied().map(to).collect();
     new.divisors = program.divisors.iter().copied().map(to).collect();
     new.bounds = program.bounds.iter().copied().map(to).collect();

@@ -16,7 +16,7 @@ pub(in crate::emit) use target::{TARGET, files_with_proof, real, sampled_files_w
 
 use super::apart::apart;
 use super::text::{Level, Lines, Text};
-use crate::code::{Access, Callback, Code, Function, Owner, Shape, Solve, Status};
+use crate::code::{AXIS, Access, Callback, Code, Function, Owner, Shape, Solve, Status};
 use crate::emit::File;
 use crate::parameter::Precision;
 
@@ -68,8 +68,12 @@ pub(super) struct C<'a> {
     zeroed: bool,
     /// The local value that is stored as soon as it is known, and the result that it is.
     stored: Option<(String, String)>,
-    /// In a loop over axes, the names of what has an element, or an array, for each axis.
+    /// In what is done for each axis, the names of what has an element, or an array, for each.
     rows: Vec<String>,
+    /// Which axis that is.
+    axis: String,
+    /// What leads to a field of the gains that `tick` gives.
+    gains: &'static str,
     out: Lines,
 }
 
@@ -83,10 +87,22 @@ impl Text for C<'_> {
     }
 
     fn local(&self, name: &str) -> String {
-        match self.rows.iter().any(|row| row == name) {
-            true => format!("{name}[axis]"),
-            false => name.to_owned(),
+        match (self.rows.iter().any(|row| row == name), name) {
+            // What is read of it has been stored.
+            (true, "v") => format!("u[{}]", self.axis),
+            (true, name) => format!("{name}[{}]", self.axis),
+            (false, name) => name.to_owned(),
         }
+    }
+
+    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
+        let place = match (self.axis.parse::<usize>(), stride, index) {
+            (Ok(axis), ..) => (stride * axis + index).to_string(),
+            (_, 1, _) => self.axis.clone(),
+            (_, stride, 0) => format!("{stride}U * {}", self.axis),
+            (_, stride, index) => format!("({stride}U * {}) + {index}U", self.axis),
+        };
+        format!("{}[{place}]", self.field(name))
     }
 
     fn field(&self, name: &str) -> String {
@@ -139,7 +155,6 @@ impl Text for C<'_> {
 impl<'a> C<'a> {
     pub(super) fn new(code: &'a Code, notes: &'a Notes) -> Self {
         let out = Lines::default();
-        let rows = Vec::new();
         Self {
             code,
             notes,
@@ -147,7 +162,9 @@ impl<'a> C<'a> {
             standing: None,
             zeroed: false,
             stored: None,
-            rows,
+            rows: Vec::new(),
+            axis: AXIS.to_owned(),
+            gains: "gains->",
             out,
         }
     }

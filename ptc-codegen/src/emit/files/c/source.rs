@@ -172,7 +172,7 @@ impl C<'_> {
     }
 
     /// Hands the results over, unless that is `done`, and settles the status.
-    fn finish(&mut self, function: &Function, finish: &Finish, done: bool) {
+    pub(super) fn finish(&mut self, function: &Function, finish: &Finish, done: bool) {
         let mut fails = false;
         finish.each(&mut |end| fails |= matches!(end, Finish::Fail(_)));
         match finish {
@@ -282,10 +282,10 @@ impl C<'_> {
                 }
                 Shape::Lists(..) => fault("an array of arrays is given"),
                 Shape::Gains => {
-                    let fields = self.code.gains.iter();
-                    let place = |field: &crate::code::Variable| match field.shape.length() {
-                        Some(n) => (0..n).map(|i| format!("{name}->{}[{i}]", field.name)).collect(),
-                        None => vec![format!("{name}->{}", field.name)],
+                    let (fields, gains) = (self.code.gains.iter(), self.gains);
+                    let place = |field: &Variable| match field.shape.length() {
+                        Some(n) => (0..n).map(|i| format!("{gains}{}[{i}]", field.name)).collect(),
+                        None => vec![format!("{gains}{}", field.name)],
                     };
                     fields.flat_map(place).collect()
                 }

@@ -78,7 +78,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
     both(spec, &about, source.render())
 }
 
-/// Whether `tick` and `axis` are called beside `step`, which calls them itself for several axes.
+/// Whether `tick` and `axis` are called beside `step`; of several axes each call compares `step` with them.
 fn has_gains(controller: &Controller<'_>) -> bool {
     controller.program.axis.is_some() && controller.spec().axes.is_none()
 }
@@ -196,7 +196,7 @@ struct Source<'a> {
     is_after: bool,
     has_context: bool,
     has_gains: bool,
-    /// Whether `step` of several axes calls `tick` and `axis`, and whether that takes the axis.
+    /// Whether `step` of several axes is compared with `tick` and `axis`, and whether that takes the axis.
     has_axes: bool,
     numbers_axes: bool,
     /// Calls of `axis` of which each lacks a pointer: gains, x, r and u.
