@@ -261,8 +261,9 @@ impl Tape {
 
 fn perform(due: &[Instruction], registers: &mut [Pack], arrays: &mut [Vec<Pack>]) {
     for Instruction { to, work } in due {
-        registers[*to] = match work {
-            Work::Arithmetic(operation) => apply(operation, registers),
+        let to = *to;
+        match work {
+            Work::Arithmetic(operation) => apply(operation, registers, to),
             Work::Rows { tail, weights, fused } => {
                 let [tail, weights] = [tail, weights]
                     .map(|places| places.iter().map(|p| registers[*p]).collect::<Vec<_>>());
@@ -270,13 +271,13 @@ fn perform(due: &[Instruction], registers: &mut [Pack], arrays: &mut [Vec<Pack>]
                     true => Pack::of(|lane| a.0[lane].mul_add(b.0[lane], c.0[lane])),
                     false => two(&c, &two(&a, &b, mul), add),
                 };
-                arrays[*to] = rows(&tail, &weights, |a, b| two(&a, &b, add), more);
+                arrays[to] = rows(&tail, &weights, |a, b| two(&a, &b, add), more);
                 // An array is no number.
-                Pack::all(f64::NAN)
+                registers[to] = Pack::all(f64::NAN);
             }
-            Work::Element(array, element) => arrays[*array][*element],
-            Work::Root(root) => solve(root, registers, arrays),
-        };
+            Work::Element(array, element) => registers[to] = arrays[*array][*element],
+            Work::Root(root) => registers[to] = solve(root, registers, arrays),
+        }
     }
 }
 
@@ -297,23 +298,29 @@ fn mul(a: f64, b: f64) -> f64 {
     a * b
 }
 
-/// An operation in each lane; those that are loops of a compiler's vectors are written out.
+/// An operation in each lane; those that are loops of a compiler's vectors are written out. Each writes its
+/// own result: one that all hand over would be copied once more.
 #[inline]
-fn apply(operation: &Arithmetic, registers: &[Pack]) -> Pack {
+fn apply(operation: &Arithmetic, registers: &mut [Pack], to: usize) {
     let at = |place: usize| &registers[place];
     match *operation {
-        Arithmetic::Number(value) => Pack::all(value),
-        Arithmetic::Neg(a) => two(at(a), at(a), |a, _| -a),
-        Arithmetic::Add(a, b) => two(at(a), at(b), add),
-        Arithmetic::Sub(a, b) => two(at(a), at(b), |a, b| a - b),
-        Arithmetic::Mul(a, b) => two(at(a), at(b), mul),
-        Arithmetic::Div(a, b) => two(at(a), at(b), |a, b| a / b),
-        Arithmetic::Max(a, b) => two(at(a), at(b), |a, b| if a < b { b } else { a }),
-        Arithmetic::Min(a, b) => two(at(a), at(b), |a, b| if a < b { a } else { b }),
-        Arithmetic::Call(Function::Sqrt, a) => two(at(a), at(a), |a, _| a.sqrt()),
-        Arithmetic::Copy(a) => *at(a),
+        Arithmetic::Number(value) => registers[to] = Pack::all(value),
+        Arithmetic::Neg(a) => registers[to] = two(at(a), at(a), |a, _| -a),
+        Arithmetic::Add(a, b) => registers[to] = two(at(a), at(b), add),
+        Arithmetic::Sub(a, b) => registers[to] = two(at(a), at(b), |a, b| a - b),
+        Arithmetic::Mul(a, b) => registers[to] = two(at(a), at(b), mul),
+        Arithmetic::Div(a, b) => registers[to] = two(at(a), at(b), |a, b| a / b),
+        Arithmetic::Max(a, b) => {
+            registers[to] = two(at(a), at(b), |a, b| if a < b { b } else { a });
+        }
+        Arithmetic::Min(a, b) => {
+            registers[to] = two(at(a), at(b), |a, b| if a < b { a } else { b });
+        }
+        Arithmetic::Call(Function::Sqrt, a) => registers[to] = two(at(a), at(a), |a, _| a.sqrt()),
+        Arithmetic::Copy(a) => registers[to] = *at(a),
         operation => {
-            Pack::of(|lane| operation.result(|place| registers[place].0[lane], Precision::F64))
+            let result = |lane: usize| operation.result(|place| at(place).0[lane], Precision::F64);
+            registers[to] = Pack::of(result);
         }
     }
 }
