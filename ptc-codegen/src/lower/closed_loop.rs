@@ -8,6 +8,7 @@
 
 use super::builder::{Builder, PlantPoint};
 use super::input_gain::over_input_gain;
+use super::mapping::Taylor;
 use super::plant::without_drift;
 use super::{series, state};
 use crate::expression::Expression;
@@ -53,8 +54,8 @@ impl ClosedLoop {
         self.program.watched[6]
     }
 
-    /// xi_1..xi_n.
-    pub fn xi(&self) -> &[Value] {
+    /// The states of the other side of Theorem 1: xi_1..xi_n of a loop in x, and x_1..x_n of one in xi.
+    pub fn other(&self) -> &[Value] {
         &self.program.watched[7..]
     }
 }
@@ -66,12 +67,38 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
     let states: Vec<_> = (1..=spec.n).map(|j| b.push(Op::Input(Input::State(j)))).collect();
     b.plant = Some(PlantPoint { states: states.clone(), control: None });
     let taylor = b.taylor();
-    let xi: Vec<_> = (1..=spec.n).map(|j| b.xi(j)).collect();
+    let xi = (1..=spec.n).map(|j| b.xi(j)).collect();
     let law = state::law(&mut b);
     let free = series::wanted(&mut b, &taylor, law, &|b, j| {
         let x = b.coordinate(j);
         (1..j).fold(x, |x, _| b.mul(x, taylor.r1))
     });
+    of_law(b, &taylor, (law, free), (states, xi), (f, g))
+}
+
+/// The same with xi as the state, whose rates take x on their way.
+pub fn associated_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> ClosedLoop {
+    let mut b = Builder::new(spec);
+    b.plant = Some(PlantPoint::default());
+    let taylor = b.taylor();
+    let law = state::law(&mut b);
+    let scaled = series::scaled_states(&mut b, &taylor);
+    let free = series::wanted(&mut b, &taylor, law, &|_, j| scaled[j - 1]);
+    let x = states(&mut b, &scaled, taylor.base_inverse);
+    b.plant = Some(PlantPoint { states: x.clone(), control: None });
+    of_law(b, &taylor, (law, free), (x.clone(), x), (f, g))
+}
+
+/// The loop of a `law`, and of the g u that it wants, at the states of the plant, with those of the
+/// `other` side.
+fn of_law(
+    mut b: Builder<'_>,
+    taylor: &Taylor,
+    (law, free): (Value, Value),
+    (states, other): (Vec<Value>, Vec<Value>),
+    (f, g): (&Expression, Option<&Expression>),
+) -> ClosedLoop {
+    let spec = b.spec;
     let less = without_drift(&mut b, free);
     let wanted = over_input_gain(&mut b, less);
     let (below, control) = clipped(&mut b, wanted);
@@ -111,7 +138,7 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
     let associated = b.mul(pace, last);
     let rate = b.mul(time_to_go, motion);
     let mut watched = vec![pace, associated, taylor.stretched, control, below, wanted, free];
-    watched.extend(xi);
+    watched.extend(other);
     let limits = no_limits(&mut b);
     let program = Program { watched, ..b.finish(rate, limits) };
     ClosedLoop { program }

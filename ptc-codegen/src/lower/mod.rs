@@ -38,7 +38,7 @@ use crate::program::{Input, Limits, Op, Program, Value};
 use crate::request::{After, Guard, Spec, What};
 
 pub(crate) use associated::Plant;
-pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
+pub use closed_loop::{ClosedLoop, associated_loop, closed_loop, mapped_back, observed, plant};
 pub use sampled::{at_sample, reference_at_sample};
 
 /// The program of `law` for `spec`.

@@ -7,7 +7,7 @@ use super::solver::State;
 use super::{Failure, Sample, Values, controller};
 use std::sync::Arc;
 
-use crate::lower::{ClosedLoop, closed_loop, mapped_back};
+use crate::lower::{ClosedLoop, associated_loop, closed_loop, mapped_back};
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::plant::Plant;
 use crate::program::kink::Kink;
@@ -26,6 +26,8 @@ use crate::request::Spec;
 pub struct Continuous {
     n: usize,
     closed: Arc<ClosedLoop>,
+    /// The same with xi as the state.
+    associated: Arc<ClosedLoop>,
     kinks: Vec<Kink>,
     /// Sides on which the kinks are held.
     above: Vec<bool>,
@@ -35,7 +37,6 @@ pub struct Continuous {
     outputs: Point,
     /// From xi to x.
     back: Point,
-    back_program: Arc<Program>,
     states: Vec<Value>,
     /// Whether xi is integrated, not x.
     infinite: bool,
@@ -69,6 +70,8 @@ impl Continuous {
         spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
         let mut closed = closed_loop(&spec, &plant.f, plant.g.as_ref());
         closed.program = passes::optimise(closed.program, &mut |_, _| {});
+        let mut associated = associated_loop(&spec, &plant.f, plant.g.as_ref());
+        associated.program = passes::optimise(associated.program, &mut |_, _| {});
         let program = &closed.program;
         let outputs = Point::new(&spec, program, &program.outputs());
         let kinks = outputs.machine.kinks();
@@ -82,7 +85,6 @@ impl Continuous {
             outputs,
             back: Point::new(&spec, &back, &back.watched),
             states: back.watched.clone(),
-            back_program: Arc::new(back),
             above: vec![true; kinks.len()],
             kinks,
             infinite: false,
@@ -90,6 +92,7 @@ impl Continuous {
             x: vec![0.0; spec.n],
             u: [0.0],
             closed: Arc::new(closed),
+            associated: Arc::new(associated),
         }))
     }
 
@@ -124,7 +127,7 @@ impl Continuous {
     fn stretched_state(&mut self, time_to_go: f64) -> State {
         self.outputs.at(time_to_go, &self.x);
         let mut state = State::zeros();
-        for (xi, value) in state.iter_mut().zip(self.closed.xi()) {
+        for (xi, value) in state.iter_mut().zip(self.closed.other()) {
             *xi = self.outputs.machine.get(*value);
         }
         state
@@ -134,8 +137,8 @@ impl Continuous {
 impl Run<Continuous> {
     /// The same for many scenarios at once, where the loop is smooth and u has no bound.
     pub fn in_lanes(&self) -> Option<StretchedLanes> {
-        let Continuous { n, closed, kinks, back_program, .. } = self.side();
-        StretchedLanes::of(*n, closed, kinks, back_program)
+        let Continuous { n, closed, associated, kinks, .. } = self.side();
+        StretchedLanes::of(*n, (closed, kinks), associated)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::program::{Input, Program, Stage, Value};
 use crate::simulate::values::Given;
 use crate::simulate::{Failure, Values};
 
-use super::flow::Which;
+use super::flow::{Tick, Which};
 
 /// A program in lanes with the registers of what changes along a run.
 #[derive(Clone, Debug)]
@@ -21,6 +21,15 @@ pub struct Abreast {
     time: Option<Register>,
     state: Vec<Option<Register>>,
     control: Option<Register>,
+    kept: Kept,
+}
+
+/// What time decides at the times that are kept.
+#[derive(Clone, Debug)]
+struct Kept {
+    /// The registers that are read later; `None` where a tick is more than arithmetic.
+    read: Option<Vec<Register>>,
+    numbers: Vec<Pack>,
 }
 
 impl Abreast {
@@ -37,6 +46,7 @@ impl Abreast {
             time: lanes.register(Input::Time),
             state: (1..=n).map(|j| lanes.register(Input::State(j))).collect(),
             control: lanes.register(Input::Control),
+            kept: Kept { read: lanes.read_after(Stage::Tick, outputs), numbers: Vec::new() },
             lanes,
         })
     }
@@ -92,16 +102,41 @@ impl Abreast {
         self.lanes.run(Stage::Step);
     }
 
-    /// The same under a control.
-    pub fn under(&mut self, time: &Pack, state: &[Pack], control: &Pack) {
-        self.lanes.fill(self.control, control);
-        self.at(time, state);
+    /// The same at a time that is kept, or may be.
+    pub(super) fn go(&mut self, tick: Tick, time: &Pack, state: &[Pack]) {
+        match tick {
+            Tick::New => self.tick(time),
+            Tick::Again => {}
+            Tick::Kept(place) => {
+                self.tick(time);
+                self.keep(place);
+            }
+            Tick::Of(place) => self.recall(place, time),
+        }
+        self.again(state);
     }
 
-    /// The same at another state and control.
-    pub fn again_under(&mut self, state: &[Pack], control: &Pack) {
+    fn keep(&mut self, place: usize) {
+        let Kept { read: Some(read), numbers } = &mut self.kept else { return };
+        let end = (place + 1) * read.len();
+        if numbers.len() < end {
+            numbers.resize(end, Pack::all(0.0));
+        }
+        for (own, register) in numbers[place * read.len()..].iter_mut().zip(read) {
+            *own = *self.lanes.at(*register);
+        }
+    }
+
+    fn recall(&mut self, place: usize, time: &Pack) {
+        let Kept { read: Some(read), numbers } = &self.kept else { return self.tick(time) };
+        for (own, register) in numbers[place * read.len()..].iter().zip(read) {
+            self.lanes.fill(Some(*register), own);
+        }
+    }
+
+    /// The control from here on.
+    pub fn control(&mut self, control: &Pack) {
         self.lanes.fill(self.control, control);
-        self.again(state);
     }
 }
 

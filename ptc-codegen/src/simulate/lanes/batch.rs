@@ -1,6 +1,6 @@
 //! Many runs by one method: every lane takes the next one as soon as its own is done.
 
-use super::flow::{Chain, Flow, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Tick, Which};
 use super::{Clock, Instants, Job, LaneSide, See};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
@@ -82,12 +82,16 @@ struct Clocked<'a, S> {
 }
 
 impl<S: LaneSide> Chain for Clocked<'_, S> {
-    fn last(&mut self, share: &Pack, state: &[Pack], again: bool) -> [Pack; 2] {
-        self.side.last(&self.clock.at(share), state, again)
+    fn last(&mut self, share: &Pack, state: &[Pack], tick: Tick) -> [Pack; 2] {
+        self.side.last(&self.clock.at(share), state, tick)
+    }
+
+    fn is_even(&self) -> bool {
+        self.side.is_in_time()
     }
 
     fn late(&self, share: &Pack) -> Pack {
-        match self.side.rounds_time() {
+        match self.side.is_in_time() {
             true => self.clock.late(share),
             false => Pack::all(0.0),
         }

@@ -17,7 +17,7 @@
 
 use std::sync::Arc;
 
-use super::flow::{Chain, Flow, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Tick, Which};
 use super::nodes::{NODES, Nodes};
 use super::system::{System, integrated};
 use crate::program::lanes::{LANES, Pack};
@@ -46,7 +46,7 @@ const SOLVED: f64 = 0.05;
 const ROUNDS: usize = 8;
 
 /// Where the error of a step that is tried again, shorter, has not fallen to this part, it is the rounding of
-/// the rates: a step may have that much more, to the accuracy that is not loosened further.
+/// the rates: from there on a step may have that many times it, to the accuracy that is not loosened further.
 const FALLEN: f64 = 0.5;
 const LOOSER: f64 = 10.0;
 const LOOSEST: f64 = 1e-7;
@@ -83,7 +83,7 @@ const NONE: [Pack; NODES] = [Pack::all(0.0); NODES];
 impl Collocation {
     pub(super) fn new(order: usize, accuracy: Accuracy) -> Self {
         Self {
-            nodes: Arc::new(Nodes::new()),
+            nodes: Arc::new(Nodes::new(order)),
             accuracy,
             flow: Flow::new(order),
             from: Pack::all(0.0),
@@ -156,7 +156,8 @@ impl Collocation {
         for node in 0..NODES {
             let share = self.share(node);
             let base;
-            [self.pace[node], base] = self.on_step(node, chain.last(&share, &state, false));
+            [self.pace[node], base] =
+                self.on_step(node, chain.last(&share, &state, Tick::Kept(node)));
             for i in 0..state.len() {
                 let own = state[i];
                 let size = Pack::of(|lane| {
@@ -164,7 +165,7 @@ impl Collocation {
                     MOVED * own.0[lane].abs().max(SMALL * most).max(f64::MIN_POSITIVE / MOVED)
                 });
                 state[i] = Pack::of(|lane| own.0[lane] + size.0[lane]);
-                let [_, there] = self.on_step(node, chain.last(&share, &state, true));
+                let [_, there] = self.on_step(node, chain.last(&share, &state, Tick::Again));
                 self.slopes[i][node] = Pack::of(|lane| {
                     (there.0[lane] - base.0[lane]) / (state[i].0[lane] - own.0[lane])
                 });
@@ -185,7 +186,7 @@ impl Collocation {
                 }
             }
         }
-        self.system.form(&self.nodes, &self.pace, &self.slopes);
+        self.system.form(&self.nodes, (&self.pace, chain.is_even()), &self.slopes);
         self.system.solve(&mut right);
         self.k = right;
         self.follow();
@@ -201,7 +202,8 @@ impl Collocation {
             let mut right = NONE;
             for node in 0..NODES {
                 self.computed(node, &mut state);
-                let [_, rate] = self.on_step(node, chain.last(&self.share(node), &state, false));
+                let tick = Tick::Of(node);
+                let [_, rate] = self.on_step(node, chain.last(&self.share(node), &state, tick));
                 right[node] = Pack::of(|lane| rate.0[lane] - self.k[node].0[lane]);
             }
             self.system.solve(&mut right);
@@ -311,27 +313,33 @@ impl Steps for Collocation {
         let error = self.error();
         let loosest = (LOOSEST / self.accuracy.relative).max(1.0);
         std::array::from_fn(|lane| {
-            let error = error.0[lane] / self.allowed.0[lane];
-            let moved = solved[lane] && error <= 1.0;
-            if active[lane] {
-                let before = std::mem::replace(&mut self.refused.0[lane], error);
-                if moved {
-                    self.refused.0[lane] = 0.0;
-                } else if before > 0.0 && error > FALLEN * before {
-                    self.allowed.0[lane] = (LOOSER * self.allowed.0[lane]).min(loosest);
-                    self.refused.0[lane] = 0.0;
-                }
-                // By the eighth root, or the sixteenth and the 64th: on the safe side of the twelfth.
-                let root = error.sqrt().sqrt().sqrt();
-                let half = root.sqrt();
-                let wanted = SAFETY / if moved { half * half.sqrt().sqrt() } else { root };
-                let [least, most] = FACTORS;
-                let is_known = solved[lane] && !wanted.is_nan();
-                let factor = if is_known { wanted.clamp(least, most) } else { least };
-                let length = self.length.0[lane];
-                let factor = factor.min(LONGEST / length);
-                self.flow.go_on(lane, (moved, cut[lane]), (length, factor), end.0[lane]);
+            if !active[lane] {
+                return false;
             }
+            let mut error = error.0[lane] / self.allowed.0[lane];
+            let before = std::mem::replace(&mut self.refused.0[lane], 0.0);
+            let is_solved = solved[lane];
+            if !(is_solved && error <= 1.0) {
+                if before > 0.0 && error > FALLEN * before {
+                    let more = if is_solved { LOOSER * error } else { LOOSER };
+                    let more = more.min(loosest / self.allowed.0[lane]);
+                    self.allowed.0[lane] *= more;
+                    error /= more;
+                } else {
+                    self.refused.0[lane] = error;
+                }
+            }
+            let moved = is_solved && error <= 1.0;
+            // By the eighth root, or the sixteenth and the 64th: on the safe side of the twelfth.
+            let root = error.sqrt().sqrt().sqrt();
+            let half = root.sqrt();
+            let wanted = SAFETY / if moved { half * half.sqrt().sqrt() } else { root };
+            let [least, most] = FACTORS;
+            let is_known = is_solved && !wanted.is_nan();
+            let factor = if is_known { wanted.clamp(least, most) } else { least };
+            let length = self.length.0[lane];
+            let factor = factor.min(LONGEST / length);
+            self.flow.go_on(lane, (moved, cut[lane]), (length, factor), end.0[lane]);
             moved
         })
     }

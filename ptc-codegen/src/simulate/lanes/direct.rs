@@ -1,7 +1,7 @@
 //! The plant with the emitted program in lanes.
 
 use super::along::{Abreast, Kinks};
-use super::flow::Which;
+use super::flow::{Tick, Which};
 use super::{At, LaneSide};
 use crate::program::kink::Kink;
 use crate::program::lanes::Pack;
@@ -86,7 +86,7 @@ impl LaneSide for DirectLanes {
         std::array::from_fn(|lane| law[lane] || motion[lane])
     }
 
-    fn rounds_time(&self) -> bool {
+    fn is_in_time(&self) -> bool {
         true
     }
 
@@ -94,14 +94,10 @@ impl LaneSide for DirectLanes {
         x0.to_vec()
     }
 
-    fn last(&mut self, at: &At, state: &[Pack], again: bool) -> [Pack; 2] {
-        if again {
-            self.law.again(state);
-            self.motion.again_under(state, self.law.lanes.get(self.step));
-        } else {
-            self.law.at(&at.t, state);
-            self.motion.under(&at.t, state, self.law.lanes.get(self.step));
-        }
+    fn last(&mut self, at: &At, state: &[Pack], tick: Tick) -> [Pack; 2] {
+        self.law.go(tick, &at.t, state);
+        self.motion.control(self.law.lanes.get(self.step));
+        self.motion.go(tick, &at.t, state);
         let own = self.motion.lanes.get(self.rate);
         let rate = Pack::of(|lane| at.time_to_go.0[lane] * own.0[lane]);
         [at.time_to_go, rate]

@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use super::flow::{Chain, Flow, Steps, Which};
+use super::flow::{Chain, Flow, Steps, Tick, Which};
 use super::tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::Accuracy;
@@ -24,7 +24,7 @@ const MOVED: f64 = 1e-6;
 
 /// What collocation takes instead: a step of it as many of these for each component and one more, on a way of
 /// this length each, once some that are shorter have brought it to where that suffices.
-const DEARER: f64 = 1.5;
+const DEARER: f64 = 0.6;
 const FAR: f64 = 0.3;
 const SHORT: f64 = 6.0;
 
@@ -279,7 +279,7 @@ impl Explicit {
 /// All rates of a chain, from that of its last component.
 fn rates_of(chain: &mut dyn Chain) -> impl FnMut(&Pack, &[Pack], &mut [Pack]) {
     |share, state, rates| {
-        let [pace, rate] = chain.last(share, state, false);
+        let [pace, rate] = chain.last(share, state, Tick::New);
         let end = state.len() - 1;
         for i in 0..end {
             for lane in 0..LANES {

@@ -5,11 +5,26 @@ use crate::program::lanes::{LANES, Pack};
 /// Lanes that something is true of.
 pub(super) type Which = [bool; LANES];
 
+/// How T at a call stands to T at those before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tick {
+    /// It is another one.
+    New,
+    /// It is another one, to which calls come back by this number.
+    Kept(usize),
+    /// It is that of the call before.
+    Again,
+    /// It is that kept under this number.
+    Of(usize),
+}
+
 /// What is integrated: a chain by sigma, of which T/tau and the states of the lanes are given.
 pub(super) trait Chain {
-    /// How fast it goes, dy_i = pace y_(i+1), and the rate of its last component; whether T is as it was at the
-    /// call before.
-    fn last(&mut self, share: &Pack, state: &[Pack], again: bool) -> [Pack; 2];
+    /// How fast it goes, dy_i = pace y_(i+1), and the rate of its last component.
+    fn last(&mut self, share: &Pack, state: &[Pack], tick: Tick) -> [Pack; 2];
+
+    /// Whether it goes as fast all over a step, by the part of the step by which T falls.
+    fn is_even(&self) -> bool;
 
     /// By how much later, in sigma, the last component is computed than asked, as times are rounded.
     fn late(&self, share: &Pack) -> Pack;

@@ -23,6 +23,7 @@ mod ticks;
 
 pub use along::Abreast;
 pub use direct::DirectLanes;
+pub use flow::Tick;
 pub use running::{RunningLanes, Sampling};
 pub use stretched::StretchedLanes;
 
@@ -141,15 +142,14 @@ pub trait LaneSide {
     /// What is integrated, at the start of the plant in `x0`.
     fn begin(&mut self, at: &At, x0: &[Pack]) -> Vec<Pack>;
 
-    /// Of its chain, by sigma: how fast it goes, dy_i = pace y_(i+1), and the rate of its last component;
-    /// `again` at the same time.
-    fn last(&mut self, at: &At, state: &[Pack], again: bool) -> [Pack; 2];
+    /// Of its chain, by sigma: how fast it goes, dy_i = pace y_(i+1), and the rate of its last component.
+    fn last(&mut self, at: &At, state: &[Pack], tick: Tick) -> [Pack; 2];
 
     /// The plant's state and the control.
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack);
 
-    /// Whether it computes with t, as it is rounded, and not with T.
-    fn rounds_time(&self) -> bool {
+    /// Whether its chain is one of time: its pace is T, and it computes with t, as it is rounded.
+    fn is_in_time(&self) -> bool {
         false
     }
 

@@ -15,6 +15,8 @@ pub(super) struct Nodes {
     pub(super) integrals: [Row; NODES],
     /// The same, column by column.
     pub(super) by_column: [Row; NODES],
+    /// Its powers: the integrals of integrals, from the first on.
+    pub(super) powers: Vec<[Row; NODES]>,
     /// The last two coefficients of that polynomial in Legendre's, the highest first.
     pub(super) tail: [Row; 2],
     /// Barycentric weights of 0 and the nodes.
@@ -22,7 +24,8 @@ pub(super) struct Nodes {
 }
 
 impl Nodes {
-    pub(super) fn new() -> Self {
+    /// With as many powers as a chain is long.
+    pub(super) fn new(powers: usize) -> Self {
         let points = points();
         let order = number(NODES);
         let legendre = points.map(legendre);
@@ -44,7 +47,13 @@ impl Nodes {
         let integrals: [Row; NODES] = std::array::from_fn(|l| {
             std::array::from_fn(|m| (0..NODES).map(|j| integral(l, j) * coefficients[j][m]).sum())
         });
+        let next = |power: &[Row; NODES]| -> [Row; NODES] {
+            let entry = |row: &Row, m: usize| (0..NODES).map(|j| row[j] * integrals[j][m]).sum();
+            power.map(|row| std::array::from_fn(|m| entry(&row, m)))
+        };
+        let powers = std::iter::successors(Some(integrals), |power| Some(next(power))).take(powers);
         Self {
+            powers: powers.collect(),
             places,
             integrals,
             by_column: std::array::from_fn(|m| integrals.map(|row| row[m])),
@@ -108,7 +117,7 @@ mod tests {
     /// sees nothing of a degree below its own.
     #[test]
     fn polynomials_are_integrated_exactly() {
-        let nodes = Nodes::new();
+        let nodes = Nodes::new(1);
         let sum = |row: &Row, degree: i32| -> f64 {
             row.iter().zip(nodes.places).map(|(weight, place)| weight * place.powi(degree)).sum()
         };

@@ -3,65 +3,57 @@
 use std::sync::Arc;
 
 use super::along::{Abreast, Kinks};
-use super::flow::Which;
+use super::flow::{Tick, Which};
 use super::{At, LaneSide};
 use crate::lower::ClosedLoop;
+use crate::program::Value;
 use crate::program::kink::Kink;
 use crate::program::lanes::Pack;
-use crate::program::{Program, Value};
 use crate::simulate::{Failure, Values};
 
 /// The same loop as [`Continuous`](crate::simulate::Continuous), where u has no bound: xi throughout.
 #[derive(Clone, Debug)]
 pub struct StretchedLanes {
     closed: Arc<ClosedLoop>,
+    associated: Arc<ClosedLoop>,
     kinks: Kinks,
+    /// From x to xi, and stretched time.
+    start: Abreast,
     rates: Abreast,
     outputs: Abreast,
-    /// From xi to x.
-    back: Abreast,
-    states: Vec<Value>,
     x: Vec<Pack>,
 }
 
 impl StretchedLanes {
-    /// `None` where the loop does not run in lanes.
-    pub fn of(n: usize, closed: &Arc<ClosedLoop>, kinks: &[Kink], back: &Program) -> Option<Self> {
-        let program = &closed.program;
-        let mut outputs = vec![closed.control(), closed.stretched()];
-        outputs.extend(closed.xi());
+    /// The loop in x with its kinks, and in xi; `None` where it does not run in lanes.
+    pub fn of(
+        n: usize,
+        (closed, kinks): (&Arc<ClosedLoop>, &[Kink]),
+        associated: &Arc<ClosedLoop>,
+    ) -> Option<Self> {
+        let with = |value: Value, others: &[Value]| [&[value], others].concat();
+        let start = with(closed.stretched(), closed.other());
+        let outputs = with(associated.control(), associated.other());
+        let program = &associated.program;
         Some(Self {
-            kinks: Kinks::of(program, kinks.to_vec())?,
-            rates: Abreast::new(program, &[closed.pace(), closed.associated()], n)?,
+            kinks: Kinks::of(&closed.program, kinks.to_vec())?,
+            start: Abreast::new(&closed.program, &start, n)?,
+            rates: Abreast::new(program, &[associated.pace(), associated.associated()], n)?,
             outputs: Abreast::new(program, &outputs, n)?,
-            back: Abreast::new(back, &back.watched, n)?,
-            states: back.watched.clone(),
             closed: Arc::clone(closed),
+            associated: Arc::clone(associated),
             x: vec![Pack::all(0.0); n],
         })
     }
 
     fn all(&mut self) -> [&mut Abreast; 4] {
-        [&mut self.rates, &mut self.outputs, &mut self.back, &mut self.kinks.along]
-    }
-
-    /// The plant's x.
-    fn plant(&mut self, at: &At, state: &[Pack]) {
-        self.back.at(&at.time_to_go, state);
-        self.mapped();
+        [&mut self.start, &mut self.rates, &mut self.outputs, &mut self.kinks.along]
     }
 
     /// Stretched time since the start.
     pub fn stretched(&mut self, at: &At) -> Pack {
-        self.outputs.at(&at.time_to_go, &[]);
-        *self.outputs.lanes.get(self.closed.stretched())
-    }
-
-    #[inline]
-    fn mapped(&mut self) {
-        for (x, value) in self.x.iter_mut().zip(&self.states) {
-            *x = *self.back.lanes.get(*value);
-        }
+        self.start.at(&at.time_to_go, &[]);
+        *self.start.lanes.get(self.closed.stretched())
     }
 }
 
@@ -91,25 +83,21 @@ impl LaneSide for StretchedLanes {
     }
 
     fn begin(&mut self, at: &At, x0: &[Pack]) -> Vec<Pack> {
-        self.outputs.at(&at.time_to_go, x0);
-        self.closed.xi().iter().map(|xi| *self.outputs.lanes.get(*xi)).collect()
+        self.start.at(&at.time_to_go, x0);
+        self.closed.other().iter().map(|xi| *self.start.lanes.get(*xi)).collect()
     }
 
-    fn last(&mut self, at: &At, state: &[Pack], again: bool) -> [Pack; 2] {
-        if again {
-            self.back.again(state);
-            self.mapped();
-            self.rates.again(&self.x);
-        } else {
-            self.plant(at, state);
-            self.rates.at(&at.time_to_go, &self.x);
-        }
-        [self.closed.pace(), self.closed.associated()].map(|value| *self.rates.lanes.get(value))
+    fn last(&mut self, at: &At, state: &[Pack], tick: Tick) -> [Pack; 2] {
+        self.rates.go(tick, &at.time_to_go, state);
+        let rates = [self.associated.pace(), self.associated.associated()];
+        rates.map(|value| *self.rates.lanes.get(value))
     }
 
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack) {
-        self.plant(at, state);
-        self.outputs.at(&at.time_to_go, &self.x);
-        (&self.x, self.outputs.lanes.get(self.closed.control()))
+        self.outputs.at(&at.time_to_go, state);
+        for (x, value) in self.x.iter_mut().zip(self.associated.other()) {
+            *x = *self.outputs.lanes.get(*value);
+        }
+        (&self.x, self.outputs.lanes.get(self.associated.control()))
     }
 }

@@ -24,25 +24,18 @@ impl System {
 
     /// K less what the slopes make of the states that follow from K: with A, which integrates, and P, how fast the
     /// chain goes, x_n = A K and x_i = A P x_(i+1), so that this is 1 - (((S_1 A P + S_2) A P + ...) + S_n) A.
-    pub(super) fn form(&mut self, nodes: &Nodes, pace: &[Pack; NODES], slopes: &[[Pack; NODES]]) {
-        let Some((first, others)) = slopes.split_first() else { return };
+    /// Where that pace is `even`, powers of A are all that it takes.
+    pub(super) fn form(
+        &mut self,
+        nodes: &Nodes,
+        (pace, even): (&[Pack; NODES], bool),
+        slopes: &[[Pack; NODES]],
+    ) {
         for node in 0..NODES {
-            // A diagonal has one number in a row.
-            let mut own = NONE;
-            for column in 0..NODES {
-                own[column] = first[node].map(|slope| slope * nodes.integrals[node][column]);
-            }
-            for slopes in others {
-                for column in 0..NODES {
-                    for lane in 0..LANES {
-                        own[column].0[lane] *= pace[column].0[lane];
-                    }
-                }
-                for lane in 0..LANES {
-                    own[node].0[lane] += slopes[node].0[lane];
-                }
-                own = integrated(&own, &nodes.by_column);
-            }
+            let own = match even {
+                true => of_powers(nodes, node, &pace[node], slopes),
+                false => of_chain(nodes, node, pace, slopes),
+            };
             let row = &mut self.factors[node];
             for column in 0..NODES {
                 row[column] = own[column].map(|own| -own);
@@ -124,6 +117,48 @@ fn less(own: &mut Pack, factor: &Pack, solved: &Pack) {
     }
 }
 
+/// What the slopes at a node make of the rates, where the pace is even.
+fn of_powers(nodes: &Nodes, node: usize, pace: &Pack, slopes: &[[Pack; NODES]]) -> [Pack; NODES] {
+    let (mut own, mut scale) = (NONE, Pack::all(1.0));
+    for (slopes, power) in slopes.iter().rev().zip(&nodes.powers) {
+        let slope = Pack::of(|lane| slopes[node].0[lane] * scale.0[lane]);
+        for (own, factor) in own.iter_mut().zip(&power[node]) {
+            for lane in 0..LANES {
+                own.0[lane] += factor * slope.0[lane];
+            }
+        }
+        scale = Pack::of(|lane| scale.0[lane] * pace.0[lane]);
+    }
+    own
+}
+
+/// The same where each node has its own pace.
+fn of_chain(
+    nodes: &Nodes,
+    node: usize,
+    pace: &[Pack; NODES],
+    slopes: &[[Pack; NODES]],
+) -> [Pack; NODES] {
+    let Some((first, others)) = slopes.split_first() else { return NONE };
+    // A diagonal has one number in a row.
+    let mut own = NONE;
+    for column in 0..NODES {
+        own[column] = first[node].map(|slope| slope * nodes.integrals[node][column]);
+    }
+    for slopes in others {
+        for column in 0..NODES {
+            for lane in 0..LANES {
+                own[column].0[lane] *= pace[column].0[lane];
+            }
+        }
+        for lane in 0..LANES {
+            own[node].0[lane] += slopes[node].0[lane];
+        }
+        own = integrated(&own, &nodes.by_column);
+    }
+    own
+}
+
 /// The products of a row with some columns.
 pub(super) fn integrated(row: &[Pack; NODES], columns: &[[f64; NODES]; NODES]) -> [Pack; NODES] {
     let mut products = NONE;
@@ -137,4 +172,40 @@ pub(super) fn integrated(row: &[Pack; NODES], columns: &[[f64; NODES]; NODES]) -
         *product = Pack(sum);
     }
     products
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a chain in time powers say what its states do one by one.
+    #[test]
+    fn an_even_pace_takes_powers_alone() {
+        let nodes = Nodes::new(3);
+        let number = |seed: u32| {
+            let mut angle = f64::from(seed);
+            Pack::all(0.0).map(|_| {
+                angle += 1.0;
+                angle.sin()
+            })
+        };
+        let pace = [number(40); NODES];
+        let mut seed = 0;
+        let mut row = || {
+            NONE.map(|_| {
+                seed += 1;
+                number(seed)
+            })
+        };
+        let slopes = [row(), row(), row()];
+        for node in 0..NODES {
+            let powers = of_powers(&nodes, node, &pace[node], &slopes);
+            let chain = of_chain(&nodes, node, &pace, &slopes);
+            for (a, b) in powers.iter().zip(&chain) {
+                for lane in 0..LANES {
+                    assert!((a.0[lane] - b.0[lane]).abs() < 1e-14, "{a:?} {b:?}");
+                }
+            }
+        }
+    }
 }

@@ -99,7 +99,8 @@ impl LaneObserver {
     /// By how much each objective is exceeded in each lane at an instant.
     pub(crate) fn excess(&mut self, instants: &Instants<'_>) -> &[Pack] {
         let Instants { last, time_to_go, x, u, .. } = instants;
-        self.along.under(time_to_go, x, u);
+        self.along.control(u);
+        self.along.at(time_to_go, x);
         let size = self.sizes(x);
         let Self { watched, along, excess, at_start, .. } = self;
         for (index, (excess, kind)) in excess.iter_mut().zip(&watched.kinds).enumerate() {
