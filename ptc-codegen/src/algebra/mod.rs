@@ -6,12 +6,14 @@
 mod poly;
 pub mod polynomial;
 mod rational;
+#[cfg(feature = "files")]
 mod render;
 pub mod stability;
 mod symbol;
 
 pub use poly::{Monomial, Poly};
 pub(crate) use rational::{common_measure, multiple, whole};
+#[cfg(feature = "files")]
 pub use render::{latex, named_text, text};
 pub use symbol::{Kind, Symbol};
 

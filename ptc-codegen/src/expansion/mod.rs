@@ -5,6 +5,7 @@
 //! at all. [`letter`] holds the published sum, [`bell`] the Bell polynomials in free r_k.
 
 pub mod bell;
+#[cfg(feature = "files")]
 pub mod letter;
 
 use crate::algebra::Poly;

@@ -41,6 +41,7 @@ impl Delay {
     }
 
     /// The delay with `more` samples.
+    #[cfg(feature = "files")]
     pub(crate) fn later(&self, more: usize) -> Self {
         Self { samples: &self.samples + BigRational::from_integer(more.into()) }
     }

@@ -17,6 +17,7 @@ mod arithmetic;
 mod axes;
 pub mod cost;
 pub mod digits;
+#[cfg(feature = "files")]
 pub mod dump;
 pub mod elimination;
 pub mod interpret;

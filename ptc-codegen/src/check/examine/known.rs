@@ -73,6 +73,7 @@ impl Decay {
     }
 
     /// The greatest rate, or a bound of it; `None` if there is none or it is not known.
+    #[cfg(feature = "files")]
     pub(crate) fn greatest(self) -> Option<BigRational> {
         match self.rate {
             Rate::Exact(rate) | Rate::Between(_, rate, _) => Some(rate),

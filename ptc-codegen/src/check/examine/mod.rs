@@ -10,6 +10,7 @@ mod known;
 mod numbers;
 #[cfg(feature = "files")]
 mod period;
+#[cfg(feature = "files")]
 mod plane;
 mod report;
 mod resolution;
@@ -21,6 +22,7 @@ pub(crate) use known::rounded_down;
 pub(crate) use numbers::Numbers;
 #[cfg(feature = "files")]
 pub(crate) use period::held_period;
+#[cfg(feature = "files")]
 pub use plane::{Plane, plane};
 pub use report::Report;
 

@@ -17,6 +17,7 @@ mod gain;
 mod gains;
 mod judge;
 mod lost;
+#[cfg(feature = "files")]
 mod margins;
 mod model;
 mod moved;
@@ -27,6 +28,7 @@ mod reach;
 mod relative;
 mod rounded;
 mod systems;
+#[cfg(feature = "files")]
 mod trajectory;
 mod transition;
 mod trust;
@@ -36,11 +38,13 @@ mod worst;
 pub use cells::Worst;
 pub use eps::{Choice, curve};
 pub(crate) use judge::Loop;
+#[cfg(feature = "files")]
 pub use margins::{Margins, margins};
 pub use outcome::causes;
 pub(crate) use outcome::{NAME, outcome};
 #[cfg(feature = "lab")]
 pub(crate) use proved::proved;
+#[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};
 pub use worst::Bound;
