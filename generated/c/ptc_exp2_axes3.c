@@ -147,6 +147,7 @@ ptc_status ptc_exp2_axes3_step(
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
         ptc_exp2_axes3_gains gains;
 
+        gains.u_max = 0.0;
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;

@@ -45,7 +45,13 @@ impl C<'_> {
         let gains = self.type_of(Shape::Gains);
         self.out.line(format!("{gains} gains;\n"));
         self.gains = "gains.";
-        if !fails {
+        if fails {
+            // Analysers do not see that the status tells whether it is set; compilers leave it out.
+            for field in self.code.gains.iter().filter(|field| field.shape == Shape::Real) {
+                let line = format!("gains.{} = {};", field.name, self.literal("0.0"));
+                self.out.line(line);
+            }
+        } else {
             self.out.open("{");
         }
         self.block(&tick.body, &mut |this| this.finish(tick, &tick.finish, false));
