@@ -42,10 +42,11 @@ pub fn controllers() -> Vec<Spec> {
     all
 }
 
-/// Controllers of several axes, the calls of which are others.
-pub fn of_axes() -> [Spec; 2] {
+/// Controllers of several axes, the calls of which are others; of order 12, where u is a sum of four sums, too.
+pub fn of_axes() -> [Spec; 3] {
     [
         spec(&[("n", "2"), ("axes", "3"), ("mu", "exp"), ("name", "ptc_exp2_axes3")]),
+        spec(&[("n", "12"), ("axes", "2"), ("mu", "exp"), ("name", "ptc_exp12_axes2")]),
         spec(&[
             ("n", "3"),
             ("axes", "3"),

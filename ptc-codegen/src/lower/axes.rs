@@ -24,9 +24,8 @@ pub(super) struct Shared {
 
 /// From this order on, where four divides it, u of one of several axes is a sum of four sums. Each takes every
 /// fourth state, so that compilers put four that are adjacent into a vector as they lie, where those of
-/// different axes would have to be gathered. For 8 axes of order 12 that is 434 instead of 466 instructions
-/// with -O2, 276 instead of 324 with -O3, and 166 instead of 292 with -O3 -mavx2; at order 8 it is a loss with
-/// -O2, 370 instead of 332, and without vectors it always is, as the sums go through memory.
+/// different axes would have to be gathered: `ptc-bench axes` counts 8 axes of order 12. At order 8 it is a loss
+/// with -O2, and without vectors it always is, as the sums go through memory.
 const ORDER_OF_PARTS: usize = 12;
 
 /// Whether what depends on time serves several axes: gains that are held after the deadline, with no

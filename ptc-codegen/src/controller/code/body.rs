@@ -178,8 +178,11 @@ impl Writer<'_> {
     fn element(&mut self, value: Value, known: Expr) -> Expr {
         let level = self.parts.iter().zip(PARTS).find(|(level, _)| level.contains(&value));
         let Some((level, name)) = level else { return known };
+        let place = self.elements.len();
+        if level.get(place) != Some(&value) {
+            fault("the sums of an axis are not computed in their order");
+        }
         self.elements.push(known);
-        let place = self.elements.len() - 1;
         if level.last() == Some(&value) {
             let elements = std::mem::take(&mut self.elements);
             self.statements.push(Statement::Array(name.to_owned(), elements));

@@ -37,8 +37,7 @@ impl C<'_> {
     }
 
     /// What `tick` does, and whether it can fail. A call of `tick` would test the pointers once more and pass
-    /// the gains through memory: 16 to 28 instructions with -O2. Its names end with a block, as those of an
-    /// axis may be the same.
+    /// the gains through memory. Its names end with a block, as those of an axis may be the same.
     fn ticks(&mut self) -> bool {
         let Some(tick) = self.code.function("tick") else { fault("axes without a tick") };
         let fails = !tick.failures.is_empty();
@@ -63,9 +62,8 @@ impl C<'_> {
 
     /// u of all axes before the tests, in an array of its own, as u may lie where x does. Sums that lie in
     /// arrays are formed for all axes before those made of them, which compilers turn into vector
-    /// instructions. Without such sums lines for each axis take an eighth to a fifth fewer instructions than a
-    /// loop with -O2 (2 to 8 axes of orders 3 and 6), and as many with -O3; the tests of a quotient are
-    /// written once.
+    /// instructions. Without such sums lines for each axis take fewer instructions than a loop with -O2; the tests
+    /// of a quotient are written once.
     fn values(&mut self, axes: &Axes) {
         let (real, count) = (self.type_of(Shape::Real), axes.count);
         let mut body = axes.body.as_slice();

@@ -1,0 +1,416 @@
+/* Prescribed-time controller ptc_exp12_axes2: see ptc_exp12_axes2.h. DO NOT EDIT. */
+#include "ptc_exp12_axes2.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status ptc_exp12_axes2_init(ptc_exp12_axes2 *self, const ptc_exp12_axes2_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+    struct ptc_exp12_axes2 built;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+        const double k3 = params->k[2];
+        const double k4 = params->k[3];
+        const double k5 = params->k[4];
+        const double k6 = params->k[5];
+        const double k7 = params->k[6];
+        const double k8 = params->k[7];
+        const double k9 = params->k[8];
+        const double k10 = params->k[9];
+        const double k11 = params->k[10];
+        const double k12 = params->k[11];
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
+            && (a <= 1e150)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
+            && (isfinite(k4) != 0)
+            && (isfinite(k5) != 0)
+            && (isfinite(k6) != 0)
+            && (isfinite(k7) != 0)
+            && (isfinite(k8) != 0)
+            && (isfinite(k9) != 0)
+            && (isfinite(k10) != 0)
+            && (isfinite(k11) != 0)
+            && (isfinite(k12) != 0)
+            && (eps < tau)) {
+            const double v1 = a * a;
+            const double v2 = v1 * v1;
+            const double v3 = v2 * v2;
+            const double v4 = v2 * v3;
+            const double K1 = k1 / v4;
+            const double v5 = a * v1;
+            const double v6 = v5 * v3;
+            const double K2 = k2 / v6;
+            const double v7 = v1 * v3;
+            const double K3 = k3 / v7;
+            const double v8 = a * v3;
+            const double K4 = k4 / v8;
+            const double K5 = k5 / v3;
+            const double v9 = v5 * v2;
+            const double K6 = k6 / v9;
+            const double v10 = v1 * v2;
+            const double K7 = k7 / v10;
+            const double v11 = a * v2;
+            const double K8 = k8 / v11;
+            const double K9 = k9 / v2;
+            const double K10 = k10 / v5;
+            const double K11 = k11 / v1;
+            const double K12 = k12 / a;
+            const double c1 = -K1;
+            const double s1 = ((((((((((-K2) + K3) - K4) + K5) - K6) + K7) - K8) + K9) - K10) + K11) - K12;
+            const double c2 = s1 + 1.0;
+            const double s2 = ((((-K3) + (3.0 * K4)) - (7.0 * K5)) + (15.0 * K6)) - (31.0 * K7);
+            const double s3 = (((s2 + (63.0 * K8)) - (127.0 * K9)) + (255.0 * K10)) - (511.0 * K11);
+            const double c3 = (s3 + (1023.0 * K12)) - 2047.0;
+            const double s4 = ((((-K4) + (6.0 * K5)) - (25.0 * K6)) + (90.0 * K7)) - (301.0 * K8);
+            const double s5 = ((s4 + (966.0 * K9)) - (3025.0 * K10)) + (9330.0 * K11);
+            const double c4 = (s5 - (28501.0 * K12)) + 86526.0;
+            const double s6 = ((((-K5) + (10.0 * K6)) - (65.0 * K7)) + (350.0 * K8)) - (1701.0 * K9);
+            const double s7 = ((s6 + (7770.0 * K10)) - (34105.0 * K11)) + (145750.0 * K12);
+            const double c5 = s7 - 611501.0;
+            const double s8 = (((-K6) + (15.0 * K7)) - (140.0 * K8)) + (1050.0 * K9);
+            const double s9 = ((s8 - (6951.0 * K10)) + (42525.0 * K11)) - (246730.0 * K12);
+            const double c6 = s9 + 1379400.0;
+            const double s10 = (((-K7) + (21.0 * K8)) - (266.0 * K9)) + (2646.0 * K10);
+            const double c7 = ((s10 - (22827.0 * K11)) + (179487.0 * K12)) - 1323652.0;
+            const double s11 = (((-K8) + (28.0 * K9)) - (462.0 * K10)) + (5880.0 * K11);
+            const double c8 = (s11 - (63987.0 * K12)) + 627396.0;
+            const double s12 = (((-K9) + (36.0 * K10)) - (750.0 * K11)) + (11880.0 * K12);
+            const double c9 = s12 - 159027.0;
+            const double c10 = (((-K10) + (45.0 * K11)) - (1155.0 * K12)) + 22275.0;
+            const double c11 = ((-K11) + (55.0 * K12)) - 1705.0;
+            const double c12 = (-K12) + 66.0;
+            const double hold_from = -eps;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
+            const double size_K5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(K5);
+            const double size_K6 = (fabs(k6) <= 0.0) ? 1e-200 : fabs(K6);
+            const double size_K7 = (fabs(k7) <= 0.0) ? 1e-200 : fabs(K7);
+            const double size_K8 = (fabs(k8) <= 0.0) ? 1e-200 : fabs(K8);
+            const double size_K9 = (fabs(k9) <= 0.0) ? 1e-200 : fabs(K9);
+            const double size_K10 = (fabs(k10) <= 0.0) ? 1e-200 : fabs(K10);
+            const double size_K11 = (fabs(k11) <= 0.0) ? 1e-200 : fabs(K11);
+            const double size_K12 = (fabs(k12) <= 0.0) ? 1e-200 : fabs(K12);
+            if ((1e-200 <= v2)
+                && (1e-200 <= v3)
+                && (1e-200 <= v4)
+                && (1e-200 <= size_K1)
+                && (1e-200 <= v5)
+                && (1e-200 <= v6)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= v7)
+                && (1e-200 <= size_K3)
+                && (1e-200 <= v8)
+                && (1e-200 <= size_K4)
+                && (1e-200 <= size_K5)
+                && (1e-200 <= v9)
+                && (1e-200 <= size_K6)
+                && (1e-200 <= v10)
+                && (1e-200 <= size_K7)
+                && (1e-200 <= v11)
+                && (1e-200 <= size_K8)
+                && (1e-200 <= size_K9)
+                && (1e-200 <= size_K10)
+                && (1e-200 <= size_K11)
+                && (1e-200 <= size_K12)
+                && (isfinite(c1) != 0)
+                && (isfinite(c2) != 0)
+                && (isfinite(c3) != 0)
+                && (isfinite(c4) != 0)
+                && (isfinite(c5) != 0)
+                && (isfinite(c6) != 0)
+                && (isfinite(c7) != 0)
+                && (isfinite(c8) != 0)
+                && (isfinite(c9) != 0)
+                && (isfinite(c10) != 0)
+                && (isfinite(c11) != 0)
+                && (isfinite(c12) != 0)
+                && (isfinite(hold_from) != 0)) {
+                built.c1 = c1;
+                built.c2 = c2;
+                built.c3 = c3;
+                built.c4 = c4;
+                built.c5 = c5;
+                built.c6 = c6;
+                built.c7 = c7;
+                built.c8 = c8;
+                built.c9 = c9;
+                built.c10 = c10;
+                built.c11 = c11;
+                built.c12 = c12;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
+                status = ptc_exp12_axes2_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp12_axes2_arm(ptc_exp12_axes2 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp12_axes2_tick(
+    const ptc_exp12_axes2 *self,
+    double t,
+    ptc_exp12_axes2_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double v1 = inv_T * inv_T;
+            const double v2 = v1 * inv_T;
+            const double v3 = v2 * inv_T;
+            const double v4 = v3 * inv_T;
+            const double v5 = v4 * inv_T;
+            gains->gain[0] = self->c1 * v5 * v5;
+            gains->gain[1] = self->c2 * v5 * v4;
+            gains->gain[2] = self->c3 * v4 * v4;
+            gains->gain[3] = self->c4 * v4 * v3;
+            gains->gain[4] = self->c5 * v3 * v3;
+            gains->gain[5] = self->c6 * v3 * v2;
+            gains->gain[6] = self->c7 * v2 * v2;
+            gains->gain[7] = self->c8 * v2 * v1;
+            gains->gain[8] = self->c9 * v1 * v1;
+            gains->gain[9] = self->c10 * v1 * inv_T;
+            gains->gain[10] = self->c11 * inv_T * inv_T;
+            gains->gain[11] = self->c12 * inv_T;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp12_axes2_axis(const ptc_exp12_axes2_gains *gains, const double x[12], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[4] * x[4]);
+        const double s2 = (gains->gain[2] * x[2]) + (gains->gain[6] * x[6]);
+        const double s3 = (gains->gain[1] * x[1]) + (gains->gain[5] * x[5]);
+        const double s4 = (gains->gain[3] * x[3]) + (gains->gain[7] * x[7]);
+        const double s5 = s1 + (gains->gain[8] * x[8]) + (s2 + (gains->gain[10] * x[10]));
+        const double v = s5 + (s3 + (gains->gain[9] * x[9]) + (s4 + (gains->gain[11] * x[11])));
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)
+            && (isfinite(x[5]) != 0)
+            && (isfinite(x[6]) != 0)
+            && (isfinite(x[7]) != 0)
+            && (isfinite(x[8]) != 0)
+            && (isfinite(x[9]) != 0)
+            && (isfinite(x[10]) != 0)
+            && (isfinite(x[11]) != 0)) {
+            if (gains->u_max < v) {
+                *u = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                *u = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                *u = 0.0;
+                status = PTC_E_RANGE;
+            }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp12_axes2_step(
+    const ptc_exp12_axes2 *self,
+    double t,
+    const double x[2][12],
+    double u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        ptc_exp12_axes2_gains gains;
+
+        gains.u_max = 0.0;
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double v1 = inv_T * inv_T;
+            const double v2 = v1 * inv_T;
+            const double v3 = v2 * inv_T;
+            const double v4 = v3 * inv_T;
+            const double v5 = v4 * inv_T;
+            gains.gain[0] = self->c1 * v5 * v5;
+            gains.gain[1] = self->c2 * v5 * v4;
+            gains.gain[2] = self->c3 * v4 * v4;
+            gains.gain[3] = self->c4 * v4 * v3;
+            gains.gain[4] = self->c5 * v3 * v3;
+            gains.gain[5] = self->c6 * v3 * v2;
+            gains.gain[6] = self->c7 * v2 * v2;
+            gains.gain[7] = self->c8 * v2 * v1;
+            gains.gain[8] = self->c9 * v1 * v1;
+            gains.gain[9] = self->c10 * v1 * inv_T;
+            gains.gain[10] = self->c11 * inv_T * inv_T;
+            gains.gain[11] = self->c12 * inv_T;
+            gains.u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+        }
+        if (status >= PTC_OK) {
+            const ptc_status now = status;
+            const double bound = (gains.u_max < 1.7976931348623157e308) ? gains.u_max : 1.7976931348623157e308;
+            double part[2][4];
+
+            for (uint32_t axis = 0U; axis < 2U; axis++) {
+                const double s1 = (gains.gain[0] * x[axis][0]) + (gains.gain[4] * x[axis][4]);
+                const double s2 = (gains.gain[1] * x[axis][1]) + (gains.gain[5] * x[axis][5]);
+                const double s3 = (gains.gain[2] * x[axis][2]) + (gains.gain[6] * x[axis][6]);
+                const double s4 = (gains.gain[3] * x[axis][3]) + (gains.gain[7] * x[axis][7]);
+                part[axis][0] = s1 + (gains.gain[8] * x[axis][8]);
+                part[axis][1] = s2 + (gains.gain[9] * x[axis][9]);
+                part[axis][2] = s3 + (gains.gain[10] * x[axis][10]);
+                part[axis][3] = s4 + (gains.gain[11] * x[axis][11]);
+            }
+            double half[2][2];
+
+            for (uint32_t axis = 0U; axis < 2U; axis++) {
+                half[axis][0] = part[axis][0] + part[axis][2];
+                half[axis][1] = part[axis][1] + part[axis][3];
+            }
+            double v[2];
+
+            for (uint32_t axis = 0U; axis < 2U; axis++) {
+                v[axis] = half[axis][0] + half[axis][1];
+            }
+            u[0] = v[0];
+            u[1] = v[1];
+            for (uint32_t axis = 0U; axis < 2U; axis++) {
+                axes[axis] = now;
+            }
+
+            uint32_t within = 0U;
+            while ((within < 2U) && (fabs(u[within]) <= bound)) {
+                within++;
+            }
+            if (within < 2U) {
+                for (uint32_t axis = within; axis < 2U; axis++) {
+                    if (!(fabs(u[axis]) <= bound)) {
+                        if ((isfinite(x[axis][0]) != 0)
+                            && (isfinite(x[axis][1]) != 0)
+                            && (isfinite(x[axis][2]) != 0)
+                            && (isfinite(x[axis][3]) != 0)
+                            && (isfinite(x[axis][4]) != 0)
+                            && (isfinite(x[axis][5]) != 0)
+                            && (isfinite(x[axis][6]) != 0)
+                            && (isfinite(x[axis][7]) != 0)
+                            && (isfinite(x[axis][8]) != 0)
+                            && (isfinite(x[axis][9]) != 0)
+                            && (isfinite(x[axis][10]) != 0)
+                            && (isfinite(x[axis][11]) != 0)) {
+                            if (gains.u_max < u[axis]) {
+                                u[axis] = gains.u_max;
+                                axes[axis] = PTC_SATURATED;
+                            } else if (u[axis] < -gains.u_max) {
+                                u[axis] = -gains.u_max;
+                                axes[axis] = PTC_SATURATED;
+                            } else {
+                                u[axis] = 0.0;
+                                axes[axis] = PTC_E_RANGE;
+                            }
+                        } else {
+                            u[axis] = 0.0;
+                            axes[axis] = PTC_E_INPUT;
+                        }
+                        if (status >= PTC_OK) {
+                            status = axes[axis];
+                        }
+                    }
+                }
+                if (status < PTC_OK) {
+                    for (uint32_t axis = 0U; axis < 2U; axis++) {
+                        u[axis] = 0.0;
+                    }
+                }
+            }
+        } else {
+            for (uint32_t axis = 0U; axis < 2U; axis++) {
+                u[axis] = 0.0;
+                axes[axis] = status;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
