@@ -211,8 +211,12 @@ const CAMPAIGNS: &str = "\
 and again, down to 512, where they take more than 4 s.
 A scenario is run on both sides of Theorem 1 and looked at at 80 instants and more, to a relative error of 1e-9: two
 trajectories. The designs are [examples/campaign.toml](../examples/campaign.toml) and the same with what is named.
-Instructions by callgrind, 64 to 256 scenarios on one thread; processor time the least of 3 rounds; pace by the clock.
-What is not smooth in the state, or comes near its bound u_max, is run one scenario at a time.";
+Instructions by callgrind, 64 to 256 scenarios on one thread, with the vectors of AVX2; processor time the least of 3
+rounds; pace by the clock. What is not smooth in the state, or comes near its bound u_max, is run one scenario at a time.
+The last three designs are without damping and slip: the loop is linear in stretched time, then it is sampled (one
+trajectory, tau = 1, h = 0.01), then its gust is any signal, a sine too. By the slope of callgrind's count from 8192 to
+16384 scenarios the linear one takes 64 thousand instructions and the sampled one 56.
+`campaigns --only TEXT` prints the rows whose name holds TEXT.";
 
 pub(super) fn campaigns(text: &mut String, campaigns: &[Campaign]) {
     section(text, "Campaigns", "campaigns", CAMPAIGNS);

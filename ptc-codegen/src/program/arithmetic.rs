@@ -127,7 +127,15 @@ type Real<R> = fn(R) -> R;
 /// A function of the platform; a float one may differ from the rounded double one in the last bit.
 #[allow(clippy::cast_possible_truncation)]
 fn call(function: Function, a: f64, precision: Precision) -> f64 {
-    let (double, single): (Real<f64>, Real<f32>) = match function {
+    let (double, single) = of_platform(function);
+    match precision {
+        Precision::F64 => double(a),
+        Precision::F32 => f64::from(single(a as f32)),
+    }
+}
+
+pub(super) fn of_platform(function: Function) -> (Real<f64>, Real<f32>) {
+    match function {
         Function::Abs => (f64::abs, f32::abs),
         Function::Sign => (|a| sign(a, 0.0, 1.0), |a| sign(a, 0.0, 1.0)),
         Function::Sqrt => (f64::sqrt, f32::sqrt),
@@ -141,10 +149,6 @@ fn call(function: Function, a: f64, precision: Precision) -> f64 {
         Function::Cosh => (f64::cosh, f32::cosh),
         Function::Tanh => (f64::tanh, f32::tanh),
         Function::Atanh => (f64::atanh, f32::atanh),
-    };
-    match precision {
-        Precision::F64 => double(a),
-        Precision::F32 => f64::from(single(a as f32)),
     }
 }
 

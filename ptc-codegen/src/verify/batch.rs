@@ -9,14 +9,14 @@ use super::observer::{LaneObserver, Observer};
 use super::samples::of_sample;
 use super::settings::Settings;
 use super::track::Track;
-use super::trial::{ACCURACY, compared, is_blurred};
+use super::trial::{ACCURACY, CLOSER, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::lanes::{
     DirectLanes, Instants, Job, LaneSide, RunningLanes, Sampling, StretchedLanes, run,
 };
-use crate::simulate::{Continuous, Direct, Run, Sampled};
+use crate::simulate::{Accuracy, Continuous, Direct, Run, Sampled};
 
 /// Scenarios whose settings are held at a time.
 pub(super) const HELD: usize = 64;
@@ -72,8 +72,9 @@ impl InLanes {
         matches!(&self.closed, Closed::Theorem(sides) if sides.exact.is_some())
     }
 
-    /// The outcomes of the scenarios that go smoothly to their end.
-    fn run(&mut self, settings: &[Setting]) -> Vec<Option<Outcome>> {
+    /// The outcomes of the scenarios that go smoothly to their end. Where the sides differ by more than `blur`, they are
+    /// run again, more closely.
+    fn run(&mut self, settings: &[Setting], blur: f64) -> Vec<Option<Outcome>> {
         let Self { closed, observer } = self;
         let Sides { stretched, direct, exact } = match closed {
             Closed::Theorem(sides) => &mut **sides,
@@ -85,11 +86,21 @@ impl InLanes {
         };
         let left: Vec<_> = (0..settings.len()).filter(|index| found[*index].is_none()).collect();
         let others: Vec<_> = left.iter().map(|index| &settings[*index]).collect();
-        let first = tracks(stretched, observer, &others);
-        let second = tracks(direct, observer, &others);
-        for (index, (first, second)) in left.into_iter().zip(first.into_iter().zip(second)) {
-            let both = first.zip(second);
-            found[index] = both.map(|(a, b)| compared((&a, &Ok(())), (&b, Ok(()))));
+        let mut both = |settings: &[&Setting], accuracy: Accuracy| {
+            let first = tracks(stretched, observer, settings, accuracy);
+            let second = tracks(direct, observer, settings, accuracy);
+            let outcome = |(a, b): (Track, Track)| compared((&a, &Ok(())), (&b, Ok(())));
+            first.into_iter().zip(second).map(|(a, b)| a.zip(b).map(outcome)).collect::<Vec<_>>()
+        };
+        for (index, outcome) in left.into_iter().zip(both(&others, ACCURACY)) {
+            found[index] = outcome;
+        }
+        let blurred =
+            |index: &usize| found[*index].as_ref().is_some_and(|own| is_blurred(own, blur));
+        let left: Vec<_> = (0..settings.len()).filter(blurred).collect();
+        let others: Vec<_> = left.iter().map(|index| &settings[*index]).collect();
+        for (index, outcome) in left.into_iter().zip(both(&others, CLOSER)) {
+            found[index] = outcome.filter(|own| !is_blurred(own, blur));
         }
         found
     }
@@ -137,6 +148,7 @@ fn tracks<'a, S: LaneSide>(
     side: &mut S,
     observer: &mut LaneObserver,
     settings: &[&'a Setting],
+    accuracy: Accuracy,
 ) -> Vec<Option<Track>> {
     if settings.is_empty() {
         return Vec::new();
@@ -151,7 +163,7 @@ fn tracks<'a, S: LaneSide>(
     let mut tracks: Vec<_> = settings.iter().map(of_setting).collect();
     let mut known = vec![true; settings.len()];
     observer.forget();
-    let done = run(side, &jobs, ACCURACY, &mut |instants: &Instants<'_>| {
+    let done = run(side, &jobs, accuracy, &mut |instants: &Instants<'_>| {
         if let Some(job) = observer.meet(settings, &instants.jobs) {
             known[job] = false;
         }
@@ -180,11 +192,10 @@ impl Trial {
         let mut outcomes = Vec::with_capacity(settings.len());
         for settings in settings.chunks(HELD) {
             let found = match &mut self.lanes {
-                Some(lanes) => lanes.run(settings),
+                Some(lanes) => lanes.run(settings, self.blur),
                 None => vec![None; settings.len()],
             };
             for (setting, found) in settings.iter().zip(found) {
-                let found = found.filter(|outcome| !is_blurred(outcome, self.blur));
                 outcomes.push(found.unwrap_or_else(|| self.run(setting)));
             }
         }

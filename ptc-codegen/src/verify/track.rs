@@ -34,21 +34,25 @@ impl Track {
         self.excess[objective] = self.excess[objective].max(excess);
     }
 
-    fn component(&self, i: usize) -> impl Iterator<Item = f64> {
-        self.numbers.iter().skip(i).step_by(self.width).copied()
-    }
-
     /// Largest difference from another side, each component as a part of its largest value.
     pub(super) fn difference(&self, other: &Self) -> f64 {
-        let component = |i: usize| {
-            let size = self.component(i).chain(other.component(i)).map(f64::abs);
-            let size = size.fold(0.0, f64::max);
-            let apart = self.component(i).zip(other.component(i)).map(|(a, b)| (a - b).abs());
-            // No number differs from everything.
-            let more = |a: f64, b: f64| if b.is_nan() { f64::INFINITY } else { a.max(b) };
-            let apart = apart.fold(0.0, more);
-            if apart == 0.0 { 0.0 } else { apart / size }
-        };
-        (0..self.width).map(component).fold(0.0, f64::max)
+        // Of each component the largest value and difference.
+        let mut most = vec![(0.0_f64, 0.0_f64); self.width];
+        let common = self.numbers.len().min(other.numbers.len());
+        for (a, b) in self.numbers.chunks(self.width).zip(other.numbers.chunks(self.width)) {
+            for (((size, apart), a), b) in most.iter_mut().zip(a).zip(b) {
+                *size = size.max(a.abs()).max(b.abs());
+                let own = (a - b).abs();
+                // No number differs from everything.
+                *apart = if own.is_nan() { f64::INFINITY } else { apart.max(own) };
+            }
+        }
+        for row in
+            [self, other].into_iter().flat_map(|one| one.numbers[common..].chunks(self.width))
+        {
+            most.iter_mut().zip(row).for_each(|((size, _), own)| *size = size.max(own.abs()));
+        }
+        let part = |(size, apart): &(f64, f64)| if *apart == 0.0 { 0.0 } else { apart / size };
+        most.iter().map(part).fold(0.0, f64::max)
     }
 }

@@ -76,7 +76,7 @@ impl Instant {
 pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
 
 /// That of a run of which the first accuracy says too little.
-const CLOSER: Accuracy = Accuracy { relative: 1e-11, ..ACCURACY };
+pub(super) const CLOSER: Accuracy = Accuracy { relative: 1e-11, ..ACCURACY };
 
 /// Part of the tolerance of the sides up to which their difference is taken as it is.
 const BLUR: f64 = 0.1;

@@ -19,7 +19,7 @@ const R2: &str = "r2 = -a^2*T";
 fn held(path: &Path) -> File {
     fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
     let file = File::create(path).expect("a file");
-    fs4::FileExt::lock(&file).expect("a lock");
+    file.lock().expect("a lock");
     file
 }
 

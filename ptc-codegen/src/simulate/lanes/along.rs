@@ -4,7 +4,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use crate::program::kink::{Kink, steady};
-use crate::program::lanes::{LANES, Lanes, Pack, Register};
+use crate::program::lanes::{LANES, Lanes, Pack, Register, vectorized};
 use crate::program::{Input, Program, Stage, Value};
 use crate::simulate::values::Given;
 use crate::simulate::{Failure, Values};
@@ -129,9 +129,8 @@ impl Abreast {
 
     fn recall(&mut self, place: usize, time: &Pack) {
         let Kept { read: Some(read), numbers } = &self.kept else { return self.tick(time) };
-        for (own, register) in numbers[place * read.len()..].iter().zip(read) {
-            self.lanes.fill(Some(*register), own);
-        }
+        let lanes = &mut self.lanes;
+        vectorized!(lanes.recall(read, &numbers[place * read.len()..]));
     }
 
     /// The control from here on.

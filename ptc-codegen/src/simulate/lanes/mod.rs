@@ -13,12 +13,9 @@ mod direct;
 mod explicit;
 mod flow;
 mod frames;
-mod nodes;
 mod plants;
 mod running;
 mod stretched;
-mod system;
-mod tableau;
 mod ticks;
 
 pub use along::Abreast;
@@ -28,7 +25,7 @@ pub use running::{RunningLanes, Sampling};
 pub use stretched::StretchedLanes;
 
 use super::{Accuracy, Failure, Piece, Values};
-use crate::program::lanes::{LANES, Pack};
+use crate::program::lanes::{LANES, Pack, vectorized};
 use batch::{Batch, Due};
 use collocation::Collocation;
 use explicit::Explicit;
@@ -97,7 +94,7 @@ impl Clock {
     /// By how much later, in sigma, t is than where a share of tau is left.
     fn late(&self, share: &Pack) -> Pack {
         let at = self.at(share);
-        Pack::of(|lane| {
+        vectorized!(Pack::of(|lane| {
             let (t0, tau, t) = (self.t0.0[lane], self.tau.0[lane], at.t.0[lane]);
             let deadline = t0 + tau;
             // What the deadline is rounded by.
@@ -106,7 +103,7 @@ impl Clock {
             let time_to_go = (deadline - t) + rest;
             let late = at.time_to_go.0[lane] / time_to_go - 1.0;
             if late.abs() < LATE { late } else { 0.0 }
-        })
+        }))
     }
 }
 

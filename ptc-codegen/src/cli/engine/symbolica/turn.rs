@@ -1,10 +1,8 @@
 //! One worker at a time for each user, by a lock on a file.
 
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
-
-use fs4::{FileExt, TryLockError};
 
 use super::child::Wrong;
 use crate::cli::report::{self, Notice};
@@ -31,7 +29,7 @@ pub(super) fn take(patience: Duration) -> Result<File, Wrong> {
     let began = Instant::now();
     let mut told = false;
     loop {
-        match FileExt::try_lock(&file) {
+        match file.try_lock() {
             Ok(()) => return Ok(file),
             Err(TryLockError::Error(error)) => return Err(wrong(error)),
             Err(TryLockError::WouldBlock) if began.elapsed() >= patience => {

@@ -1,10 +1,8 @@
 //! One owner of a journal at a time, by a lock of the system on its file, which ends with the process.
 
-use std::fs::File;
+use std::fs::{File, TryLockError};
 use std::io::Read;
 use std::path::Path;
-
-use fs4::{FileExt, TryLockError};
 
 use super::failure::{foreign, unusable};
 use super::header::{OWNER, owner};
@@ -28,7 +26,7 @@ pub(super) fn lock(path: &Path) -> Result<File, Failure> {
         let options =
             File::options().read(true).write(true).create(true).truncate(false).open(path);
         let mut file = options.map_err(|error| unusable(path, &error.to_string()))?;
-        match FileExt::try_lock(&file) {
+        match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => {
                 let mut line = [0; OWNER];

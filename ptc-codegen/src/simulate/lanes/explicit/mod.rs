@@ -8,12 +8,14 @@
 // Lanes are counted, which compilers make vectors of.
 #![allow(clippy::needless_range_loop)]
 
+mod tableau;
+
 use std::sync::Arc;
 
 use super::flow::{Chain, Flow, Steps, Tick, Which};
-use super::tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
-use crate::program::lanes::{LANES, Pack};
+use crate::program::lanes::{LANES, Pack, vectorized};
 use crate::simulate::Accuracy;
+use tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
 
 /// A step is what its error allows times this, and changes by factors between these.
 const SAFETY: f64 = 0.9;
@@ -24,7 +26,7 @@ const MOVED: f64 = 1e-6;
 
 /// What collocation takes instead: a step of it as many of these for each component and one more, on a way of
 /// this length each, once some that are shorter have brought it to where that suffices.
-const DEARER: f64 = 0.6;
+const DEARER: f64 = 0.2;
 const FAR: f64 = 0.3;
 const SHORT: f64 = 6.0;
 
@@ -89,20 +91,16 @@ impl Explicit {
     /// A step in each of the `active` lanes.
     fn take(&mut self, active: &Which, end: &Pack, rates: Rates<'_>) -> Which {
         self.last.from = self.flow.at;
-        self.last.share = self.flow.at.map(|at| (-at).exp());
+        self.last.share = self.flow.at.map(|at| -at).exp();
         let cut;
         (self.last.length, cut) = self.flow.lengths(active, end);
         self.last.slope = self.slope(rates);
-        for i in 0..self.order {
-            let slope = self.slope_of(i);
-            let (y, rate) = (&self.flow.y[i], &self.rate[i]);
-            self.k[i] = Pack::of(|lane| rate.0[lane] + slope.0[lane] * y.0[lane]);
-        }
+        vectorized!(self.scale_first());
         let tableau = Arc::clone(&self.tableau);
         for stage in 1..STAGES {
             self.stage(stage, &tableau, rates);
         }
-        let error = self.ahead(&tableau);
+        let error = vectorized!(self.ahead(&tableau));
         std::array::from_fn(|lane| {
             let moved = active[lane] && error.0[lane] <= 1.0;
             if active[lane] {
@@ -127,7 +125,7 @@ impl Explicit {
         for stage in END + 1..ALL {
             self.stage(stage, &tableau, rates);
         }
-        self.densify(&tableau);
+        vectorized!(self.densify(&tableau));
         for (y, ended) in self.flow.y.iter_mut().zip(&ended) {
             y.take(ended, moved);
         }
@@ -154,6 +152,7 @@ impl Explicit {
         })
     }
 
+    #[inline(always)]
     fn slope_of(&self, i: usize) -> Pack {
         #[allow(clippy::cast_precision_loss)]
         let less = self.slant * i as f64;
@@ -168,8 +167,8 @@ impl Explicit {
 
     /// The scales after a way, and by what T falls on it.
     fn rescale_at(&mut self, way: &Pack) -> Pack {
-        let fall = way.map(|way| (-way).exp());
-        let mut scale = Pack::of(|lane| (-self.last.slope.0[lane] * way.0[lane]).exp());
+        let fall = way.map(|way| -way).exp();
+        let mut scale = Pack::of(|lane| -self.last.slope.0[lane] * way.0[lane]).exp();
         for own in &mut self.scale {
             *own = scale;
             if self.slant != 0.0 {
@@ -181,21 +180,14 @@ impl Explicit {
 
     /// The derivatives at a stage.
     fn stage(&mut self, stage: usize, tableau: &Tableau, rates: Rates<'_>) {
-        for i in 0..self.order {
-            let sum = self.sum(&tableau.stages[stage], i);
-            let (y, length) = (&self.flow.y[i], &self.last.length);
-            self.scaled[i] = Pack::of(|lane| y.0[lane] + length.0[lane] * sum.0[lane]);
-        }
+        vectorized!(self.go(&tableau.stages[stage]));
         let share = self.rescale(tableau.nodes[stage]);
         self.derive(stage, &share, None, rates);
     }
 
     /// The derivatives in the scaled state; some lanes go on from there.
     fn derive(&mut self, stage: usize, share: &Pack, from: Option<&Which>, rates: Rates<'_>) {
-        for (i, state) in self.state.iter_mut().enumerate() {
-            let (scaled, scale) = (&self.scaled[i], &self.scale[i]);
-            *state = Pack::of(|lane| scaled.0[lane] * scale.0[lane]);
-        }
+        vectorized!(self.unscale());
         let own = stage * self.order..(stage + 1) * self.order;
         rates(share, &self.state, &mut self.k[own.clone()]);
         if let Some(lanes) = from {
@@ -203,6 +195,39 @@ impl Explicit {
                 rate.take(k, lanes);
             }
         }
+        vectorized!(self.scale_rates(stage));
+    }
+
+    /// The scaled derivatives at the begin of the step, where all scales are 1.
+    #[inline(always)]
+    fn scale_first(&mut self) {
+        for i in 0..self.order {
+            let slope = self.slope_of(i);
+            let (y, rate) = (&self.flow.y[i], &self.rate[i]);
+            self.k[i] = Pack::of(|lane| rate.0[lane] + slope.0[lane] * y.0[lane]);
+        }
+    }
+
+    /// The scaled state that derivatives so far lead to.
+    #[inline(always)]
+    fn go(&mut self, weights: &Row) {
+        for i in 0..self.order {
+            let sum = self.sum(weights, i);
+            let (y, length) = (&self.flow.y[i], &self.last.length);
+            self.scaled[i] = Pack::of(|lane| y.0[lane] + length.0[lane] * sum.0[lane]);
+        }
+    }
+
+    #[inline(always)]
+    fn unscale(&mut self) {
+        for (i, state) in self.state.iter_mut().enumerate() {
+            let (scaled, scale) = (&self.scaled[i], &self.scale[i]);
+            *state = Pack::of(|lane| scaled.0[lane] * scale.0[lane]);
+        }
+    }
+
+    #[inline(always)]
+    fn scale_rates(&mut self, stage: usize) {
         for i in 0..self.order {
             let (slope, scaled, scale) = (self.slope_of(i), &self.scaled[i], &self.scale[i]);
             let k = &mut self.k[stage * self.order + i];
@@ -211,6 +236,7 @@ impl Explicit {
     }
 
     /// The scaled state at the end of a step, and its error: accurate enough is 1.
+    #[inline(always)]
     fn ahead(&mut self, tableau: &Tableau) -> Pack {
         let Accuracy { relative, absolute, .. } = self.accuracy;
         let (mut error, mut embedded) = (Pack::all(0.0), Pack::all(0.0));
@@ -242,6 +268,7 @@ impl Explicit {
     }
 
     /// The coefficients of the dense output.
+    #[inline(always)]
     fn densify(&mut self, tableau: &Tableau) {
         let n = self.order;
         let length = self.last.length;
@@ -262,8 +289,25 @@ impl Explicit {
         }
     }
 
+    /// The dense output at a part of the step.
+    #[inline(always)]
+    fn interpolate(&self, part: &Pack, into: &mut [Pack]) {
+        for (i, into) in into.iter_mut().enumerate() {
+            let mut sum = self.dense[(DENSE - 1) * self.order + i];
+            for place in (0..DENSE - 1).rev() {
+                let own = &self.dense[place * self.order + i];
+                for lane in 0..LANES {
+                    let part = part.0[lane];
+                    let factor = if place % 2 == 0 { part } else { 1.0 - part };
+                    sum.0[lane] = own.0[lane] + factor * sum.0[lane];
+                }
+            }
+            *into = Pack::of(|lane| sum.0[lane] * self.scale[i].0[lane]);
+        }
+    }
+
     /// The weighted sum of the scaled derivatives of a component.
-    #[inline]
+    #[inline(always)]
     fn sum(&self, row: &Row, i: usize) -> Pack {
         let mut sum = Pack::all(0.0);
         for (stage, weight) in row {
@@ -280,13 +324,15 @@ impl Explicit {
 fn rates_of(chain: &mut dyn Chain) -> impl FnMut(&Pack, &[Pack], &mut [Pack]) {
     |share, state, rates| {
         let [pace, rate] = chain.last(share, state, Tick::New);
-        let end = state.len() - 1;
-        for i in 0..end {
-            for lane in 0..LANES {
-                rates[i].0[lane] = pace.0[lane] * state[i + 1].0[lane];
-            }
-        }
-        rates[end] = rate;
+        vectorized!(along(&pace, state, rates));
+        rates[state.len() - 1] = rate;
+    }
+}
+
+#[inline(always)]
+fn along(pace: &Pack, state: &[Pack], rates: &mut [Pack]) {
+    for (rate, next) in rates.iter_mut().zip(&state[1..]) {
+        *rate = Pack::of(|lane| pace.0[lane] * next.0[lane]);
     }
 }
 
@@ -302,7 +348,7 @@ impl Steps for Explicit {
     }
 
     fn begin(&mut self, lanes: &Which, chain: &mut dyn Chain) {
-        let share = self.flow.at.map(|at| (-at).exp());
+        let share = self.flow.at.map(|at| -at).exp();
         rates_of(chain)(&share, &self.flow.y, &mut self.state);
         for (rate, new) in self.rate.iter_mut().zip(&self.state) {
             rate.take(new, lanes);
@@ -321,17 +367,6 @@ impl Steps for Explicit {
         let Last { from, length, .. } = self.last;
         let part = Pack::of(|lane| (at.0[lane] - from.0[lane]) / length.0[lane]);
         self.rescale_at(&Pack::of(|lane| at.0[lane] - from.0[lane]));
-        for (i, into) in into.iter_mut().enumerate() {
-            let mut sum = self.dense[(DENSE - 1) * self.order + i];
-            for place in (0..DENSE - 1).rev() {
-                let own = &self.dense[place * self.order + i];
-                for lane in 0..LANES {
-                    let part = part.0[lane];
-                    let factor = if place % 2 == 0 { part } else { 1.0 - part };
-                    sum.0[lane] = own.0[lane] + factor * sum.0[lane];
-                }
-            }
-            *into = Pack::of(|lane| sum.0[lane] * self.scale[i].0[lane]);
-        }
+        vectorized!(self.interpolate(&part, into));
     }
 }

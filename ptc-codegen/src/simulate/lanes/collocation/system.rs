@@ -4,7 +4,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::nodes::{NODES, Nodes};
-use crate::program::lanes::{LANES, Pack};
+use crate::program::lanes::{LANES, Pack, vectorized};
 
 /// Equations for a number at each node, as factors.
 #[derive(Clone, Debug)]
@@ -33,8 +33,8 @@ impl System {
     ) {
         for node in 0..NODES {
             let own = match even {
-                true => of_powers(nodes, node, &pace[node], slopes),
-                false => of_chain(nodes, node, pace, slopes),
+                true => vectorized!(of_powers(nodes, node, &pace[node], slopes)),
+                false => vectorized!(of_chain(nodes, node, pace, slopes)),
             };
             let row = &mut self.factors[node];
             for column in 0..NODES {
@@ -44,9 +44,10 @@ impl System {
                 row[node].0[lane] += 1.0;
             }
         }
-        self.factor();
+        vectorized!(self.factor());
     }
 
+    #[inline(always)]
     fn factor(&mut self) {
         let factors = &mut self.factors;
         for step in 0..NODES {
@@ -85,6 +86,11 @@ impl System {
 
     /// Solves for a right side, in its place.
     pub(super) fn solve(&self, right: &mut [Pack; NODES]) {
+        vectorized!(self.substitute(right));
+    }
+
+    #[inline(always)]
+    fn substitute(&self, right: &mut [Pack; NODES]) {
         for step in 0..NODES {
             for lane in 0..LANES {
                 let pivot = self.pivots[step][lane];
@@ -118,6 +124,7 @@ fn less(own: &mut Pack, factor: &Pack, solved: &Pack) {
 }
 
 /// What the slopes at a node make of the rates, where the pace is even.
+#[inline(always)]
 fn of_powers(nodes: &Nodes, node: usize, pace: &Pack, slopes: &[[Pack; NODES]]) -> [Pack; NODES] {
     let (mut own, mut scale) = (NONE, Pack::all(1.0));
     for (slopes, power) in slopes.iter().rev().zip(&nodes.powers) {
@@ -133,6 +140,7 @@ fn of_powers(nodes: &Nodes, node: usize, pace: &Pack, slopes: &[[Pack; NODES]]) 
 }
 
 /// The same where each node has its own pace.
+#[inline(always)]
 fn of_chain(
     nodes: &Nodes,
     node: usize,
@@ -160,6 +168,7 @@ fn of_chain(
 }
 
 /// The products of a row with some columns.
+#[inline(always)]
 pub(super) fn integrated(row: &[Pack; NODES], columns: &[[f64; NODES]; NODES]) -> [Pack; NODES] {
     let mut products = NONE;
     for (product, column) in products.iter_mut().zip(columns) {

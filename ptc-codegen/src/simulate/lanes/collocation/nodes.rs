@@ -7,7 +7,7 @@ pub(super) const NODES: usize = 12;
 type Row = [f64; NODES];
 
 /// Collocation on a step of length 1.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Nodes {
     /// Places of the nodes.
     pub(super) places: Row,
