@@ -91,7 +91,8 @@ fn exponential(x: &Pack) -> Pack {
         all.0[lane] = power * (1.0 + (r + r * r * sum));
     }
     for lane in 0..LANES {
-        if !(x.0[lane].abs() <= NORMAL) {
+        let is_normal = x.0[lane].abs() <= NORMAL;
+        if !is_normal {
             all.0[lane] = x.0[lane].exp();
         }
     }
