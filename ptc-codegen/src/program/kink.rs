@@ -4,7 +4,6 @@
 //! integration needs, which finds those surfaces by the distances from them.
 
 use super::arithmetic::Arithmetic;
-use super::lanes::{Lanes, Pack};
 use super::machine::Machine;
 use super::{Input, Op, Program, Stage, Value};
 use crate::expression::Function;
@@ -24,18 +23,6 @@ impl Kink {
     /// What its distance is computed from.
     pub fn operands(&self) -> impl Iterator<Item = Value> {
         std::iter::once(self.left).chain(self.right)
-    }
-
-    /// The distances from it in each lane, signed.
-    pub fn distances(&self, lanes: &Lanes) -> Pack {
-        let left = lanes.get(self.left);
-        match self.right {
-            Some(right) => {
-                let right = lanes.get(right);
-                Pack::of(|lane| left.0[lane] - right.0[lane])
-            }
-            None => *left,
-        }
     }
 
     /// The operation where the distance is above 0, or below.

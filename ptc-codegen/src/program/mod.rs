@@ -21,7 +21,6 @@ pub mod digits;
 pub mod dump;
 pub mod elimination;
 pub mod interpret;
-#[cfg(feature = "simulate")]
 pub mod kink;
 #[cfg(feature = "simulate")]
 pub mod lanes;

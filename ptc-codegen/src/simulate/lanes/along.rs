@@ -163,7 +163,7 @@ impl Kinks {
         let mut met = [false; LANES];
         let [from, to] = [from, to].map(|time| {
             self.along.at(time, &[]);
-            let distance = |kink: &Kink| kink.distances(&self.along.lanes);
+            let distance = |kink: &Kink| distances(kink, &self.along.lanes);
             self.kinks.iter().map(distance).collect::<Vec<_>>()
         });
         for (from, to) in from.iter().zip(&to) {
@@ -173,5 +173,15 @@ impl Kinks {
             }
         }
         met
+    }
+}
+
+/// The distances from a kink in each lane, signed.
+fn distances(kink: &Kink, lanes: &Lanes) -> Pack {
+    let mut operands = kink.operands().map(|value| *lanes.get(value));
+    let left = operands.next().unwrap_or(Pack::all(0.0));
+    match operands.next() {
+        Some(right) => Pack::of(|lane| left.0[lane] - right.0[lane]),
+        None => left,
     }
 }
