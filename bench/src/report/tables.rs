@@ -214,8 +214,7 @@ trajectories. The designs are [examples/campaign.toml](../examples/campaign.toml
 Instructions by callgrind, 64 to 256 scenarios on one thread, with the vectors of AVX2; processor time the least of 3
 rounds; pace by the clock. What is not smooth in the state, or comes near its bound u_max, is run one scenario at a time.
 The last three designs are without damping and slip: the loop is linear in stretched time, then it is sampled (one
-trajectory, tau = 1, h = 0.01), then its gust is any signal, a sine too. By the slope of callgrind's count from 8192 to
-16384 scenarios the linear one takes 64 thousand instructions and the sampled one 56.
+trajectory, tau = 1, h = 0.01), then its gust is any signal, a sine too.
 `campaigns --only TEXT` prints the rows whose name holds TEXT.";
 
 pub(super) fn campaigns(text: &mut String, campaigns: &[Campaign]) {

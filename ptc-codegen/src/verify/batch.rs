@@ -84,24 +84,20 @@ impl InLanes {
             Some(exact) => exact.run((stretched, direct), observer, settings),
             None => vec![None; settings.len()],
         };
-        let left: Vec<_> = (0..settings.len()).filter(|index| found[*index].is_none()).collect();
-        let others: Vec<_> = left.iter().map(|index| &settings[*index]).collect();
-        let mut both = |settings: &[&Setting], accuracy: Accuracy| {
-            let first = tracks(stretched, observer, settings, accuracy);
-            let second = tracks(direct, observer, settings, accuracy);
-            let outcome = |(a, b): (Track, Track)| compared((&a, &Ok(())), (&b, Ok(())));
-            first.into_iter().zip(second).map(|(a, b)| a.zip(b).map(outcome)).collect::<Vec<_>>()
-        };
-        for (index, outcome) in left.into_iter().zip(both(&others, ACCURACY)) {
-            found[index] = outcome;
+        let mut due: Vec<_> = (0..found.len()).filter(|index| found[*index].is_none()).collect();
+        for accuracy in [ACCURACY, CLOSER] {
+            let others: Vec<_> = due.iter().map(|index| &settings[*index]).collect();
+            let first = tracks(stretched, observer, &others, accuracy);
+            let second = tracks(direct, observer, &others, accuracy);
+            for (index, (first, second)) in due.into_iter().zip(first.into_iter().zip(second)) {
+                let both = first.zip(second);
+                found[index] = both.map(|(a, b)| compared((&a, &Ok(())), (&b, Ok(()))));
+            }
+            let blurred = |own: &Outcome| is_blurred(own, blur);
+            let is_blurred = |index: &usize| found[*index].as_ref().is_some_and(blurred);
+            due = (0..found.len()).filter(is_blurred).collect();
         }
-        let blurred =
-            |index: &usize| found[*index].as_ref().is_some_and(|own| is_blurred(own, blur));
-        let left: Vec<_> = (0..settings.len()).filter(blurred).collect();
-        let others: Vec<_> = left.iter().map(|index| &settings[*index]).collect();
-        for (index, outcome) in left.into_iter().zip(both(&others, CLOSER)) {
-            found[index] = outcome.filter(|own| !is_blurred(own, blur));
-        }
+        due.into_iter().for_each(|index| found[index] = None);
         found
     }
 }

@@ -10,8 +10,8 @@ mod tape;
 
 use std::sync::Arc;
 
-pub(crate) use pack::vectorized;
-pub use pack::{LANES, Pack, with_vectors};
+pub use pack::{LANES, Pack};
+pub(crate) use pack::{vectorized, with_vectors};
 
 use super::{Input, Op, Program, Stage, Value};
 use crate::parameter::Precision;
@@ -197,6 +197,7 @@ mod tests {
             for n in ["2", "4", "12"] {
                 let gains = ["1"; 12][..n.parse().expect("a number")].join(",");
                 let keys = [("n", n), ("eps", "1e-9"), ("mu", mapping), ("gains", &gains)];
+                // At order 4 the gains are parameters.
                 let keys = if n == "4" { &keys[..3] } else { &keys[..] };
                 let entry = |(key, text): &(&str, &str)| Entry {
                     key: (*key).to_owned(),

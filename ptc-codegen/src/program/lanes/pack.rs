@@ -100,11 +100,10 @@ fn exponential(x: &Pack) -> Pack {
 }
 
 /// Runs `kernel` with the vectors of AVX2 where the processor has them, as far as what it calls is inlined. No operation is
-/// contracted or moved by that: the bits are those of any processor. With the wider ones of AVX-512 campaigns take
-/// a sixth longer.
+/// contracted or moved by that: the bits are those of any processor. The wider ones of AVX-512 made campaigns slower.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
-pub fn with_vectors<R>(kernel: impl FnOnce() -> R) -> R {
+pub(crate) fn with_vectors<R>(kernel: impl FnOnce() -> R) -> R {
     match Level::new().as_avx2() {
         Some(avx2) => avx2.vectorize(kernel),
         None => kernel(),
@@ -114,7 +113,7 @@ pub fn with_vectors<R>(kernel: impl FnOnce() -> R) -> R {
 /// Runs `kernel` with the vectors that it is compiled for.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 #[inline(always)]
-pub fn with_vectors<R>(kernel: impl FnOnce() -> R) -> R {
+pub(crate) fn with_vectors<R>(kernel: impl FnOnce() -> R) -> R {
     kernel()
 }
 

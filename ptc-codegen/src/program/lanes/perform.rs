@@ -105,6 +105,7 @@ fn apply(operation: &Arithmetic, registers: &mut [Pack], to: usize) {
 
 #[inline(never)]
 fn one_by_one(operation: &Arithmetic, registers: &[Pack]) -> Pack {
+    // The function is found once for all lanes.
     if let Arithmetic::Call(function, a) = *operation {
         return registers[a].map(of_platform(function).0);
     }

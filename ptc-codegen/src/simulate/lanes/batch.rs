@@ -1,6 +1,6 @@
 //! Many runs by one method: every lane takes the next one as soon as its own is done.
 
-use super::flow::{Chain, Flow, Steps, Tick, Which};
+use super::flow::{Chain, Flow, Steps, Tick, Which, share_at};
 use super::{Clock, Instants, Job, LaneSide, See};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
@@ -232,7 +232,7 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
         }
         let Self { side, clock, method, .. } = self;
         let flow = method.flow();
-        let from = clock.at(&flow.at.map(|at| -at).exp());
+        let from = clock.at(&share_at(&flow.at));
         let at_start: Which = std::array::from_fn(|lane| matches!(started[lane], Some(None)));
         if at_start.contains(&true) {
             for (y, begun) in flow.y.iter_mut().zip(&side.begin(&from, &x0)) {
@@ -290,7 +290,7 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
             let part = f64::from(place) / f64::from(PLACES);
             let at = Pack::of(|lane| from.0[lane] + part * (to.0[lane] - from.0[lane]));
             self.method.within(&at, &mut self.seen);
-            let at = self.clock.at(&at.map(|at| -at).exp());
+            let at = self.clock.at(&share_at(&at));
             let (_, u) = self.side.tell(&at, &self.seen);
             for lane in (0..LANES).filter(|lane| moved[*lane]) {
                 let is_free = u.0[lane].abs() <= WITHIN * bound.0[lane];

@@ -5,6 +5,14 @@ use crate::program::lanes::{LANES, Pack};
 /// Lanes that something is true of.
 pub(super) type Which = [bool; LANES];
 
+/// The difference by which a slope is formed, as a part of the state.
+pub(super) const MOVED: f64 = 1e-6;
+
+/// T/tau at a sigma, and by what T falls on a way in sigma.
+pub(super) fn share_at(sigma: &Pack) -> Pack {
+    sigma.map(|sigma| -sigma).exp()
+}
+
 /// How T at a call stands to T at those before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tick {

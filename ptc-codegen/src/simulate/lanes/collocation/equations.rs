@@ -7,13 +7,10 @@ use super::nodes::{NODES, Nodes};
 use super::system::{System, integrated};
 use crate::program::lanes::{LANES, Pack, vectorized};
 use crate::simulate::Accuracy;
-use crate::simulate::lanes::flow::{Chain, Tick, Which};
+use crate::simulate::lanes::flow::{Chain, MOVED, Tick, Which};
 
 /// The part of the state at the begin of a step that counts for its size, beside that at the end.
 const START: f64 = 0.1;
-
-/// The difference by which a slope is formed, as a part of the state.
-const MOVED: f64 = 1e-6;
 
 /// A component of no size is moved as if it were this part of the largest one.
 const SMALL: f64 = 1e-3;
@@ -204,13 +201,18 @@ impl Equations {
     fn computed(&self, node: usize, state: &mut [Pack]) {
         let late = &self.late[node];
         for (i, state) in state.iter_mut().enumerate() {
-            let pace = &self.pace[node];
-            let rate = match self.x.get(i + 1) {
-                Some(x) => Pack::of(|lane| pace.0[lane] * x[node].0[lane]),
-                None => self.k[node],
-            };
+            let rate = self.rate(i, node);
             let x = &self.x[i][node];
             *state = Pack::of(|lane| x.0[lane] + late.0[lane] * rate.0[lane]);
+        }
+    }
+
+    /// The rate of a component at a node.
+    #[inline(always)]
+    fn rate(&self, i: usize, node: usize) -> Pack {
+        match self.x.get(i + 1) {
+            Some(x) => Pack::of(|lane| self.pace[node].0[lane] * x[node].0[lane]),
+            None => self.k[node],
         }
     }
 
@@ -264,12 +266,8 @@ impl Equations {
     }
 
     /// The states at a part of the step, by the barycentric formula.
-    pub(super) fn within(&self, part: &Pack, into: &mut [Pack]) {
-        vectorized!(self.interpolate(part, into));
-    }
-
     #[inline(always)]
-    fn interpolate(&self, part: &Pack, into: &mut [Pack]) {
+    pub(super) fn within(&self, part: &Pack, into: &mut [Pack]) {
         let (mut below, weights) = (Pack::all(0.0), &self.nodes.weights);
         into.fill(Pack::all(0.0));
         for (l, weight) in weights.iter().enumerate() {
@@ -298,20 +296,13 @@ impl Equations {
         }
     }
     /// What the highest terms of the polynomials make of the states: accurate enough is 1.
-    pub(super) fn error(&self) -> Pack {
-        vectorized!(self.error_of_all())
-    }
-
     #[inline(always)]
-    fn error_of_all(&self) -> Pack {
+    pub(super) fn error(&self) -> Pack {
         let mut error = Pack::all(0.0);
         for (i, weight) in self.weights().iter().enumerate() {
             let mut tail = [Pack::all(0.0); 2];
             for node in 0..NODES {
-                let rate = match self.x.get(i + 1) {
-                    Some(x) => Pack::of(|lane| self.pace[node].0[lane] * x[node].0[lane]),
-                    None => self.k[node],
-                };
+                let rate = self.rate(i, node);
                 for (tail, row) in tail.iter_mut().zip(&self.nodes.tail) {
                     for lane in 0..LANES {
                         tail.0[lane] += row[node] * rate.0[lane];

@@ -16,8 +16,8 @@ mod equations;
 mod nodes;
 mod system;
 
-use super::flow::{Chain, Flow, Steps, Which};
-use crate::program::lanes::Pack;
+use super::flow::{Chain, Flow, Steps, Which, share_at};
+use crate::program::lanes::{Pack, vectorized};
 use crate::simulate::Accuracy;
 use equations::Equations;
 
@@ -37,7 +37,6 @@ const LOOSEST: f64 = 1e-7;
 /// The method, under way in every lane.
 #[derive(Clone, Debug)]
 pub(super) struct Collocation {
-    accuracy: Accuracy,
     flow: Flow,
     equations: Equations,
     /// Where the last step begins, and by what part T falls on it.
@@ -46,18 +45,20 @@ pub(super) struct Collocation {
     /// The error that a step may have, and that of the step that was refused before; 0 for none.
     allowed: Pack,
     refused: Pack,
+    /// The error to which that is not loosened further.
+    loosest: f64,
 }
 
 impl Collocation {
     pub(super) fn new(order: usize, accuracy: Accuracy) -> Self {
         Self {
-            accuracy,
             flow: Flow::new(order),
             equations: Equations::new(order, accuracy),
             from: Pack::all(0.0),
             fall: Pack::all(0.0),
             allowed: Pack::all(1.0),
             refused: Pack::all(0.0),
+            loosest: (LOOSEST / accuracy.relative).max(1.0),
         }
     }
 }
@@ -74,14 +75,13 @@ impl Steps for Collocation {
 
     fn step(&mut self, active: &Which, end: &Pack, chain: &mut dyn Chain) -> Which {
         self.from = self.flow.at;
-        let share = self.from.map(|from| -from).exp();
+        let share = share_at(&self.from);
         let (length, cut) = self.flow.lengths(active, end);
         self.fall = length.map(|length| -(-length).exp_m1());
         self.equations.first.copy_from_slice(&self.flow.y);
         self.equations.form((&share, &self.fall), chain);
         let solved = self.equations.solve(active, &self.allowed, chain);
-        let error = self.equations.error();
-        let loosest = (LOOSEST / self.accuracy.relative).max(1.0);
+        let error = vectorized!(self.equations.error());
         std::array::from_fn(|lane| {
             if !active[lane] {
                 return false;
@@ -92,7 +92,7 @@ impl Steps for Collocation {
             if !(is_solved && error <= 1.0) {
                 if before > 0.0 && error > FALLEN * before {
                     let more = if is_solved { LOOSER * error } else { LOOSER };
-                    let more = more.min(loosest / self.allowed.0[lane]);
+                    let more = more.min(self.loosest / self.allowed.0[lane]);
                     self.allowed.0[lane] *= more;
                     error /= more;
                 } else {
@@ -122,6 +122,6 @@ impl Steps for Collocation {
 
     fn within(&mut self, at: &Pack, into: &mut [Pack]) {
         let part = Pack::of(|lane| -(self.from.0[lane] - at.0[lane]).exp_m1() / self.fall.0[lane]);
-        self.equations.within(&part, into);
+        vectorized!(self.equations.within(&part, into));
     }
 }

@@ -12,7 +12,7 @@ mod tableau;
 
 use std::sync::Arc;
 
-use super::flow::{Chain, Flow, Steps, Tick, Which};
+use super::flow::{Chain, Flow, MOVED, Steps, Tick, Which, share_at};
 use crate::program::lanes::{LANES, Pack, vectorized};
 use crate::simulate::Accuracy;
 use tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
@@ -21,11 +21,9 @@ use tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
 const SAFETY: f64 = 0.9;
 const FACTORS: [f64; 2] = [0.2, 10.0];
 
-/// The difference by which a slope is formed, as a part of the state.
-const MOVED: f64 = 1e-6;
-
 /// What collocation takes instead: a step of it as many of these for each component and one more, on a way of
-/// this length each, once some that are shorter have brought it to where that suffices.
+/// this length each, once some that are shorter have brought it to where that suffices. With these campaigns take the
+/// fewest instructions.
 const DEARER: f64 = 0.2;
 const FAR: f64 = 0.3;
 const SHORT: f64 = 6.0;
@@ -91,7 +89,7 @@ impl Explicit {
     /// A step in each of the `active` lanes.
     fn take(&mut self, active: &Which, end: &Pack, rates: Rates<'_>) -> Which {
         self.last.from = self.flow.at;
-        self.last.share = self.flow.at.map(|at| -at).exp();
+        self.last.share = share_at(&self.flow.at);
         let cut;
         (self.last.length, cut) = self.flow.lengths(active, end);
         self.last.slope = self.slope(rates);
@@ -167,7 +165,7 @@ impl Explicit {
 
     /// The scales after a way, and by what T falls on it.
     fn rescale_at(&mut self, way: &Pack) -> Pack {
-        let fall = way.map(|way| -way).exp();
+        let fall = share_at(way);
         let mut scale = Pack::of(|lane| -self.last.slope.0[lane] * way.0[lane]).exp();
         for own in &mut self.scale {
             *own = scale;
@@ -348,7 +346,7 @@ impl Steps for Explicit {
     }
 
     fn begin(&mut self, lanes: &Which, chain: &mut dyn Chain) {
-        let share = self.flow.at.map(|at| -at).exp();
+        let share = share_at(&self.flow.at);
         rates_of(chain)(&share, &self.flow.y, &mut self.state);
         for (rate, new) in self.rate.iter_mut().zip(&self.state) {
             rate.take(new, lanes);
