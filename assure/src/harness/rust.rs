@@ -63,7 +63,9 @@ fn cross_compiled(homes: &[PathBuf], target: &str, flags: &str) -> Vec<PathBuf> 
         .args(["build", "--quiet", "--release", "--features", "libm", "--target", target])
         .env("RUSTFLAGS", flags)
         .env("CARGO_TARGET_DIR", root.join("target"))
-        .env_remove("CARGO_BUILD_TARGET");
+        .env_remove("CARGO_BUILD_TARGET")
+        // As a user's compiler would, whatever wraps the one that builds this.
+        .env_remove("RUSTC_WORKSPACE_WRAPPER");
     run(cargo.arg("--workspace"));
     let built = root.join("target").join(target).join("release");
     homes.iter().map(|home| built.join(format!("lib{}.a", name(home)))).collect()

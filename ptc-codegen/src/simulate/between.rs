@@ -2,9 +2,9 @@
 
 use super::integrals::Integrals;
 use super::linear::Linear;
+use super::method::State;
 use super::mode::Mode;
 use super::plant::Motion;
-use super::solver::State;
 use super::switching::Piecewise;
 use super::{Accuracy, Failure};
 

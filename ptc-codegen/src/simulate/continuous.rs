@@ -2,8 +2,8 @@
 //! mapped back, and the plant itself where u is clipped.
 
 use super::lanes::StretchedLanes;
+use super::method::State;
 use super::side::{At, Run, Side};
-use super::solver::State;
 use super::{Failure, Sample, Values, controller};
 use std::sync::Arc;
 

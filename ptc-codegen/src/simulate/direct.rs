@@ -1,9 +1,9 @@
 //! The plant itself, with the emitted program in the loop: the other side of Theorem 1.
 
 use super::lanes::DirectLanes;
+use super::method::State;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
-use super::solver::State;
 use super::{Controller, Failure, Sample, Values};
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;

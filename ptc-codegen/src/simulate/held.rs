@@ -6,7 +6,7 @@
 
 use super::Along;
 use super::linear::SAME;
-use super::solver::State;
+use super::method::State;
 use super::terms::{Sum, Terms, needed};
 use crate::expression::Function;
 use crate::linear::{Rows, flow};

@@ -3,7 +3,7 @@
 use num_traits::{FromPrimitive, ToPrimitive};
 
 use super::Failure;
-use super::solver::State;
+use super::method::State;
 use crate::algebra::BigRational;
 use crate::linear::{self, Delay, zero_order_hold};
 

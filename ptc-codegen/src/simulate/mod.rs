@@ -25,6 +25,7 @@ mod integrals;
 pub mod lanes;
 mod linear;
 mod mechanics;
+mod method;
 mod mode;
 mod pass;
 mod pieces;

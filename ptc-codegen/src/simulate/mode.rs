@@ -1,7 +1,7 @@
 //! Modes of a system with kinks: the sides on which they are held, and the slide along a jump.
 
 use super::Failure;
-use super::solver::State;
+use super::method::State;
 use super::surface::{Surface, tangent};
 use super::switching::Piecewise;
 

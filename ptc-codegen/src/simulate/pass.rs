@@ -2,42 +2,17 @@
 // A piece that ends early hands over its state, once.
 #![allow(clippy::result_large_err)]
 
-use differential_equations::interpolate::Interpolation;
-use differential_equations::ode::OrdinaryNumericalMethod;
-
 use super::Failure;
 use super::crossing::{NODES, Step, look};
+use super::method::{Method, State};
 use super::mode::no_value;
-use super::solver::{Rates, State, failure, finite};
-
-/// A method with dense output.
-pub(super) trait Method:
-    OrdinaryNumericalMethod<f64, State> + Interpolation<f64, State>
-{
-}
-
-impl<M: OrdinaryNumericalMethod<f64, State> + Interpolation<f64, State>> Method for M {}
+use super::solver::finite;
 
 /// Functions of point and state that are positive until an event.
 pub(super) type Monitor<'a> = &'a dyn Fn(f64, &State, &mut Vec<f64>);
 
 /// What sees the state at each point.
 pub(super) type Visit<'a> = &'a mut dyn FnMut(usize, f64, &State);
-
-/// Begins a method at a point in a state, with a step.
-pub(super) type Restart<'a, M> = &'a dyn Fn(&mut M, f64, &State, f64) -> Result<(), Failure>;
-
-/// What changes a method: gives it another step, begins it anew, and says what is accurate enough.
-pub(super) struct Change<'a, M> {
-    pub(super) set_step: &'a dyn Fn(&mut M, f64) -> Result<(), Failure>,
-    pub(super) restart: Restart<'a, M>,
-    pub(super) weigh: &'a dyn Fn(&mut M, f64) -> Result<(), Failure>,
-}
-
-/// A closure on methods of the type of `_method`, which has no name.
-pub(super) fn of<M, F: Fn(&mut M, f64) -> Result<(), Failure>>(_method: &M, closure: F) -> F {
-    closure
-}
 
 /// Where a piece of a run ends.
 #[derive(Clone, Copy, Debug)]
@@ -72,33 +47,19 @@ pub(super) struct Pass<'a> {
     pub(super) longest: f64,
 }
 
-type Stopped = (Reached, Option<Failure>);
+/// Where a piece stops, and why it does not go on: no failure where only the steps are used up.
+pub(super) type Stopped = (Reached, Option<Failure>);
 
 impl Pass<'_> {
-    /// Begins a method.
-    pub(super) fn begin<M: Method>(
-        &self,
-        method: &mut M,
-        at: f64,
-        state: &State,
-        step: f64,
-        change: &Change<'_, M>,
-    ) -> Result<(), Stopped> {
-        let here = Reached { at, state: *state, step, end: End::Done };
-        (change.restart)(method, at, state, step).map_err(|failure| (here, Some(failure)))
-    }
-
     /// Steps on; no failure where only the steps are used up.
-    pub(super) fn run<M: Method, F: Fn(f64, &State, &mut State)>(
+    pub(super) fn run(
         &mut self,
-        method: &mut M,
-        system: &Rates<F>,
-        change: &Change<'_, M>,
+        method: &mut dyn Method,
         monitor: Option<Monitor<'_>>,
         visit: Visit<'_>,
     ) -> Result<Reached, Stopped> {
         loop {
-            let (at, state, wanted) = (method.t(), *method.y(), method.h());
+            let (at, state, wanted) = (method.t(), method.y(), method.h());
             let here = |end| Reached { at, state, step: wanted, end };
             let Some(point) = self.points.get(self.next).copied() else {
                 return Ok(here(End::Done));
@@ -124,36 +85,34 @@ impl Pass<'_> {
                 step = goal - at;
             }
             if step < wanted {
-                (change.set_step)(method, step).map_err(wrong)?;
+                method.set_step(step).map_err(wrong)?;
             }
-            (change.weigh)(method, at).map_err(wrong)?;
-            method.step(system).map_err(|error| wrong(failure(&error)))?;
+            method.weigh();
+            method.step().map_err(wrong)?;
             let proposed = method.h();
             if method.t() <= at {
                 continue;
             }
-            if !finite(method.y()) {
+            if !finite(&method.y()) {
                 return Err((here(End::Done), Some(Failure::range())));
             }
             if let Some(monitor) = monitor
-                && let Some(event) = self.watch(method, system, change, monitor, (at, state))?
+                && let Some(event) = self.watch(method, monitor, (at, state))?
             {
                 let step = proposed.max(step);
-                let (at, state) = (method.t(), *method.y());
+                let (at, state) = (method.t(), method.y());
                 return Ok(Reached { at, state, step, end: End::Event(event) });
             }
             if step < wanted && method.t() > at && wanted > method.h() {
-                (change.set_step)(method, wanted).map_err(wrong)?;
+                method.set_step(wanted).map_err(wrong)?;
             }
         }
     }
 
     /// Looks at a step for the first event, and goes back where one is, or may be overlooked.
-    fn watch<M: Method, F: Fn(f64, &State, &mut State)>(
+    fn watch(
         &mut self,
-        method: &mut M,
-        system: &Rates<F>,
-        change: &Change<'_, M>,
+        method: &mut dyn Method,
         monitor: Monitor<'_>,
         (at, state): (f64, State),
     ) -> Result<Option<usize>, Stopped> {
@@ -164,14 +123,13 @@ impl Pass<'_> {
         let mut values = Vec::new();
         let mut table: Vec<Vec<f64>> = Vec::with_capacity(NODES);
         for node in 0..NODES {
-            let value = |method: &mut M, s: f64| method.interpolate(s.min(to));
             values.clear();
             match node {
                 0 => monitor(at, &state, &mut values),
-                _ if node + 1 == NODES => monitor(to, method.y(), &mut values),
+                _ if node + 1 == NODES => monitor(to, &method.y(), &mut values),
                 _ => {
                     let s = at + share(node) * length;
-                    let y = value(method, s).map_err(|error| wrong(failure(&error)))?;
+                    let y = method.within(s.min(to)).map_err(wrong)?;
                     monitor(s, &y, &mut values);
                 }
             }
@@ -185,7 +143,7 @@ impl Pass<'_> {
             Step::NoNumber => Err(wrong(no_value())),
             Step::Coarse if length > 1e-11 * at.abs().max(1.0) => {
                 self.longest = 0.5 * length;
-                (change.restart)(method, at, &state, self.longest).map_err(wrong)?;
+                method.restart(at, &state, self.longest).map_err(wrong)?;
                 Ok(None)
             }
             Step::Coarse => Ok(None),
@@ -197,7 +155,7 @@ impl Pass<'_> {
                 for which in crossing {
                     let mut at_share = |share: f64| {
                         let s = at + share * length;
-                        let y = method.interpolate(s.min(to)).unwrap_or(state);
+                        let y = method.within(s.min(to)).unwrap_or(state);
                         values.clear();
                         monitor(s, &y, &mut values);
                         values[which]
@@ -216,10 +174,10 @@ impl Pass<'_> {
                 // By steps of the method itself, as its dense output is less exact.
                 for _ in 0..6 {
                     if goal - at <= 1e-14 * at.abs().max(1.0) {
-                        (change.restart)(method, at, &state, length).map_err(wrong)?;
+                        method.restart(at, &state, length).map_err(wrong)?;
                         return Ok(Some(which));
                     }
-                    self.land(method, system, change, (at, state), goal)?;
+                    self.land(method, (at, state), goal)?;
                     let off = distance(method, monitor, which).map_err(wrong)?;
                     if off.abs() <= 1e-13 * goal.abs().max(1.0) {
                         return Ok(Some(which));
@@ -231,24 +189,22 @@ impl Pass<'_> {
                 }
                 // Over a shorter step it is.
                 self.longest = 0.5 * (goal - at).min(length);
-                (change.restart)(method, at, &state, self.longest).map_err(wrong)?;
+                method.restart(at, &state, self.longest).map_err(wrong)?;
                 Ok(None)
             }
         }
     }
 
     /// Steps from a state to a point close by.
-    fn land<M: Method, F: Fn(f64, &State, &mut State)>(
+    fn land(
         &mut self,
-        method: &mut M,
-        system: &Rates<F>,
-        change: &Change<'_, M>,
+        method: &mut dyn Method,
         (at, state): (f64, State),
         goal: f64,
     ) -> Result<(), Stopped> {
         let here = Reached { at, state, step: goal - at, end: End::Done };
         let wrong = |failure| (here, Some(failure));
-        (change.restart)(method, at, &state, goal - at).map_err(wrong)?;
+        method.restart(at, &state, goal - at).map_err(wrong)?;
         loop {
             let left = goal - method.t();
             if left <= 1e-15 * goal.abs().max(1.0) {
@@ -259,21 +215,21 @@ impl Pass<'_> {
             }
             self.left -= 1;
             if method.h() > left {
-                (change.set_step)(method, left).map_err(wrong)?;
+                method.set_step(left).map_err(wrong)?;
             }
-            method.step(system).map_err(|error| wrong(failure(&error)))?;
+            method.step().map_err(wrong)?;
         }
     }
 }
 
 /// How far the root of a function is from the end of a step, by its slope there; NaN where it rises.
-fn distance<M: Method>(method: &mut M, monitor: Monitor<'_>, which: usize) -> Result<f64, Failure> {
+fn distance(method: &mut dyn Method, monitor: Monitor<'_>, which: usize) -> Result<f64, Failure> {
     let mut values = Vec::new();
     let (to, before) = (method.t(), method.t_prev());
-    monitor(to, method.y(), &mut values);
+    monitor(to, &method.y(), &mut values);
     let here = values[which];
     let near = to - 0.02 * (to - before);
-    let y = method.interpolate(near).map_err(|error| failure(&error))?;
+    let y = method.within(near)?;
     values.clear();
     monitor(near, &y, &mut values);
     let slope = (here - values[which]) / (to - near);

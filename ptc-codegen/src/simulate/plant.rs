@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::held::{Held, Row};
 use super::mechanics::Mechanics;
-use super::solver::State;
+use super::method::State;
 use super::{Along, Failure, Values};
 use crate::lower;
 use crate::parameter::Precision;

@@ -1,8 +1,9 @@
 //! What both sides of Theorem 1 share: a run in sigma = -ln(T/tau) that stops where it is looked at.
 
 use super::integrals::Integrals;
+use super::method::State;
 use super::mode::Mode;
-use super::solver::{First, State};
+use super::solver::First;
 use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Failure, Sample, Values};
 use crate::expression::Expression;

@@ -1,6 +1,6 @@
 //! The surface on which a kink lies: its slopes, by differences, and the kinks that share it.
 
-use super::solver::State;
+use super::method::State;
 use super::switching::Piecewise;
 
 /// A surface at a point of it.

@@ -8,9 +8,10 @@
 
 use std::cell::RefCell;
 
+use super::method::{Rates, State};
 use super::mode::{Mode, Tangent, begin, field, margins, next};
 use super::pass::{End, Pass};
-use super::solver::{Begin, FIRST, First, Piece, Rates, State, integrate};
+use super::solver::{Begin, FIRST, First, Piece, integrate};
 use super::surface::Surface;
 use super::{Accuracy, Failure};
 
@@ -148,7 +149,7 @@ impl Walk {
                 monitor: (kinks > 0).then_some(&monitor),
             };
             let begin = Begin { at, state: formed, step, stiff: self.stiff && floors };
-            let rates = Rates { order, states, rates };
+            let rates = Rates { order, states, rates: &rates };
             let end = integrate(&rates, begin, &piece, &mut pass, &mut visit);
             let (reached, stiff) =
                 end.map_err(|(at, failure)| (at, system.barrier(None).unwrap_or(failure)))?;

@@ -6,6 +6,8 @@ mod design_file;
 mod emit;
 mod environment;
 #[cfg(all(unix, feature = "lab"))]
+mod explained;
+#[cfg(all(unix, feature = "lab"))]
 mod files;
 mod line;
 mod manual;

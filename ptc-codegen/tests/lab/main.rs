@@ -9,6 +9,7 @@ mod check;
 mod command;
 mod design;
 mod digits;
+mod examined;
 mod expanded;
 #[cfg(unix)]
 mod fmu;

@@ -51,6 +51,7 @@ fn final_errors_are_those_of_the_reference() {
         sampled.noise = numbers(&case["noise"]);
         let step = case["u_step"].as_str().and_then(|step| step.parse::<f64>().ok());
         sampled.actuator = step.expect("a step") / 2.0;
+        let reach = sampled.reach(samples).expect("few samples");
         for i in 1..=n {
             let output = sampled.state(i);
             let fading = sampled.fading(Some(&output), samples);
@@ -63,7 +64,6 @@ fn final_errors_are_those_of_the_reference() {
             // Some of these loops diverge, and rounding with them: 4e-6 at n = 4.
             assert!(bound.rounding <= 1e-5 * bound.attained(), "n = {n}, x{i}: {bound:?}");
             // Where every state is bounded at each sample, errors count by where it is.
-            let reach = sampled.reach(samples).expect("few samples");
             let closely = sampled.bound(&output, samples, Some(Trust::Reach(&reach)));
             assert_eq!(closely.attained().to_bits(), bound.attained().to_bits());
             assert!(closely.rounding <= 3.0 * bound.rounding, "{closely:?} {bound:?}");

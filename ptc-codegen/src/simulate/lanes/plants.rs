@@ -6,8 +6,8 @@
 use super::flow::Which;
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::held::is_same;
+use crate::simulate::method::State;
 use crate::simulate::plant::Motion;
-use crate::simulate::solver::State;
 use crate::simulate::{Failure, Values};
 
 /// A plant for each lane, with one input.

@@ -1,0 +1,152 @@
+//! The methods of integration, each with states as long as the system needs: an implicit step takes the cube of it.
+
+mod explicit;
+mod implicit;
+
+use differential_equations::error::Error;
+use differential_equations::linalg::Matrix;
+use differential_equations::ode::ODE;
+use nalgebra::SVector;
+
+use super::solver::Piece;
+use super::{Accuracy, Failure};
+use crate::request::MAX_ORDER;
+pub(super) use explicit::{eighth, fifth};
+pub(super) use implicit::radau;
+
+/// A state of any order, with zeros after its last component, so that no step allocates.
+pub(super) type State = SVector<f64, MAX_ORDER>;
+
+/// An error of an integral that counts as nothing: its unit is another than that of the states, and what
+/// has been accumulated does not decay.
+const NONE: f64 = 1e-280;
+
+/// A right-hand side of `order` equations, of which the first are of states and the rest of integrals.
+pub(super) struct Rates<'a> {
+    pub(super) order: usize,
+    pub(super) states: usize,
+    pub(super) rates: &'a dyn Fn(f64, &State, &mut State),
+}
+
+/// A method with dense output.
+pub(super) trait Method {
+    fn t(&self) -> f64;
+
+    /// Where the last step began.
+    fn t_prev(&self) -> f64;
+
+    fn y(&self) -> State;
+
+    /// The next step.
+    fn h(&self) -> f64;
+
+    fn step(&mut self) -> Result<(), Failure>;
+
+    /// The state within the last step.
+    fn within(&mut self, s: f64) -> Result<State, Failure>;
+
+    fn set_step(&mut self, step: f64) -> Result<(), Failure>;
+
+    /// Begins anew.
+    fn restart(&mut self, at: f64, state: &State, step: f64) -> Result<(), Failure>;
+
+    /// Says what is accurate enough for the step from here.
+    fn weigh(&mut self);
+}
+
+/// The first `N` components.
+fn narrow<const N: usize>(state: &State) -> SVector<f64, N> {
+    SVector::from_fn(|i, _| state[i])
+}
+
+fn wide<const N: usize>(state: &SVector<f64, N>) -> State {
+    State::from_fn(|i, _| if i < N { state[i] } else { 0.0 })
+}
+
+/// A system whose order is `N` or less.
+struct Short<'a, const N: usize>(&'a Rates<'a>);
+
+impl<const N: usize> ODE<f64, SVector<f64, N>> for Short<'_, N> {
+    fn diff(&self, s: f64, y: &SVector<f64, N>, rates: &mut SVector<f64, N>) {
+        let mut there = State::zeros();
+        (self.0.rates)(s, &wide(y), &mut there);
+        *rates = narrow(&there);
+    }
+
+    /// By differences in proportion to each component: the state decays by many powers of ten.
+    fn jacobian(&self, s: f64, y: &SVector<f64, N>, jacobian: &mut Matrix<f64>) {
+        let system = self.0;
+        let y = wide(y);
+        let (mut here, mut there) = (State::zeros(), State::zeros());
+        (system.rates)(s, &y, &mut here);
+        let scale = y.rows(0, system.states).amax();
+        for column in 0..N {
+            let mut moved = y;
+            let size = y[column].abs().max(1e-3 * scale).max(1e-200) * f64::EPSILON.sqrt();
+            let used = column < system.order;
+            if used {
+                moved[column] += size;
+                (system.rates)(s, &moved, &mut there);
+            }
+            for row in 0..N {
+                let slope = (there[row] - here[row]) / (moved[column] - y[column]);
+                jacobian[(row, column)] = if used && row < system.order { slope } else { 0.0 };
+            }
+        }
+    }
+}
+
+/// What is accurate enough for a method with states of `N` components.
+#[derive(Clone, Copy)]
+pub(super) struct Wanted<const N: usize> {
+    pub(super) relative: f64,
+    absolute: f64,
+    floors: bool,
+    states: usize,
+}
+
+impl<const N: usize> Wanted<N> {
+    pub(super) fn new(system: &Rates<'_>, piece: &Piece<'_>) -> Self {
+        // Their error is a mean over all components, some of which may be unused.
+        #[allow(clippy::cast_precision_loss)]
+        let used = (system.order as f64 / N as f64).sqrt();
+        let Accuracy { relative, absolute, .. } = piece.accuracy;
+        let (floors, states) = (piece.floors, system.states);
+        Self { relative: relative * used, absolute, floors, states }
+    }
+
+    /// Where an error below `nothing` counts as nothing.
+    fn tolerances(&self, nothing: f64, state: &SVector<f64, N>) -> Tolerances<N> {
+        let wanted = Self { absolute: self.absolute.max(nothing), ..*self };
+        (self.relative, wanted.floors(state))
+    }
+
+    /// Errors below which a component counts as accurate. Where the loop is slow against its time
+    /// constants each state is much smaller than those before it, in whose rounding its rate drowns.
+    fn floors(&self, state: &SVector<f64, N>) -> [f64; N] {
+        let mut most = 0.0_f64;
+        std::array::from_fn(|i| {
+            if i >= self.states {
+                return NONE;
+            }
+            let floor = self.relative * most + self.absolute;
+            if self.floors {
+                most = most.max(state[i].abs());
+            }
+            floor
+        })
+    }
+}
+
+/// The relative one, and the absolute one of each component.
+type Tolerances<const N: usize> = (f64, [f64; N]);
+
+fn failure<const N: usize>(error: &Error<f64, SVector<f64, N>>) -> Failure {
+    let help = "the state, f, g or the law may leave the range of numbers there, or jump; see what they are at this instant";
+    match error {
+        Error::StepSize { .. } => {
+            Failure::unfinished("the step of the integration became too small", help)
+        }
+        _ => Failure::unfinished("the integration does not converge", help),
+    }
+}
