@@ -29,7 +29,7 @@ pub struct Context {
 pub const TIME: Duration = Duration::from_secs(20);
 
 /// In how many parts a brief run divides what is costly, and so in how many days all of it is examined.
-const PARTS: u64 = 5;
+const PARTS: u64 = 7;
 
 /// The root of the workspace.
 pub fn workspace() -> &'static Path {
@@ -60,6 +60,15 @@ impl Context {
         let parts = self.parts();
         let due = |(index, _): &(u64, T)| index.is_multiple_of(parts);
         (self.day..).zip(all).filter(due).map(|(_, one)| one).collect()
+    }
+
+    /// Those of `all` that a brief run seeds: one, the next one a day later.
+    pub fn one_a_day<T>(&self, all: Vec<T>) -> Vec<T> {
+        if !self.brief {
+            return all;
+        }
+        let due = self.day % all.len().max(1) as u64;
+        (0..).zip(all).filter(|(index, _)| *index == due).map(|(_, one)| one).collect()
     }
 
     /// `full` records of each controller, a quarter of them in a brief run.
