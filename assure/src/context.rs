@@ -55,20 +55,11 @@ impl Context {
         if self.brief { PARTS } else { 1 }
     }
 
-    /// The part of `all` whose turn it is in a brief run, the next one a day later; else all.
+    /// The part of `all` whose turn it is in a brief run, the next one a day later; else all. Never none of them.
     pub fn in_turn<T>(&self, all: Vec<T>) -> Vec<T> {
-        let parts = self.parts();
+        let parts = self.parts().min(all.len() as u64);
         let due = |(index, _): &(u64, T)| index.is_multiple_of(parts);
         (self.day..).zip(all).filter(due).map(|(_, one)| one).collect()
-    }
-
-    /// Those of `all` that a brief run seeds: one, the next one a day later.
-    pub fn one_a_day<T>(&self, all: Vec<T>) -> Vec<T> {
-        if !self.brief {
-            return all;
-        }
-        let due = self.day % all.len().max(1) as u64;
-        (0..).zip(all).filter(|(index, _)| *index == due).map(|(_, one)| one).collect()
     }
 
     /// `full` records of each controller, a quarter of them in a brief run.
@@ -142,5 +133,25 @@ impl Context {
     /// The controller by which a layer shows that it sees defects: a double integrator.
     pub fn example(&self) -> Spec {
         Spec::new(2, Family::Exp)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn some_of_every_list_is_examined_each_day_and_all_of_it_in_a_week() {
+        let mut context = Context { brief: true, ..Context::new(Path::new("target"), 1) };
+        for length in 0..20 {
+            let mut seen = vec![false; length];
+            for _ in 0..PARTS {
+                context.day += 1;
+                let due = context.in_turn((0..length).collect());
+                assert_eq!(due.is_empty(), length == 0, "{length}");
+                due.into_iter().for_each(|index| seen[index] = true);
+            }
+            assert!(seen.iter().all(|seen| *seen), "{length}: {seen:?}");
+        }
     }
 }

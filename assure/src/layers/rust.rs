@@ -40,8 +40,9 @@ const PANIC: &str = "a_path_to_a_panic_is_left";
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("rust");
-    let mut specs =
-        [context.goldens(), context.families(context.order(6)), context.random(40)].concat();
+    // One program holds them all, so that more of them cost little.
+    let families = context.families(context.order(6).max(4));
+    let mut specs = [context.goldens(), families, context.random(40)].concat();
     // The user's own functions may panic; this is about the code that is emitted.
     specs.retain(|spec| spec.feedback != Feedback::Extern);
     let mut finding = Finding::default();

@@ -39,7 +39,9 @@ fn run(context: &Context) -> Result<Finding> {
         ("stage", PAGE, None),
         ("table", README, None),
     ];
-    for (what, page, seed) in context.in_turn(all) {
+    let due = context.in_turn(all);
+    let names: Vec<_> = due.iter().map(|(what, ..)| *what).collect();
+    for (what, page, seed) in due {
         let output = measured(&python, &command, &[what])?;
         let printed = String::from_utf8_lossy(&output.stdout).into_owned();
         if !output.status.success() {
@@ -66,7 +68,8 @@ fn run(context: &Context) -> Result<Finding> {
     };
     let loops: usize = finding.tables.iter().map(count).sum();
     finding.summary = format!(
-        "{loops} loops end at rest, or with the state in the observer, as far as doubles go"
+        "{}: {loops} loops end at rest, or with the state in the observer, as far as doubles go",
+        names.join(", ")
     );
     Ok(finding)
 }
