@@ -6,7 +6,7 @@
 // A piece that ends early hands over its state, once.
 #![allow(clippy::result_large_err)]
 
-use super::method::{Method, Rates, State, Wanted, eighth, fifth, radau};
+use super::method::{Method, Rates, State, Wanted, dormand, radau};
 use super::mode::no_value;
 use super::pass::{End, Monitor, Pass, Reached, Stopped, Visit};
 use super::{Accuracy, Failure};
@@ -155,21 +155,17 @@ fn explicit<const N: usize>(
     let most = if limited { most.min(pass.left) } else { pass.left };
     let rest = pass.left - most;
     pass.left = most;
-    let end = match piece.first {
-        First::Eighth => begun(begin, |from| eighth(system, wanted, from))
-            .and_then(|mut method| pass.run(&mut method, piece.monitor, visit)),
-        First::Fifth => begun(begin, |from| fifth(system, wanted, from))
-            .and_then(|mut method| pass.run(&mut method, piece.monitor, visit)),
-    };
+    let end = begun(begin, |from| dormand(piece.first, system, wanted, from))
+        .and_then(|mut method| pass.run(&mut *method, piece.monitor, visit));
     pass.left += rest;
     end
 }
 
 /// A method that begins there.
-fn begun<M: Method>(
+fn begun<'a>(
     begin: Begin,
-    method: impl FnOnce(Begin) -> Result<M, Failure>,
-) -> Result<M, Stopped> {
+    method: impl FnOnce(Begin) -> Result<Box<dyn Method + 'a>, Failure>,
+) -> Result<Box<dyn Method + 'a>, Stopped> {
     let Begin { at, state, step, .. } = begin;
     let here = Reached { at, state, step, end: End::Done };
     method(begin).map_err(|failure| (here, Some(failure)))
@@ -186,7 +182,7 @@ fn implicit<const N: usize>(
     let mut wanted = Wanted::<N>::new(system, piece);
     loop {
         let mut method = begun(begin, |from| radau(system, wanted, piece.nothing, from))?;
-        match pass.run(&mut method, piece.monitor, visit) {
+        match pass.run(&mut *method, piece.monitor, visit) {
             // If the rates round too coarsely for the tolerance, the tolerance is relaxed.
             Err((reached, Some(_))) if finite(&reached.state) && wanted.relative < LOOSEST => {
                 wanted.relative *= 100.0;

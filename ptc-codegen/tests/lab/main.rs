@@ -36,6 +36,8 @@ mod simulate;
 mod simulate_command;
 #[path = "../support/mod.rs"]
 mod support;
+#[path = "../support/verdicts.rs"]
+mod verdicts;
 mod verify_command;
 mod verify_draws;
 mod verify_integrals;

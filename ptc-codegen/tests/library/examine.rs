@@ -1,22 +1,12 @@
 //! Designs on which checks have stumbled.
 
-use crate::command;
+use crate::command::spec_of;
+use crate::verdicts::verdict;
 
-use command::spec_of;
 use ptc_codegen::check::Verdict;
-use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::emit::Language;
 use ptc_codegen::generate;
 use ptc_codegen::request::Feedback;
-
-fn report(line: &str) -> Report {
-    examine(&spec_of(line).unwrap_or_else(|found| panic!("{line}: {}", found[0])))
-}
-
-/// What the check called `name` says of a design.
-fn verdict(line: &str, name: &str) -> Verdict {
-    report(line).outcomes.iter().find(|outcome| outcome.name == name).expect("a check").verdict
-}
 
 #[test]
 fn a_law_that_is_linear_is_gains_in_any_spelling() {

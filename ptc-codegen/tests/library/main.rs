@@ -9,3 +9,5 @@ mod plcopen;
 mod spelling;
 #[path = "../support/mod.rs"]
 mod support;
+#[path = "../support/verdicts.rs"]
+mod verdicts;

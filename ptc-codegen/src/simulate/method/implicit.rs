@@ -1,11 +1,9 @@
 //! Radau's method, for a loop that is stiff.
 
-use differential_equations::interpolate::Interpolation;
 use differential_equations::methods::ImplicitRungeKutta;
-use differential_equations::ode::OrdinaryNumericalMethod;
 use nalgebra::SVector;
 
-use super::{Method, Rates, Short, State, Tolerances, Wanted, failure, narrow, wide};
+use super::{Dense, Kind, Method, Rates, Short, Tolerances, Wanted, begun, failure, narrow};
 use crate::simulate::Failure;
 use crate::simulate::solver::Begin;
 
@@ -14,8 +12,6 @@ const LONGEST: f64 = 1.0;
 
 /// An implicit method, whose type has no name.
 struct Implicit<'a, const N: usize, M> {
-    system: Short<'a, N>,
-    method: M,
     wanted: Wanted<N>,
     nothing: &'a dyn Fn(f64) -> f64,
     new: fn(Tolerances<N>, f64) -> M,
@@ -28,76 +24,47 @@ pub(in crate::simulate) fn radau<'a, const N: usize>(
     wanted: Wanted<N>,
     nothing: &'a dyn Fn(f64) -> f64,
     begin: Begin,
-) -> Result<impl Method + 'a, Failure> {
+) -> Result<Box<dyn Method + 'a>, Failure> {
     // It scales a tolerance once for each component, one that they share several times.
     let new: fn(Tolerances<N>, f64) -> _ = |(relative, floors), step| {
         let method = ImplicitRungeKutta::radau5().rtol(vec![relative; N]).atol(floors.to_vec());
         method.h0(step).h_max(LONGEST).max_steps(usize::MAX)
     };
-    let Begin { at, state, step, .. } = begin;
-    let mut method = new(wanted.tolerances(nothing(at), &narrow(&state)), step);
-    let set = of(&mut method, |method, (relative, floors)| {
-        for (i, floor) in floors.into_iter().enumerate() {
-            method.atol[i] = floor * method.rtol[i] / relative;
-        }
-    });
-    let mut begun = Implicit { system: Short(system), method, wanted, nothing, new, set };
-    begun.restart(at, &state, step)?;
-    Ok(begun)
+    let method = new(wanted.tolerances(nothing(begin.at), &narrow(&begin.state)), begin.step);
+    let kind = Implicit {
+        wanted,
+        nothing,
+        new,
+        set: |method, (relative, floors)| {
+            for (i, floor) in floors.into_iter().enumerate() {
+                method.atol[i] = floor * method.rtol[i] / relative;
+            }
+        },
+    };
+    begun(system, method, kind, begin)
 }
 
-/// A function on methods of the type of `_method`.
-fn of<const N: usize, M>(
-    _method: &mut M,
-    set: fn(&mut M, Tolerances<N>),
-) -> fn(&mut M, Tolerances<N>) {
-    set
-}
-
-impl<const N: usize, M> Method for Implicit<'_, N, M>
-where
-    M: OrdinaryNumericalMethod<f64, SVector<f64, N>> + Interpolation<f64, SVector<f64, N>>,
-{
-    fn t(&self) -> f64 {
-        self.method.t()
-    }
-
-    fn t_prev(&self) -> f64 {
-        self.method.t_prev()
-    }
-
-    fn y(&self) -> State {
-        wide(self.method.y())
-    }
-
-    fn h(&self) -> f64 {
-        self.method.h()
-    }
-
-    fn step(&mut self) -> Result<(), Failure> {
-        self.method.step(&self.system).map(drop).map_err(|error| failure(&error))
-    }
-
-    fn within(&mut self, s: f64) -> Result<State, Failure> {
-        self.method.interpolate(s).map(|y| wide(&y)).map_err(|error| failure(&error))
-    }
-
-    /// It keeps matrices of its step, so another step begins anew.
-    fn set_step(&mut self, step: f64) -> Result<(), Failure> {
-        let (at, state) = (self.t(), self.y());
-        self.restart(at, &state, step)
-    }
-
-    fn restart(&mut self, at: f64, state: &State, step: f64) -> Result<(), Failure> {
-        let state = narrow(state);
-        self.method = (self.new)(self.wanted.tolerances((self.nothing)(at), &state), step);
-        let begun = self.method.init(&self.system, at, at + 2.0 * step, &state);
+impl<const N: usize, M: Dense<N>> Kind<N, M> for Implicit<'_, N, M> {
+    fn restart(
+        &self,
+        method: &mut M,
+        system: &Short<'_, N>,
+        (at, state, step): (f64, SVector<f64, N>, f64),
+    ) -> Result<(), Failure> {
+        *method = (self.new)(self.wanted.tolerances((self.nothing)(at), &state), step);
+        let begun = method.init(system, at, at + 2.0 * step, &state);
         begun.map(drop).map_err(|error| failure(&error))
     }
 
-    fn weigh(&mut self) {
-        let nothing = (self.nothing)(self.t());
-        let tolerances = self.wanted.tolerances(nothing, self.method.y());
-        (self.set)(&mut self.method, tolerances);
+    /// It keeps matrices of its step, so another step begins anew.
+    fn set_step(&self, method: &mut M, system: &Short<'_, N>, step: f64) -> Result<(), Failure> {
+        let here = (method.t(), *method.y(), step);
+        self.restart(method, system, here)
+    }
+
+    fn weigh(&self, method: &mut M) {
+        let nothing = (self.nothing)(method.t());
+        let tolerances = self.wanted.tolerances(nothing, method.y());
+        (self.set)(method, tolerances);
     }
 }

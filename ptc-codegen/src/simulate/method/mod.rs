@@ -4,14 +4,15 @@ mod explicit;
 mod implicit;
 
 use differential_equations::error::Error;
+use differential_equations::interpolate::Interpolation;
 use differential_equations::linalg::Matrix;
-use differential_equations::ode::ODE;
+use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use nalgebra::SVector;
 
-use super::solver::Piece;
+use super::solver::{Begin, Piece};
 use super::{Accuracy, Failure};
 use crate::request::MAX_ORDER;
-pub(super) use explicit::{eighth, fifth};
+pub(super) use explicit::dormand;
 pub(super) use implicit::radau;
 
 /// A state of any order, with zeros after its last component, so that no step allocates.
@@ -52,6 +53,89 @@ pub(super) trait Method {
 
     /// Says what is accurate enough for the step from here.
     fn weigh(&mut self);
+}
+
+/// A method of the library for states of `N` components.
+trait Dense<const N: usize>:
+    OrdinaryNumericalMethod<f64, SVector<f64, N>> + Interpolation<f64, SVector<f64, N>>
+{
+}
+
+impl<const N: usize, M> Dense<N> for M where
+    M: OrdinaryNumericalMethod<f64, SVector<f64, N>> + Interpolation<f64, SVector<f64, N>>
+{
+}
+
+/// In what methods of the library differ.
+trait Kind<const N: usize, M> {
+    /// Begins the method at a point in a state, with a step.
+    fn restart(
+        &self,
+        method: &mut M,
+        system: &Short<'_, N>,
+        from: (f64, SVector<f64, N>, f64),
+    ) -> Result<(), Failure>;
+
+    fn set_step(&self, method: &mut M, system: &Short<'_, N>, step: f64) -> Result<(), Failure>;
+
+    fn weigh(&self, method: &mut M);
+}
+
+/// A method with its system.
+struct Begun<'a, const N: usize, M, K> {
+    system: Short<'a, N>,
+    method: M,
+    kind: K,
+}
+
+/// Begins a method.
+fn begun<'a, const N: usize, M: Dense<N> + 'a, K: Kind<N, M> + 'a>(
+    system: &'a Rates<'a>,
+    method: M,
+    kind: K,
+    begin: Begin,
+) -> Result<Box<dyn Method + 'a>, Failure> {
+    let mut begun = Begun { system: Short(system), method, kind };
+    begun.restart(begin.at, &begin.state, begin.step)?;
+    Ok(Box::new(begun))
+}
+
+impl<const N: usize, M: Dense<N>, K: Kind<N, M>> Method for Begun<'_, N, M, K> {
+    fn t(&self) -> f64 {
+        self.method.t()
+    }
+
+    fn t_prev(&self) -> f64 {
+        self.method.t_prev()
+    }
+
+    fn y(&self) -> State {
+        wide(self.method.y())
+    }
+
+    fn h(&self) -> f64 {
+        self.method.h()
+    }
+
+    fn step(&mut self) -> Result<(), Failure> {
+        self.method.step(&self.system).map(drop).map_err(|error| failure(&error))
+    }
+
+    fn within(&mut self, s: f64) -> Result<State, Failure> {
+        self.method.interpolate(s).map(|y| wide(&y)).map_err(|error| failure(&error))
+    }
+
+    fn set_step(&mut self, step: f64) -> Result<(), Failure> {
+        self.kind.set_step(&mut self.method, &self.system, step)
+    }
+
+    fn restart(&mut self, at: f64, state: &State, step: f64) -> Result<(), Failure> {
+        self.kind.restart(&mut self.method, &self.system, (at, narrow(state), step))
+    }
+
+    fn weigh(&mut self) {
+        self.kind.weigh(&mut self.method);
+    }
 }
 
 /// The first `N` components.
