@@ -1,18 +1,16 @@
 //! generated/ holds what the generator writes, each file of it compiled, so that a change of the
 //! emitted code is seen in review. Refresh it with `UPDATE_GOLDEN=1 cargo test --test golden`.
 
-mod support;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+use ptc_assure::harness::goldens::{FEW, controllers, of_axes};
+use ptc_assure::harness::{empty, program, run, rustc, write};
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
 use ptc_codegen::request::{Feedback, Spec};
-use support::goldens::{FEW, controllers, of_axes};
-use support::{folder, run, rustc, write};
 
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
 
@@ -93,7 +91,7 @@ fn generated_is_what_the_generator_writes() {
 /// Those of the families that call no function at all need no `std`.
 #[test]
 fn goldens_without_a_function_compile_without_std() {
-    let folder = folder("golden_rust");
+    let folder = empty(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden_rust"));
     let mut modules = "#![no_std]\n".to_owned();
     for spec in controllers().into_iter().chain(of_axes()) {
         let bare = matches!(
@@ -124,7 +122,7 @@ fn the_macro_expands_to_the_golden() {
         let items = ptc_codegen::macro_items(&spec).expect("a legal spec");
         let file = ptc_codegen::generate(&spec, Language::Rust).expect("a legal spec").remove(0);
         assert!(items.contains("::ptc::"), "{}", spec.name());
-        let real = support::program::real(spec.precision);
+        let real = program::real(spec.precision);
         let own = items.replace(&format!("::ptc::math::{real}::"), "math::").replace("::ptc::", "");
         assert!(file.text.ends_with(&own), "{}: the file does not end in\n{own}", spec.name());
     }

@@ -1,8 +1,8 @@
 //! The guard `full`: a call that tracks tests u alone, and what it gives is what testing every input
 //! first would give.
 
-mod support;
-
+use ptc_assure::harness::random::Random;
+use ptc_assure::harness::specs::spec;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{Code, Expr, Instance, Statement, Status, Test};
 use ptc_codegen::controller::{self, Controller};
@@ -11,8 +11,6 @@ use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::passes;
 use ptc_codegen::request::{Guard, Spec};
-use support::random::Random;
-use support::specs::spec;
 
 /// The controller of `spec` as a program.
 fn code(spec: &Spec) -> Code {

@@ -22,7 +22,7 @@ pub(crate) struct Builds {
     pub(crate) lab: f64,
     /// The tests from nothing, built and run, as the README's second line does.
     pub(crate) tests: f64,
-    /// A crate with one controller, from nothing.
+    /// A crate with one controller, which takes `ptc` of the last commit from git, from nothing.
     pub(crate) user: f64,
     /// That crate after a change of it, without a controller.
     pub(crate) none: f64,
@@ -39,14 +39,17 @@ pub(crate) fn measure() -> Result<Builds> {
     let tests = processor_seconds(workspace(), &scratch("tests")?, &["test", "--workspace"])?;
     let folder = scratch("user")?;
     std::fs::create_dir_all(folder.join("src"))?;
+    // From git, as crates that are no part of one's own work: cargo prepares those for changes, which takes longer.
     let manifest = format!(
         "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
-         [dependencies]\nptc = {{ path = {:?} }}\n\n[workspace]\n",
-        workspace()
+         [dependencies]\nptc = {{ git = \"file://{}\" }}\n\n[workspace]\n",
+        workspace().display()
     );
     std::fs::write(folder.join("Cargo.toml"), manifest)?;
+    std::fs::write(folder.join("src/lib.rs"), "")?;
     // The versions that the workspace uses, which are here already.
     std::fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    run(Command::new("cargo").arg("fetch").current_dir(&folder))?;
     let user = of_controllers(&folder, 1, 0)?;
     let least = |controllers| -> Result<f64> {
         let mut least = f64::INFINITY;

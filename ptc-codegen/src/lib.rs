@@ -98,13 +98,14 @@ pub mod accepted;
 mod interface;
 
 // The command, which names the library as other programs do.
-#[cfg(feature = "command")]
+#[cfg(feature = "cli")]
 mod cli;
-#[cfg(feature = "command")]
+#[cfg(feature = "cli")]
 extern crate self as ptc_codegen;
 
-/// Runs the command of a command line, its own name first, and gives its exit code.
-#[cfg(feature = "command")]
+/// Runs the command of a command line, its own name first, and gives its exit code: for the program, and for the
+/// module of Python, whose wheel carries it.
+#[cfg(feature = "cli")]
 #[doc(hidden)]
 pub fn command(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
     cli::run(line)

@@ -1,7 +1,5 @@
-//! The command line of the generator: `emit`, `show` and `list`.
-
-mod cli;
+//! The command `ptc-codegen`, which is a function of the library.
 
 fn main() -> std::process::ExitCode {
-    cli::run(std::env::args_os()).into()
+    ptc_codegen::command(std::env::args_os()).into()
 }

@@ -4,6 +4,7 @@
 mod axes;
 mod edges;
 mod exact;
+mod example4;
 mod keys;
 mod laws;
 mod quadrotor;

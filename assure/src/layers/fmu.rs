@@ -305,7 +305,7 @@ fn seed(context: &Context, python: &Path, finding: &mut Finding) -> Result<()> {
         write(&empty(&home.join(name)), &spec, language);
         finding.failures.extend(faults(name)?);
     }
-    for (index, defect) in DEFECTS.into_iter().enumerate() {
+    for (index, defect) in context.in_turn(DEFECTS.to_vec()).into_iter().enumerate() {
         let name = format!("defect{index}");
         with_defect(&home.join(&name), &spec, Language::Fmu2, defect)?;
         // An importer that does not read it has caught it too.

@@ -214,7 +214,7 @@ fn run(context: &Context) -> Result<Finding> {
          `ptc-codegen/tests/command/projects`."
             .to_owned(),
     );
-    seed(&folder, &generator, crates, &mut finding)?;
+    seed(context, &folder, &generator, crates, &mut finding)?;
     Ok(finding)
 }
 
@@ -260,10 +260,16 @@ const DEFECTS: [[&str; 5]; 6] = [
     ["rust-embedded", "memory.x", "0x20000000", "0x60000000", "RAM where the machine has none"],
 ];
 
-fn seed(folder: &Path, generator: &Path, crates: bool, finding: &mut Finding) -> Result<()> {
+fn seed(
+    context: &Context,
+    folder: &Path,
+    generator: &Path,
+    crates: bool,
+    finding: &mut Finding,
+) -> Result<()> {
     let spec = spec(&[("n", "2"), ("mu", "exp"), ("name", "stage")]);
     let there = DEFECTS.into_iter().filter(|[kind, ..]| crates || *kind != "rust-embedded");
-    let there: Vec<_> = there.collect();
+    let there = context.in_turn(there.collect());
     let caught = in_pairs(&there, |[kind, file, good, bad, _]| -> Result<Option<String>> {
         let name = format!("seeded_{kind}_{}", file.replace('/', "_"));
         let home = folder.join(name);

@@ -52,9 +52,10 @@ fn run(context: &Context) -> Result<Finding> {
     // The goldens are of the orders 1 to 5 in double precision.
     let mut single = context.families(context.order(3));
     single.retain(|spec| spec.precision == Precision::F32);
+    let shapes = context.in_turn(shapes());
     let specs = [context.goldens(), single, context.random(15)].map(|specs| context.in_turn(specs));
-    let specs = [shapes(), specs.concat()].concat();
-    let has_selftest = |index: usize| index < shapes().len() || index.is_multiple_of(SELFTESTED);
+    let specs = [shapes.clone(), specs.concat()].concat();
+    let has_selftest = |index: usize| index < shapes.len() || index.is_multiple_of(SELFTESTED);
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| {
         let folder = empty(&folder.join(index.to_string()));
@@ -76,7 +77,7 @@ fn run(context: &Context) -> Result<Finding> {
         finding.failures.len()
     );
     let mut rows = Vec::new();
-    for (index, (defect, rule)) in DEFECTS.into_iter().enumerate() {
+    for (index, (defect, rule)) in context.in_turn(DEFECTS.to_vec()).into_iter().enumerate() {
         let folder = folder.join(format!("seeded{index}"));
         let files = with_defect(&folder, &context.example(), Language::C, defect)?;
         let told = violations(&folder, &context.example(), &files)?;

@@ -28,7 +28,7 @@ const PAGE: &str = include_str!("../../../docs/samples.md");
 const REFERENCES: &str = include_str!("../../../docs/references.md");
 
 fn run(context: &Context) -> Result<Finding> {
-    let python = runtime::python(&context.shared("samples"), &["mpmath>=1.3"])?;
+    let python = runtime::python(&context.shared("samples"), &["mpmath>=1.3", "gmpy2"])?;
     let command = generator()?;
     let mut finding = Finding::default();
     // With the plant whose input gain is off by 1e-6, which has to be seen.

@@ -177,7 +177,7 @@ fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()>
     let in_samples = in_samples::example();
     let defects = DEFECTS.into_iter().map(|defect| (&spec, defect));
     let defects = defects.chain(IN_SAMPLES.into_iter().map(|defect| (&in_samples, defect)));
-    for (index, (spec, defect)) in defects.enumerate() {
+    for (index, (spec, defect)) in context.in_turn(defects.collect()).into_iter().enumerate() {
         let folder = folder.join(format!("seeded{index}"));
         with_defect(&folder, spec, Language::C, defect)?;
         let sources = write_selftest(&folder, spec)?;

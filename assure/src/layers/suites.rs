@@ -15,8 +15,7 @@ pub(super) const EMITTED: Layer = Layer {
     claim: "Emitted C and Rust give u of the reference vectors, agree with C++, Python and the interpreter \
             bit for bit, and give each status where it is due; the goldens run and are formatted.",
     tools: &[GCC, GXX, PYTHON],
-    // With the generator that `cargo test` has built, which checks itself between its passes.
-    run: |context| suite(context, &["--workspace", "--test", "emitted"]),
+    run: |context| suite(context, &["--release", "--package", "ptc-assure", "--test", "emitted"]),
 };
 
 pub(super) const LOOPS: Layer = Layer {

@@ -61,7 +61,7 @@ pub(super) fn seeded(folder: &Path, context: &Context, finding: &mut Finding) ->
     let defects = defects.chain(IN_LOOPS.iter().map(|defect| (looped.clone(), defect)));
     let in_samples = in_samples::example();
     let defects = defects.chain(IN_SAMPLES.iter().map(|defect| (in_samples.clone(), defect)));
-    let defects: Vec<_> = defects.enumerate().collect();
+    let defects: Vec<_> = context.in_turn(defects.collect()).into_iter().enumerate().collect();
     let told = in_pairs(&defects, |(index, (spec, (defect, mode)))| {
         let folder = empty(&folder.join(format!("seeded{index}")));
         let files = write_with_proof(&folder, spec);

@@ -27,7 +27,7 @@ fn folder(test: &str, design: &str) -> PathBuf {
 /// x1 = 3T^2 - 2T^3, x2 = -6T + 6T^2 and u = 3 - 6T from (1, 0) with tau = 1.
 const STAGE: &str = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\n\
                      [params]\ntau = 1\n[plant]\nf = 0\n\
-                     [verify]\nx1 = 1\nx2 = 0\nscenarios = 2\nsearch = 20\n";
+                     [verify]\nx1 = 1\nx2 = 0\nscenarios = 2\nsearch = 2\n";
 
 /// x' = -2x/T + d, |d| <= 1, from 0: the worst d is a bound throughout, with x = T - T^2.
 const DRIVEN: &str = "n = 1\nmu = \"exp(a=1)\"\ngains = [2]\n[params]\ntau = 1\n\

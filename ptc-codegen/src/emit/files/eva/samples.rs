@@ -6,14 +6,14 @@
 use askama::Template;
 
 use super::{Call, LAW, OPTIONS, Range, STATE, literal, rounded, stem};
-use crate::code::{Code, Shape, Variable};
+use crate::code::{Code, Shape, Statement, Variable};
 use crate::emit::files::acsl::{changed, place};
 use crate::emit::files::apart::apart;
 use crate::emit::files::outline::Outline;
 use crate::emit::files::text_of;
 use crate::emit::{File, tidy};
 use crate::internal::fault;
-use crate::parameter::{Domain, Parameter};
+use crate::parameter::{Domain, Parameter, Precision};
 use crate::request::{Guard, Spec, What};
 
 /// A field that a call changes, and the macro of its bound where it is a number.
@@ -64,6 +64,12 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
     let calls: Vec<_> = code.functions.iter().map(call).collect();
     let (work, others): (Vec<_>, Vec<_>) =
         calls.iter().partition(|call| matches!(call.function, "step" | "update"));
+    // A float holds every count up to it.
+    let exact = if spec.precision == Precision::F32 { 1 << 24 } else { u32::MAX };
+    let is_time = |one: &Statement| matches!(one, Statement::Let(name, ..) if name == "t");
+    let timed = code.functions.iter().any(|function| function.body.iter().any(is_time));
+    let ticks =
+        timed.then(|| Bound { stem: format!("{prefix}_ELAPSED_MAX"), value: format!("{exact}U") });
     let text_of_call = |call: &&Call| call.text(&name, None);
     let compared = |p: Parameter| !matches!(spec.domain(p), Domain::Finite | Domain::Positive);
     let drawn = |p: Parameter| Drawn {
@@ -79,6 +85,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         options: OPTIONS,
         frame: &Outline::new(spec, code),
         ranges: ranges(spec, &prefix),
+        ticks,
         bounds,
         parameters: parameters.map(drawn).collect(),
         has_parameters: !code.parameters.is_empty(),
@@ -169,6 +176,8 @@ struct Harness<'a> {
     options: &'static str,
     frame: &'a Outline,
     ranges: Vec<Range>,
+    /// The macro of the most ticks since the start, where time itself is computed.
+    ticks: Option<Bound>,
     bounds: Vec<Bound>,
     parameters: Vec<Drawn>,
     has_parameters: bool,

@@ -48,7 +48,7 @@ fn behaves(test: &str, mut compiler: Command) {
         .arg(&folder)
         .arg(format!("-DTRAJECTORY={:e}", tolerance::TRAJECTORY))
         .arg(format!("-DSIMULATION={:e}", tolerance::SIMULATION))
-        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/behaviour.c"))
+        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/emitted/behaviour.c"))
         .args(sources)
         .arg("-o")
         .arg(&program)

@@ -1,17 +1,17 @@
 //! The files of generated/ are laid out as their languages' own programs lay them out.
 
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
 
 use crate::support;
+use ptc_assure::context::workspace;
 use support::goldens::{FEW, controllers};
 use support::in_samples;
 use support::specs::spec;
 
 /// The files in a folder of generated/, by name.
 fn goldens(language: &str) -> Vec<(String, String)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("generated").join(language);
+    let folder = workspace().join("generated").join(language);
     let entries = fs::read_dir(folder).expect("a folder of goldens");
     let file = |entry: fs::DirEntry| {
         let name = entry.file_name().to_string_lossy().into_owned();
@@ -36,7 +36,7 @@ fn c_and_cpp_are_formatted() {
         files.into_iter().map(|file| (file.name, file.text))
     });
     let files: Vec<_> = goldens("c").into_iter().chain(goldens("cpp")).chain(selftests).collect();
-    let style = format!("--style=file:{}/.clang-format", env!("CARGO_MANIFEST_DIR"));
+    let style = format!("--style=file:{}/.clang-format", workspace().display());
     formatted(("clang-format", "version 14."), &files, &["--dry-run", "--Werror", &style]);
 }
 

@@ -45,7 +45,7 @@ pub(super) fn specs() -> Vec<Spec> {
 
 /// The design of the guide: four axes with references, and g, gains and limits of their own.
 fn quadrotor() -> Spec {
-    let text = include_str!("../../../examples/quadrotor.toml");
+    let text = include_str!("../../../../examples/quadrotor.toml");
     let (entries, found) = ptc_codegen::design::read(text, &mut |_| Place(0));
     assert_eq!(found, []);
     ptc_codegen::request::read(&entries).expect("a design")

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use ptc_assure::context::workspace;
 use ptc_codegen::family::{FAMILIES, Family};
 use serde_json::Value;
 
@@ -59,7 +60,7 @@ pub(crate) fn read(file: &str) -> Vec<Vector> {
 
 /// The same, each with all digits of its u.
 pub(crate) fn lines(file: &str) -> Vec<(Vector, String)> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(file);
+    let path = workspace().join("tests/data").join(file);
     let text = fs::read_to_string(&path).expect("a file of vectors");
     let digits = |line: &str| {
         let line: Value = serde_json::from_str(line).expect("JSON");

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use ptc_assure::context::workspace;
 use ptc_codegen::code::{Access, Shape};
 use ptc_codegen::parameter::Precision;
 
@@ -117,7 +118,7 @@ fn in_interpreter(
     }
     let source = folder.join("driver.py");
     fs::write(&source, format!("DESIGNS = [\n{table}]\n{text}")).expect("Python");
-    let modules = Path::new(env!("CARGO_MANIFEST_DIR")).join("assure/src/harness/driver");
+    let modules = workspace().join("assure/src/harness/driver");
     let mut command = Command::new(python);
     command.args(["-B", "-W", "error::RuntimeWarning"]).arg(source);
     Some(answers(command.env("PYTHONPATH", modules), folder))

@@ -11,7 +11,7 @@ use ptc_codegen::code::{Access, Shape};
 use super::super::{STRICT, c_compiler, run};
 use super::{Design, answers};
 
-const C_MAIN: &str = include_str!("../bits.h");
+const C_MAIN: &str = include_str!("../../../../../tests/support/bits.h");
 
 const C_LOOP: &str = r#"
 int main(void)

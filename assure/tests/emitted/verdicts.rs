@@ -9,6 +9,7 @@ use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use nalgebra::{DMatrix, DVector};
+use ptc_assure::context::workspace;
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::design;
@@ -25,7 +26,7 @@ const A_DECADE: i32 = 60;
 
 /// The designs that decide what the gains do.
 fn designs() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/designs/table");
+    let folder = workspace().join("tests/designs/table");
     let entries = std::fs::read_dir(folder).expect("the designs");
     let paths = entries.map(|entry| entry.expect("an entry").path());
     let mut paths: Vec<_> = paths.filter(|path| name(path).starts_with(['g', 'f'])).collect();
@@ -234,7 +235,7 @@ fn each_verdict_on_growth_is_seen() {
 /// A pole on the line is bounded where T falls like e^-t, but not where it falls like e^-t/(1 + t).
 #[test]
 fn what_is_left_open_may_grow() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/designs/table");
+    let folder = workspace().join("tests/designs/table");
     let spec = spec(&folder.join("growth_log_on_the_line.toml"));
     assert_eq!(trends(&spec, &|_| 1.0), (Trend::Vanishes, Trend::Grows));
 }
@@ -242,7 +243,7 @@ fn what_is_left_open_may_grow() {
 /// A run-time rate is reported as good up to 1.99.
 #[test]
 fn the_largest_rate_is_seen() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/designs/table");
+    let folder = workspace().join("tests/designs/table");
     let spec = spec(&folder.join("growth_free_rate.toml"));
     let at = |rate: f64| trends(&spec, &|p| if p == Parameter::A { rate } else { 1.0 });
     assert_eq!(at(1.7), (Trend::Vanishes, Trend::Vanishes));

@@ -5,10 +5,9 @@ mod atoms;
 mod axes;
 mod behaviour;
 mod bisection;
-#[path = "../support/command.rs"]
+#[path = "../../../tests/support/command.rs"]
 mod command;
 mod design_properties;
-mod example4;
 mod expressions;
 mod format;
 mod goldens;
@@ -23,6 +22,5 @@ mod reference;
 mod samples_languages;
 mod selftest;
 mod spec_properties;
-#[path = "../support/mod.rs"]
 mod support;
 mod verdicts;
