@@ -25,7 +25,7 @@ pub(super) const LAYER: Layer = Layer {
     run,
 };
 
-const PACKAGES: [&str; 3] = ["mpmath>=1.3", "numpy>=1.26", "scipy>=1.11"];
+const PACKAGES: [&str; 4] = ["mpmath>=1.3", "gmpy2", "numpy>=1.26", "scipy>=1.11"];
 
 /// How much is drawn: objectives on each side of the truth, the greatest order, designs for `check`,
 /// and for its `loop`, runs of `simulate`, wishes for `design`, suprema that are computed by another route, and sets of
