@@ -2,7 +2,7 @@
 //! controllers add to it.
 
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde::{Deserialize, Serialize};
@@ -24,6 +24,8 @@ pub(crate) struct Builds {
     pub(crate) tests: f64,
     /// A crate with one controller, which takes `ptc` of the last commit from git, from nothing.
     pub(crate) user: f64,
+    /// The same by the path of a checkout, which cargo prepares for changes.
+    pub(crate) by_path: f64,
     /// That crate after a change of it, without a controller.
     pub(crate) none: f64,
     /// With one controller.
@@ -37,19 +39,10 @@ pub(crate) fn measure() -> Result<Builds> {
     let command = from_nothing(&["--package", "ptc-codegen"])?;
     let lab = from_nothing(&["--package", "ptc-codegen", "--release", "--features", "lab"])?;
     let tests = processor_seconds(workspace(), &scratch("tests")?, &["test", "--workspace"])?;
-    let folder = scratch("user")?;
-    std::fs::create_dir_all(folder.join("src"))?;
-    // From git, as crates that are no part of one's own work: cargo prepares those for changes, which takes longer.
-    let manifest = format!(
-        "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
-         [dependencies]\nptc = {{ git = \"file://{}\" }}\n\n[workspace]\n",
-        workspace().display()
-    );
-    std::fs::write(folder.join("Cargo.toml"), manifest)?;
-    std::fs::write(folder.join("src/lib.rs"), "")?;
-    // The versions that the workspace uses, which are here already.
-    std::fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
-    run(Command::new("cargo").arg("fetch").current_dir(&folder))?;
+    let root = workspace().display();
+    let folder = crate_with("by_path", &format!("path = \"{root}\""))?;
+    let by_path = of_controllers(&folder, 1, 0)?;
+    let folder = crate_with("user", &format!("git = \"file://{root}\""))?;
     let user = of_controllers(&folder, 1, 0)?;
     let least = |controllers| -> Result<f64> {
         let mut least = f64::INFINITY;
@@ -58,7 +51,32 @@ pub(crate) fn measure() -> Result<Builds> {
         }
         Ok(least)
     };
-    Ok(Builds { command, lab, tests, user, none: least(0)?, one: least(1)?, twenty: least(20)? })
+    Ok(Builds {
+        command,
+        lab,
+        tests,
+        user,
+        by_path,
+        none: least(0)?,
+        one: least(1)?,
+        twenty: least(20)?,
+    })
+}
+
+/// The folder of an empty crate that takes `ptc` from a source, with all that it needs fetched.
+fn crate_with(name: &str, source: &str) -> Result<PathBuf> {
+    let folder = scratch(name)?;
+    std::fs::create_dir_all(folder.join("src"))?;
+    let manifest = format!(
+        "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
+         [dependencies]\nptc = {{ {source} }}\n\n[workspace]\n"
+    );
+    std::fs::write(folder.join("Cargo.toml"), manifest)?;
+    std::fs::write(folder.join("src/lib.rs"), "")?;
+    // The versions that the workspace uses, which are here already.
+    std::fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    run(Command::new("cargo").args(["fetch", "--quiet"]).current_dir(&folder))?;
+    Ok(folder)
 }
 
 /// `cargo build` of the workspace, with nothing built before.

@@ -239,12 +239,13 @@ with controllers of order 2 to 5 (the least of 5). From nothing they vary by a f
 pub(super) fn builds(text: &mut String, builds: Builds) {
     section(text, "Builds", "generator --builds", BUILDS);
     text.push_str("\n| build | processor s |\n| --- | ---: |\n");
-    let Builds { command, lab, tests, user, none, one, twenty } = builds;
+    let Builds { command, lab, tests, user, by_path, none, one, twenty } = builds;
     for (what, seconds) in [
         ("`cargo build -p ptc-codegen`, from nothing", command),
         ("`cargo build --release -p ptc-codegen --features lab`, from nothing", lab),
         ("`cargo test --workspace`, from nothing, tests run", tests),
-        ("a crate with one controller, `cargo build`, from nothing", user),
+        ("a crate with one controller, `ptc` from git, `cargo build`, from nothing", user),
+        ("the same with `ptc` by the path of a checkout", by_path),
         ("after a change, no controller", none),
         ("after a change, one controller", one),
         ("after a change, twenty controllers", twenty),

@@ -57,7 +57,7 @@ fn margins_of_axes_are_the_least() {
     for clock in ["eps = 0.05", "clock = \"samples\"\nu_max = inf"] {
         let text = |axes: &str| {
             format!(
-                "n = 2\nmu = \"exp(a=1)\"\n{clock}\nsample_time = 1e-2\n{axes}\nx0_max = [1, 1]\nerror = [1e-3, 0.1]\n\
+                "n = 2\nmu = \"exp(a=1)\"\n{clock}\nsample_time = 5e-3\n{axes}\nx0_max = [1, 1]\nerror = [1e-3, 0.1]\n\
                  noise = 1e-5\n[params]\ntau = 1\nm = 4\n"
             )
         };
