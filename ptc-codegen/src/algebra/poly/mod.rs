@@ -1,92 +1,17 @@
 //! Sparse Laurent polynomials with exact rational coefficients.
 
+mod monomial;
+#[cfg(test)]
+mod tests;
+
+pub use monomial::Monomial;
+
 use std::collections::BTreeMap;
 
 use num_traits::{One, Signed, Zero};
 
 use super::rational::{add, product};
 use super::{BigInt, BigRational, Symbol, integer};
-
-/// A product of powers of symbols: sorted by symbol, no exponent zero.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Monomial(Vec<(Symbol, i32)>);
-
-impl Monomial {
-    /// The monomial 1.
-    pub fn one() -> Self {
-        Self::default()
-    }
-
-    /// `symbol^exponent`.
-    pub fn power(symbol: Symbol, exponent: i32) -> Self {
-        if exponent == 0 { Self::one() } else { Self(vec![(symbol, exponent)]) }
-    }
-
-    /// The product of `factors`, which are sorted by symbol, each symbol once, no exponent 0.
-    pub(crate) fn from_sorted(factors: Vec<(Symbol, i32)>) -> Self {
-        debug_assert!(factors.windows(2).all(|pair| pair[0].0 < pair[1].0));
-        debug_assert!(factors.iter().all(|(_, exponent)| *exponent != 0));
-        Self(factors)
-    }
-
-    /// The factors in symbol order, exponents nonzero.
-    pub fn factors(&self) -> &[(Symbol, i32)] {
-        &self.0
-    }
-
-    /// Exponent of `symbol`, 0 where it is absent.
-    pub fn exponent(&self, symbol: Symbol) -> i32 {
-        self.0.iter().find(|(s, _)| *s == symbol).map_or(0, |(_, e)| *e)
-    }
-
-    /// Product, by one merge of the sorted factors.
-    pub fn times(&self, other: &Self) -> Self {
-        let (mut left, mut right) = (self.0.iter().peekable(), other.0.iter().peekable());
-        let mut factors = Vec::with_capacity(self.0.len() + other.0.len());
-        loop {
-            match (left.peek(), right.peek()) {
-                (Some(&&(a, e)), Some(&&(b, f))) if a == b => {
-                    if e + f != 0 {
-                        factors.push((a, e + f));
-                    }
-                    left.next();
-                    right.next();
-                }
-                (Some(&&l), Some(&&r)) if l.0 < r.0 => {
-                    factors.push(l);
-                    left.next();
-                }
-                (Some(&&l), None) => {
-                    factors.push(l);
-                    left.next();
-                }
-                (_, Some(&&r)) => {
-                    factors.push(r);
-                    right.next();
-                }
-                (None, None) => return Self(factors),
-            }
-        }
-    }
-
-    /// The monomial raised to an integer power.
-    pub fn pow(&self, exponent: i32) -> Self {
-        if exponent == 0 {
-            return Self::one();
-        }
-        Self(self.0.iter().map(|(s, e)| (*s, e * exponent)).collect())
-    }
-
-    /// The same product without `symbol`.
-    pub fn without(&self, symbol: Symbol) -> Self {
-        Self(self.0.iter().filter(|(s, _)| *s != symbol).copied().collect())
-    }
-
-    /// The factors for which `keep` holds.
-    pub fn restrict(&self, keep: impl Fn(Symbol) -> bool) -> Self {
-        Self(self.0.iter().filter(|(s, _)| keep(*s)).copied().collect())
-    }
-}
 
 /// A Laurent polynomial: exact coefficients by monomial, none of them zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -320,41 +245,5 @@ impl FromIterator<(Monomial, BigRational)> for Poly {
             poly.add_term(coefficient, monomial);
         }
         poly
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::algebra::Kind;
-
-    fn t() -> Poly {
-        Poly::symbol(Symbol::plain(Kind::TimeToGo))
-    }
-
-    #[test]
-    fn powers_cancel_to_nothing_left() {
-        let inverse = t().inverse().expect("a single term");
-        assert_eq!(t().times(&inverse), Poly::one());
-        assert!(t().plus(&t().scaled(&integer(-1))).is_zero());
-    }
-
-    #[test]
-    fn derivation_follows_the_chain_rule() {
-        // D T = -T, so D T^-3 = 3 T^-3.
-        let cube = t().pow(3).inverse().expect("a single term");
-        let derived = cube.derive(|_| Some(t().scaled(&integer(-1))));
-        assert_eq!(derived, cube.scaled(&integer(3)));
-    }
-
-    #[test]
-    fn collect_and_substitute_agree() {
-        let a = Symbol::plain(Kind::A);
-        let p = t().plus(&Poly::symbol(a)).pow(2);
-        let collected = p.collect(a);
-        assert_eq!(collected.len(), 3);
-        assert_eq!(collected[&1], t().scaled(&integer(2)));
-        let at_one = p.substitute(|s| (s == a).then(Poly::one));
-        assert_eq!(at_one, t().plus(&Poly::one()).pow(2));
     }
 }
