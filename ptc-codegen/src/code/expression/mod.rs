@@ -1,9 +1,14 @@
 //! Expressions and tests, folded as they are made: numbers that are known stay exact until they are
 //! printed.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+mod arithmetic;
+mod test;
 
-use num_traits::{One, Signed, Zero};
+pub use test::Test;
+
+use std::ops::Add;
+
+use num_traits::Zero;
 
 use crate::algebra::{BigRational, integer};
 use crate::expression::Function;
@@ -83,25 +88,6 @@ pub struct Cell {
     pub column: usize,
     /// How many elements each array has.
     pub columns: usize,
-}
-
-/// What is true or false of values.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Test {
-    /// a < b, of floating-point numbers.
-    Less(Expr, Expr),
-    /// a <= b, of floating-point numbers.
-    AtMost(Expr, Expr),
-    /// a < b, of counts.
-    CountLess(Expr, Expr),
-    /// a == b, of counts.
-    CountEqual(Expr, Expr),
-    /// Neither infinite nor no number.
-    Finite(Expr),
-    /// No number.
-    NotNumber(Expr),
-    /// All of them; holds where there is none.
-    All(Vec<Test>),
 }
 
 impl Expr {
@@ -259,123 +245,6 @@ impl Expr {
                 b.visit(visit);
             }
             _ => {}
-        }
-    }
-}
-
-impl Neg for Expr {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        match self {
-            Self::Number(value) => Self::Number(-value),
-            Self::Neg(a) => *a,
-            a => Self::Neg(Box::new(a)),
-        }
-    }
-}
-
-impl Add for Expr {
-    type Output = Self;
-
-    fn add(self, b: Self) -> Self {
-        match (self, b) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a + b),
-            (a, b) if a.is_zero() => b,
-            (a, b) if b.is_zero() => a,
-            (a, Self::Neg(b)) => Self::binary(Operator::Sub, a, *b),
-            (a, Self::Number(b)) if b.is_negative() => {
-                Self::binary(Operator::Sub, a, Self::Number(-b))
-            }
-            (a, Self::Binary(Operator::Mul, k, b))
-                if k.number().is_some_and(Signed::is_negative) =>
-            {
-                Self::binary(Operator::Sub, a, Self::binary(Operator::Mul, k.neg(), *b))
-            }
-            (a, b) => Self::binary(Operator::Add, a, b),
-        }
-    }
-}
-
-impl Sub for Expr {
-    type Output = Self;
-
-    fn sub(self, b: Self) -> Self {
-        match (self, b) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a - b),
-            (a, b) if a.is_zero() => b.neg(),
-            (a, b) => a.add(b.neg()),
-        }
-    }
-}
-
-impl Mul for Expr {
-    type Output = Self;
-
-    fn mul(self, b: Self) -> Self {
-        match (self, b) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a * b),
-            (a, b) if a.is_zero() || b.is_zero() => Self::integer(0),
-            (Self::Number(a), b) if a.is_one() => b,
-            (a, Self::Number(b)) if b.is_one() => a,
-            (Self::Number(a), b) if a == integer(-1) => b.neg(),
-            (a, Self::Number(b)) if b == integer(-1) => a.neg(),
-            (a, Self::Number(b)) => Self::binary(Operator::Mul, Self::Number(b), a),
-            (a, b) => Self::binary(Operator::Mul, a, b),
-        }
-    }
-}
-
-impl Div for Expr {
-    type Output = Self;
-
-    fn div(self, b: Self) -> Self {
-        match (self, b) {
-            (Self::Number(a), Self::Number(b)) if !b.is_zero() => Self::Number(a / b),
-            (a, _) if a.is_zero() => a,
-            (a, Self::Number(b)) if b.is_one() => a,
-            (a, b) => Self::binary(Operator::Div, a, b),
-        }
-    }
-}
-
-impl Test {
-    /// Both tests.
-    #[must_use]
-    pub fn and(self, other: Self) -> Self {
-        match self {
-            Self::All(mut tests) => {
-                tests.push(other);
-                Self::All(tests)
-            }
-            test => Self::All(vec![test, other]),
-        }
-    }
-
-    fn local_fields(&self) -> Self {
-        match self {
-            Self::Less(a, b) => Self::Less(a.local_fields(), b.local_fields()),
-            Self::AtMost(a, b) => Self::AtMost(a.local_fields(), b.local_fields()),
-            Self::CountLess(a, b) => Self::CountLess(a.local_fields(), b.local_fields()),
-            Self::CountEqual(a, b) => Self::CountEqual(a.local_fields(), b.local_fields()),
-            Self::Finite(a) => Self::Finite(a.local_fields()),
-            Self::NotNumber(a) => Self::NotNumber(a.local_fields()),
-            Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
-        }
-    }
-
-    /// Calls `visit` on every expression in it.
-    pub fn visit(&self, visit: &mut dyn FnMut(&Expr)) {
-        match self {
-            Self::Less(a, b)
-            | Self::AtMost(a, b)
-            | Self::CountLess(a, b)
-            | Self::CountEqual(a, b) => {
-                a.visit(visit);
-                b.visit(visit);
-            }
-            Self::Finite(a) | Self::NotNumber(a) => a.visit(visit),
-            Self::All(tests) => tests.iter().for_each(|test| test.visit(visit)),
         }
     }
 }
