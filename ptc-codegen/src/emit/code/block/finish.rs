@@ -1,7 +1,7 @@
 //! The end of a call as lines, in the words of a language.
 
-use super::{Block, close};
-use crate::code::{Finish, Test};
+use super::{Block, close, same};
+use crate::code::Finish;
 use crate::internal::fault;
 
 /// The end of a call.
@@ -28,17 +28,4 @@ pub(super) fn of_finish(to: &mut dyn Block, finish: &Finish) {
     to.out().turn(branch.otherwise);
     to.finish(rest);
     close(to.out(), branch.end);
-}
-
-/// The tests behind which the same end stands, one after the other, that end, and the other one.
-pub(in crate::emit) fn same(finish: &Finish) -> (Vec<&Test>, &Finish, &Finish) {
-    let Finish::If(test, yes, no) = finish else { fault("an end without a test") };
-    let (mut tests, mut rest) = (vec![test], no.as_ref());
-    while let Finish::If(test, other, no) = rest
-        && other == yes
-    {
-        tests.push(test);
-        rest = no;
-    }
-    (tests, yes, rest)
 }

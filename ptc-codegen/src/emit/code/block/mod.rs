@@ -4,11 +4,11 @@ mod finish;
 mod locals;
 mod statement;
 
-pub(in crate::emit) use finish::same;
 pub(in crate::emit) use locals::declared;
 
 use super::text::{Lines, Text, bare};
 use crate::code::{Ending, Expr, Finish, Inputs, Shape, Statement, Status, Test};
+use crate::internal::fault;
 use finish::of_finish;
 use statement::of_statement;
 
@@ -121,8 +121,8 @@ pub(in crate::emit) trait Block: Text {
     /// A local array that a function of the user's gives.
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize);
 
-    /// The lines before and behind the rounds of an iteration, whose number is [`Solve::ROUND`] where
-    /// they are counted.
+    /// The lines before and behind the rounds of an iteration, whose number is
+    /// [`Solve::ROUND`](crate::code::Solve::ROUND) where they are counted.
     fn rounds(&self, rounds: u32, counted: bool) -> [String; 2];
 
     /// The line that ends an iteration.
@@ -161,6 +161,19 @@ pub(in crate::emit) trait Block: Text {
     fn finish(&mut self, finish: &Finish) {
         of_finish(self.as_block(), finish);
     }
+}
+
+/// The tests behind which the same end stands, one after the other, that end, and the other one.
+pub(in crate::emit) fn same(finish: &Finish) -> (Vec<&Test>, &Finish, &Finish) {
+    let Finish::If(test, yes, no) = finish else { fault("an end without a test") };
+    let (mut tests, mut rest) = (vec![test], no.as_ref());
+    while let Finish::If(test, other, no) = rest
+        && other == yes
+    {
+        tests.push(test);
+        rest = no;
+    }
+    (tests, yes, rest)
 }
 
 /// That one of the tests holds.
