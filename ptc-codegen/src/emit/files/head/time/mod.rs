@@ -1,16 +1,19 @@
 //! The head of an emitted file: how to make it again, what it does and on which conditions.
 
+mod behaviour;
+mod purpose;
+
 use super::declared::{declared, meaning};
-use super::{Controller, Language, axes, formulas, plant};
+use super::{Controller, Language, axes, formulas};
 use crate::check::Verdict;
 use crate::check::examine::{Report, held_period};
 use crate::controller::measured::Measured;
 use crate::diagnostic::digits;
-use crate::expression::Function;
-use crate::model::Model;
-use crate::parameter::{Fixed, Name, Parameter, Precision};
+use crate::parameter::Parameter;
 use crate::program::{Op, Stage, cost};
-use crate::request::{After, Feedback, Guard, Reference, Spec, What};
+use crate::request::{Feedback, What};
+use behaviour::behaviour;
+use purpose::purpose;
 
 /// Lines of the head, without comment signs.
 pub(in crate::emit) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
@@ -57,81 +60,6 @@ pub(in crate::emit) fn lines(controller: &Controller<'_>, language: Language) ->
     lines.push(command);
     lines.extend(rest.into_iter().flat_map(|line| wrap(&line)));
     lines
-}
-
-/// The plant and what becomes of it.
-fn purpose(spec: &Spec) -> Vec<String> {
-    if let Some(coupled) = &spec.coupled {
-        let inputs = Name::listed(&coupled.inputs);
-        let plant = format!("the inputs {inputs}: {}", coupled.lines().join(", "));
-        let at = match followed(spec) {
-            "0" => "is 0".to_owned(),
-            others => format!("is at {others}"),
-        };
-        return of_equations(&plant, &format!("every output with its derivatives {at}"));
-    }
-    if let Some(model) = &spec.model {
-        return of_model(spec, model);
-    }
-    let n = spec.n;
-    let input = if spec.input_gain.is_some() { "g u" } else { "u" };
-    let chain = plant::chain(n, &format!("f + {input}"));
-    vec![
-        format!("Plant: {chain}. {}", plant::units(spec, input)),
-        format!(
-            "Goal: {} at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, f and clipping leave. The checks below say what is known of this design.",
-            goal(spec)
-        ),
-        match spec.drift {
-            None => "f is not part of the law: cancel its known terms before the call.",
-            Some(_) => {
-                "The law cancels its own f(x, t). What differs from it is not part of the law."
-            }
-        }
-        .to_owned(),
-    ]
-}
-
-/// Where the state of a chain is at the deadline.
-fn goal(spec: &Spec) -> &'static str {
-    match &spec.reference {
-        None => "x = 0",
-        Some(Reference::Known(_)) => "x = (r, r', ...) of the reference r(t)",
-        Some(Reference::Input) => "x = (r, r', ...) of the reference that each call is given",
-    }
-}
-
-/// Where an output and its derivatives are at the deadline.
-fn followed(spec: &Spec) -> &'static str {
-    match &spec.reference {
-        None => "0",
-        Some(Reference::Known(_)) => "those of the reference r(t)",
-        Some(Reference::Input) => "those of the reference that each call is given",
-    }
-}
-
-/// The plant that is known by a model, and what becomes of it.
-fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
-    let chain = match spec.n {
-        1 => "the output".to_owned(),
-        2 => "the output and its rate".to_owned(),
-        n => format!("the output and its first {} derivatives", n - 1),
-    };
-    let at = followed(spec);
-    let plant = format!("the input {}: {}", model.input, model.lines().join(", "));
-    of_equations(&plant, &format!("{chain}, x, are {at}"))
-}
-
-/// A plant that is known by its equations, what is brought to where, and what the law leaves.
-fn of_equations(plant: &str, goal: &str) -> Vec<String> {
-    vec![
-        format!("Plant, with {plant}. Time in s."),
-        format!(
-            "Goal: {goal} at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."
-        ),
-        "The law takes the plant to be the model. What differs from it is not part of the law."
-            .to_owned(),
-    ]
 }
 
 /// A design whose sample period no check has judged says so, loudly.
@@ -196,71 +124,6 @@ fn parameters(controller: &Controller<'_>, language: Language) -> Vec<String> {
         let most = most.map(|(_, most)| format!(", at most {most}")).unwrap_or_default();
         lines.push(format!("  {}: {}{most}", parameter.name, parameter.about));
     }
-    lines
-}
-
-fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
-    let spec = controller.spec();
-    let held = match spec.feedback {
-        Feedback::Linear => "the gains of T = eps are held",
-        Feedback::Expression(_) | Feedback::Extern => "T is held at eps in the law",
-    };
-    let mut lines = vec![String::new()];
-    lines.push(match spec.after {
-        After::Hold => {
-            format!("From t0 + tau - eps on, and after the deadline, {held} (status HOLD).")
-        }
-        After::Zero => format!(
-            "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u = 0 (status AFTER)."
-        ),
-        After::Extern => format!(
-            "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u is the result of the user-defined function after (status AFTER)."
-        ),
-    });
-    lines.push(match spec.fixed.get(&Parameter::UMax) {
-        Some(Fixed::Infinite) => "u is not clipped.".to_owned(),
-        _ => "|u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the deadline."
-            .to_owned(),
-    });
-    let [given, any] = match spec.references() {
-        0 => ["t and x", "t or x"],
-        _ => ["t, x and r", "t, x or r"],
-    };
-    let pointers = language == Language::C;
-    lines.push(match (spec.guard, pointers) {
-        (Guard::Full, true) => format!("Guard full: {given} are finite, t >= t0 and no pointer is NULL, or the call is refused (status E_INPUT)."),
-        (Guard::Full, false) => {
-            format!("Guard full: {given} are finite and t >= t0, or the call is refused (INPUT).")
-        }
-        (Guard::Result, true) => format!("Guard result: {any} that is not finite is refused by one test on u (status E_RANGE). t >= t0 and valid pointers are the responsibility of the caller."),
-        (Guard::Result, false) => format!("Guard result: {any} that is not finite is refused by one test on u (RANGE). t >= t0 is the responsibility of the caller."),
-        (Guard::None, true) => format!("Guard none: finite {given}, t >= t0 and valid pointers are the responsibility of the caller."),
-        (Guard::None, false) => {
-            format!("Guard none: finite {given} and t >= t0 are the responsibility of the caller.")
-        }
-    });
-    let precision = match spec.precision {
-        Precision::F64 => "f64 (IEEE 754 binary64)",
-        Precision::F32 => "f32 (IEEE 754 binary32)",
-    };
-    let library = controller.program.values.iter().any(|value| match value.op {
-        Op::Call(function, _) => {
-            !matches!(function, Function::Abs | Function::Sign | Function::Sqrt)
-        }
-        Op::Pow(..) => true,
-        _ => false,
-    });
-    let library = if library { " and with the same mathematical library" } else { "" };
-    let (fused, machine) = match spec.fma {
-        true => (
-            ", with fused multiply-adds: a processor without them calls the library for each",
-            "whose compiler fuses nothing more",
-        ),
-        false => ("", "without fused multiply-add"),
-    };
-    lines.push(format!(
-        "Precision {precision}{fused}. Results are bit for bit the same on every IEEE 754 machine {machine} (gcc, clang: -ffp-contract=off){library}."
-    ));
     lines
 }
 
