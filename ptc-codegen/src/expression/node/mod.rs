@@ -4,16 +4,22 @@
 //! The table holds weak entries, so that it is as large as what is in use. Nothing is ordered by
 //! hashes or addresses: the order of expressions is that of their structure.
 
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use table::{Found, Hashed};
+
 use std::cmp::Ordering;
-use std::collections::HashMap;
 use std::fmt;
-use std::hash::{BuildHasherDefault, DefaultHasher, Hash, Hasher};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::mem::replace;
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::{Arc, PoisonError};
 
 use super::{Function, Variable};
 use crate::algebra::BigRational;
 use crate::parameter::Parameter;
+use table::{SHARDS, TABLE};
 
 /// What an expression is, outermost.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -181,158 +187,5 @@ impl Ord for Expression {
 impl fmt::Debug for Expression {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "`{self}`")
-    }
-}
-
-/// The hash of what has hashed itself.
-#[derive(Default)]
-pub(crate) struct Hashed(u64);
-
-impl Hasher for Hashed {
-    fn finish(&self) -> u64 {
-        self.0
-    }
-
-    fn write(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = self.0.rotate_left(8) ^ u64::from(*byte);
-        }
-    }
-
-    fn write_u64(&mut self, hash: u64) {
-        self.0 = hash;
-    }
-}
-
-/// What is found of each expression, to be looked up and never listed.
-pub(crate) type Found<T> = HashMap<Expression, T, BuildHasherDefault<Hashed>>;
-
-/// Parts of the table, so that threads seldom wait for each other.
-const SHARDS: usize = 16;
-
-/// Entries from which on a part of the table is rid of what is no longer in use.
-const FEW: usize = 1024;
-
-static TABLE: [Mutex<Table>; SHARDS] = [const { Mutex::new(Table::new()) }; SHARDS];
-
-/// The nodes in use, by their hashes.
-struct Table {
-    entries: HashMap<u64, Entry, BuildHasherDefault<Hashed>>,
-    /// Entries at which it is swept: twice those that were in use the last time.
-    most: usize,
-}
-
-/// The nodes of one hash: almost always one.
-struct Entry {
-    first: Weak<Shared>,
-    more: Vec<Weak<Shared>>,
-}
-
-impl Table {
-    const fn new() -> Self {
-        Self { entries: HashMap::with_hasher(BuildHasherDefault::new()), most: FEW }
-    }
-
-    /// The expression of a node, which is the one that is there.
-    fn interned(&mut self, node: Node, hash: u64) -> Expression {
-        if let Some(entry) = self.entries.get(&hash) {
-            let all = std::iter::once(&entry.first).chain(&entry.more);
-            if let Some(there) = all.filter_map(Weak::upgrade).find(|there| there.node == node) {
-                return Expression(there);
-            }
-        }
-        let shared = Arc::new(Shared::of(node, hash));
-        self.insert(Arc::downgrade(&shared), hash);
-        Expression(shared)
-    }
-
-    fn insert(&mut self, weak: Weak<Shared>, hash: u64) {
-        if self.entries.len() >= self.most {
-            self.entries.retain(|_, entry| entry.is_used());
-            self.most = FEW.max(2 * self.entries.len());
-        }
-        match self.entries.get_mut(&hash) {
-            Some(entry) if entry.first.strong_count() > 0 => entry.more.push(weak),
-            Some(entry) => entry.first = weak,
-            None => {
-                self.entries.insert(hash, Entry { first: weak, more: Vec::new() });
-            }
-        }
-    }
-}
-
-impl Entry {
-    /// Whether one of its nodes is in use; the others are dropped.
-    fn is_used(&mut self) -> bool {
-        self.more.retain(|weak| weak.strong_count() > 0);
-        self.first.strong_count() > 0 || !self.more.is_empty()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::algebra::integer;
-
-    fn state(j: usize) -> Expression {
-        Variable::State(j).into()
-    }
-
-    #[test]
-    fn equal_expressions_are_one_on_all_threads() {
-        let build = || {
-            let sum = (1..200).map(|j| state(j).mul(integer(3).into())).reduce(Expression::add);
-            Expression::call(Function::Sin, sum.expect("a sum"))
-        };
-        let workers: Vec<_> = (0..4).map(|_| std::thread::spawn(build)).collect();
-        for worker in workers {
-            assert!(Arc::ptr_eq(&worker.join().expect("a sum").0, &build().0));
-        }
-        assert_ne!(build(), build().neg());
-    }
-
-    #[test]
-    fn what_is_deep_and_what_is_shared_is_dropped() {
-        let deep = (0..1_000_000).fold(state(901), |e, _| Expression::call(Function::Sin, e));
-        assert_eq!((deep.height(), deep.size()), (1_000_000, 1_000_001));
-        drop(deep);
-        let shared = (0..1000).fold(state(902), |e, _| e.clone().mul(e));
-        assert_eq!((shared.height(), shared.size(), shared.nodes()), (1000, usize::MAX, 1001));
-    }
-
-    #[test]
-    fn the_table_is_as_large_as_what_is_in_use() {
-        let mut table = Table::new();
-        for round in 0..200 {
-            let mut node = |k: usize| {
-                let index = k + 2000 * round;
-                table.interned(Node::Variable(Variable::State(index)), index as u64)
-            };
-            let kept: Vec<_> = (0..2000).map(&mut node).collect();
-            assert_eq!(kept[7], node(7));
-        }
-        // Of 400 000 nodes 2000 are in use at a time, and it is swept at twice as many.
-        assert!(table.entries.len() <= 4 * 2000, "{}", table.entries.len());
-    }
-
-    #[test]
-    fn expressions_are_ordered_by_structure() {
-        let (a, b) = (state(1), state(2));
-        let sorted = [
-            Expression::integer(2),
-            Expression::pi(),
-            a.clone(),
-            b.clone(),
-            a.clone().neg(),
-            a.clone().add(b.clone()),
-            b.clone().add(a.clone()),
-            a.mul(b.clone()),
-            Expression::call(Function::Sin, b),
-        ];
-        for (i, first) in sorted.iter().enumerate() {
-            for (j, second) in sorted.iter().enumerate() {
-                assert_eq!(first.cmp(second), i.cmp(&j), "{first} and {second}");
-            }
-        }
     }
 }
