@@ -1,13 +1,17 @@
 //! Plants with several inputs and outputs: each output with its derivatives is a chain of integrators,
 //! and a matrix says which input moves the last rate of which.
 
+mod names;
+mod text;
+
 use super::decide::is_zero;
 use super::determinant::{CLOSED, determinant, divided, inverse, is_regular, written_out};
 use super::lie::{Affine, Ill};
 use super::{Values, named};
 use crate::expression::effort::bounded;
 use crate::expression::{Expression, Variable};
-use crate::parameter::{Name, Parameter};
+use crate::parameter::Name;
+use text::rows;
 
 /// A plant with as many outputs as inputs. Its states are `x_1`..`x_N` in its expressions, and its
 /// inputs stand behind them, `x_(N+1)`..`x_(N+m)`, in its dynamics alone.
@@ -179,82 +183,6 @@ impl Coupled {
         })
     }
 
-    /// An expression of the plant in the names of its states and its inputs.
-    pub fn named(&self, expression: &Expression) -> Expression {
-        named(&[self.states.as_slice(), &self.inputs].concat(), None, expression)
-    }
-
-    /// What a law calls the parts of the plant. Before all stand its states; then those of the chain of each
-    /// output in stretched time, `xi{i}_{j}` for `xi_i` of output j, and as they are, `x{i}_{j}`; of a
-    /// mechanical plant also its inertia, the inverse of it as far as it has a closed form, and its bias.
-    pub fn names_of_law(&self) -> Vec<(Name, Expression)> {
-        let mut all: Vec<(Name, Expression)> = Vec::new();
-        let states = (1..).map(|j| Variable::State(j).into());
-        all.extend(self.states.iter().copied().zip(states));
-        let mut add = |text: String, part: Expression| {
-            // What the plant calls so is meant first.
-            let free = |name: &Name| all.iter().all(|(own, _)| own != name);
-            all.extend(Name::new(&text).filter(free).map(|name| (name, part)));
-        };
-        let mut place = 0;
-        for (j, output) in (1..).zip(&self.outputs) {
-            for (i, coordinate) in (1..).zip(&output.coordinates) {
-                place += 1;
-                add(format!("xi{i}_{j}"), Variable::Xi(place).into());
-                add(format!("x{i}_{j}"), coordinate.clone());
-            }
-        }
-        let Inverse::Inertia { inertia, bias } = &self.inverse else { return all };
-        let mut matrix = |name: &str, rows: &[Vec<Expression>]| {
-            for (i, row) in (1..).zip(rows) {
-                for (j, entry) in (1..).zip(row) {
-                    add(format!("{name}_{i}_{j}"), entry.clone());
-                }
-            }
-        };
-        matrix("inertia", inertia);
-        if inertia.len() <= CLOSED {
-            let (determinant, adjugate) = inverse(inertia);
-            let over = Expression::integer(1).div(determinant);
-            let times = |e: &Expression| e.clone().mul(over.clone());
-            let rows: Vec<Vec<_>> =
-                adjugate.iter().map(|row| row.iter().map(times).collect()).collect();
-            matrix("inverse_inertia", &rows);
-        }
-        for (i, bias) in (1..).zip(bias) {
-            add(format!("bias_{i}"), bias.clone());
-        }
-        all
-    }
-
-    /// `{i}_{j}` for coordinate i of output j, one output after the other.
-    pub fn names_of_chains(&self) -> impl Iterator<Item = String> {
-        let orders = (1..).zip(self.orders());
-        orders.flat_map(|(j, order)| (1..=order).map(move |i| format!("{i}_{j}")))
-    }
-
-    /// A law in these names.
-    pub fn law_named(&self, law: &Expression) -> Expression {
-        let names = self.names_of_law();
-        law.substitute(&|e| {
-            if e.variable().is_none() && e.height() == 0 {
-                return None;
-            }
-            let (name, _) = names.iter().find(|(_, part)| part == e)?;
-            Some(Parameter::Named(*name).into())
-        })
-    }
-
-    /// The same as text.
-    pub fn text(&self, expression: &Expression) -> String {
-        self.named(expression).to_string()
-    }
-
-    /// A matrix as text.
-    pub fn matrix(&self, matrix: &[Vec<Expression>]) -> String {
-        rows(&|e: &Expression| self.text(e), matrix)
-    }
-
     /// The outputs as functions of the states.
     pub fn output(&self, index: usize) -> &Expression {
         &self.outputs[index].coordinates[0]
@@ -263,12 +191,6 @@ impl Coupled {
     /// The order of each output's chain.
     pub fn orders(&self) -> Vec<usize> {
         self.outputs.iter().map(|output| output.coordinates.len()).collect()
-    }
-
-    /// The same in words.
-    pub fn order_text(&self) -> String {
-        let orders: Vec<_> = self.orders().iter().map(ToString::to_string).collect();
-        format!("outputs of order {}", orders.join(", "))
     }
 
     /// Every expression that the law is computed from.
@@ -301,36 +223,6 @@ impl Coupled {
             Inverse::Inertia { .. } => &[],
         }
     }
-
-    /// Its lines: the rate of each state, and the outputs.
-    pub fn lines(&self) -> Vec<String> {
-        match &self.inverse {
-            Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => {
-                let output = |i: usize| format!("output {} = {}", i + 1, self.text(self.output(i)));
-                let outputs = (0..self.inputs.len()).map(output);
-                self.rates(dynamics).into_iter().chain(outputs).collect()
-            }
-            Inverse::Inertia { inertia, bias } => self.motion(inertia, bias),
-        }
-    }
-
-    /// The rate of each state, a line each.
-    pub fn rates(&self, dynamics: &[Expression]) -> Vec<String> {
-        let rate = |(name, rate)| format!("{name}' = {}", self.text(rate));
-        self.states.iter().zip(dynamics).map(rate).collect()
-    }
-
-    /// The lines of a mechanical plant.
-    pub fn motion(&self, inertia: &[Vec<Expression>], bias: &[Expression]) -> Vec<String> {
-        let (q, rates) = self.states.split_at(self.inputs.len());
-        let bias: Vec<_> = bias.iter().map(|e| self.text(e)).collect();
-        vec![
-            format!("q = ({}), q' = ({})", Name::listed(q), Name::listed(rates)),
-            "M q'' + bias = u".to_owned(),
-            format!("M = {}", self.matrix(inertia)),
-            format!("bias = [{}]", bias.join(", ")),
-        ]
-    }
 }
 
 /// The chain of an output, and the gains of the inputs in its last rate.
@@ -360,13 +252,4 @@ fn chain(
         coordinates.push(drift);
     }
     Err(Ill::Unreached)
-}
-
-/// A matrix in brackets.
-fn rows(text: &dyn Fn(&Expression) -> String, matrix: &[Vec<Expression>]) -> String {
-    let row = |row: &Vec<Expression>| {
-        let entries: Vec<_> = row.iter().map(text).collect();
-        format!("[{}]", entries.join(", "))
-    };
-    format!("[{}]", matrix.iter().map(row).collect::<Vec<_>>().join(", "))
 }
