@@ -1,19 +1,21 @@
 //! The worst case of the sampled loop as the outcome of a check.
 
-use num_traits::ToPrimitive;
+mod assumed;
+mod causes;
+
+pub use causes::causes;
+pub(super) use causes::split;
 
 use super::cells::Worst;
 use super::followed::Followed;
-use super::gain::true_gain;
 use super::judge::Loop;
-use super::worst::Bound;
-use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, bounds, list};
 use crate::diagnostic::{digits, digits_up};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, PlantBounds, Reference, Spec};
+use assumed::assumed;
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
@@ -170,129 +172,9 @@ pub(super) fn followed(spec: &Spec) -> Option<String> {
     Some(format!("x is the tracking error, {follows}, which x0_max bounds at the start; {u}"))
 }
 
-/// What the bounds are about, and what was left out.
-fn assumed(spec: &Spec, samples: usize) -> String {
-    let promises = &spec.promises;
-    let mut absent = Vec::new();
-    if promises.noise.is_empty() {
-        absent.push("noise");
-    }
-    if promises.sensor_step.is_empty() {
-        absent.push("steps of the sensors");
-    }
-    if promises.u_step.is_none() {
-        absent.push("steps of the actuator");
-    }
-    if promises.delay.is_none() {
-        absent.push("delay");
-    }
-    if promises.g_error.is_empty() && !has_gain(spec) {
-        absent.push("an error of g");
-    }
-    if promises.jitter.is_none() {
-        absent.push("jitter");
-    }
-    let absent = match absent.as_slice() {
-        [] => String::new(),
-        absent => format!("; without {}, not given", absent.join(", ")),
-    };
-    let start = match (spec.sampled(), spec.fixed.get(&Parameter::StartTime)) {
-        (Some(own), _) if own.disturbance && spec.promises.plant.is_none() => {
-            "d = 0 (its bound is not given)".to_owned()
-        }
-        (Some(_), _) => "at any tick".to_owned(),
-        (None, Some(start)) => format!("t0 = {start}"),
-        (None, None) => "t0 = 0 (left to run time)".to_owned(),
-    };
-    let plant = match linear(spec) {
-        true => format!("the plant x' = A x + B u over {samples} samples"),
-        false => format!("the chain of integrators over {samples} samples, {}", force(spec)),
-    };
-    format!("{plant}{}, {start}{absent}", gain(spec))
-}
-
-/// The true input gain, where it is not the known one.
-fn gain(spec: &Spec) -> String {
-    let told = !spec.promises.g_error.is_empty() || has_gain(spec);
-    match true_gain(spec).ok().filter(|_| told).map(|ends| ends.each_ref().map(number)) {
-        Some([low, high]) if low == high => format!(", g = {low}"),
-        Some([low, high]) if linear(spec) => format!(", B times [{low}, {high}]"),
-        Some([low, high]) => format!(", g in [{low}, {high}], constant"),
-        None => String::new(),
-    }
-}
-
-/// Whether the plant has an input gain of its own.
-fn has_gain(spec: &Spec) -> bool {
-    matches!(&spec.promises.plant, Some(PlantBounds::Bounded { gain: Some(_), .. }))
-}
-
-fn number(value: &BigRational) -> String {
-    digits(value.to_f64().unwrap_or(f64::NAN))
-}
-
-/// What f of the plant is taken as.
-fn force(spec: &Spec) -> String {
-    let Some(PlantBounds::Bounded { middle, constant, varying, .. }) = &spec.promises.plant else {
-        return "f = 0".to_owned();
-    };
-    let zero = BigRational::default();
-    match () {
-        () if *constant == zero && *varying == zero => format!("f = {}", number(middle)),
-        () => {
-            let most = constant + varying;
-            let signal = match (*constant == zero, *varying == zero) {
-                (_, true) => "constant",
-                (true, _) => "any signal",
-                _ => "in part constant",
-            };
-            let [low, high] = [middle - &most, middle + &most].each_ref().map(number);
-            format!("f in [{low}, {high}], {signal}")
-        }
-    }
-}
-
 /// Whether the plant is not a chain.
 fn linear(spec: &Spec) -> bool {
     spec.sampled().is_some_and(|own| own.linear.is_some())
-}
-
-/// What the noise of measured value j is called.
-fn noise_of(spec: &Spec, j: usize) -> String {
-    format!("noise of {}{j}", if linear(spec) { "y" } else { "x" })
-}
-
-/// What a bound is made of: the state at the start, every other cause that adds to it, and rounding.
-pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
-    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (noise_of(spec, j), *part));
-    let others = [
-        ("u_step", bound.actuator),
-        (
-            match (spec.model_in_samples(), &spec.reference) {
-                (None, _) => "f",
-                (Some(_), None) => "f + g u between samples",
-                (Some(_), Some(_)) => "f + g u and r^(n) between samples",
-            },
-            bound.force,
-        ),
-        ("reference", bound.reference),
-        ("g", bound.gain),
-        ("jitter", bound.jitter),
-    ];
-    let others = others.map(|(cause, part)| (cause.to_owned(), part));
-    let mut all = vec![("x0".to_owned(), bound.x0)];
-    all.extend(noise.chain(others).filter(|(_, part)| *part > 0.0));
-    all.push(("rounding".to_owned(), bound.rounding));
-    all
-}
-
-/// Where the worst case of a state comes from.
-pub(super) fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
-    let bound = &worst.states[i];
-    let parts = causes(spec, bound);
-    let parts: Vec<_> =
-        parts.iter().map(|(cause, part)| format!("{} {cause}", digits(*part))).collect();
-    format!("|x{}| <= {}: {}", i + 1, digits_up(bound.total()), parts.join(" + "))
 }
 
 fn on_the_way(worst: &Worst) -> Option<String> {
