@@ -1,79 +1,21 @@
 //! Many runs by one method: every lane takes the next one as soon as its own is done.
 
+mod due;
+mod load;
+
+pub(super) use due::Due;
+
 use super::flow::{Chain, Flow, Steps, Tick, Which, share_at};
 use super::{Clock, Instants, Job, LaneSide, See};
-use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
 use crate::simulate::Values;
-use crate::simulate::solver::FIRST;
-
-/// Steps of a run above which it counts as stiff, as for one that is run by itself.
-const MOST: usize = 1200;
-
-/// Steps after which the length of the last one says how many the rest takes: by then the first steps, which
-/// are short, are done.
-const SETTLED: usize = 8;
-
-/// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
-const REFUSED: usize = 200;
+use due::Place;
 
 /// Places in a step at which u is held against its bound, and the part of the bound below which it then is
 /// within it between them too: a step is far shorter than the time in which u rises by so much and falls
 /// again.
 const PLACES: u8 = 4;
 const WITHIN: f64 = 0.95;
-
-/// Where a run is.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    job: usize,
-    piece: usize,
-    /// The next instant of the piece.
-    next: usize,
-    /// sigma of the end of the job.
-    finish: f64,
-    steps: usize,
-    refused: usize,
-}
-
-impl Place {
-    /// The way that is left from a sigma.
-    fn left(&self, at: f64) -> f64 {
-        self.finish - at
-    }
-
-    /// Whether a run goes on that has come to `at` and takes a step of `step` next, where the rest is worth
-    /// `most` of them.
-    fn goes_on(&self, (at, step): (f64, f64), most: f64) -> bool {
-        #[allow(clippy::cast_precision_loss)]
-        let most = most.min(MOST as f64 - self.steps as f64);
-        let is_stiff = self.steps >= SETTLED && self.left(at) / step > most;
-        !is_stiff && self.steps < MOST && self.refused < REFUSED
-    }
-}
-
-/// A run to go on with; without a state it begins at t0.
-#[derive(Clone, Debug)]
-pub(super) struct Due {
-    place: Place,
-    at: f64,
-    step: f64,
-    y: Option<Vec<f64>>,
-}
-
-impl Due {
-    pub(super) fn of(index: usize, job: &Job<'_>) -> Self {
-        let last = job.pieces.iter().filter_map(|(shares, _)| shares.last()).next_back();
-        let finish = -last.copied().unwrap_or(1.0).ln();
-        let place = Place { job: index, piece: 0, next: 0, finish, steps: 0, refused: 0 };
-        Self { place, at: 0.0, step: FIRST, y: None }
-    }
-
-    /// The same by a method whose steps are longer.
-    pub(super) fn longer(self, factor: f64) -> Self {
-        Self { step: factor * self.step, ..self }
-    }
-}
 
 /// A side at the times of its lanes.
 struct Clocked<'a, S> {
@@ -146,111 +88,6 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
 
     fn piece(&self, place: &Place) -> &'a (Vec<f64>, Values) {
         &self.jobs[place.job].pieces[place.piece]
-    }
-
-    /// Gives lanes that are idle their next job, or their next piece; whether any has one.
-    fn load(&mut self, see: See<'_>) -> bool {
-        loop {
-            let mut fresh = [false; LANES];
-            let mut started: [Option<Option<Vec<f64>>>; LANES] = Default::default();
-            for lane in 0..LANES {
-                match self.places[lane] {
-                    Some(place) if place.next == self.piece(&place).0.len() => {
-                        fresh[lane] = self.turn(lane, place);
-                    }
-                    Some(_) => continue,
-                    None => {}
-                }
-                if self.places[lane].is_none() {
-                    started[lane] = self.start(lane);
-                    fresh[lane] = started[lane].is_some();
-                }
-            }
-            if !fresh.contains(&true) {
-                return self.places.iter().any(Option::is_some);
-            }
-            self.begin(&fresh, &started);
-            // A piece may end where it begins.
-            self.look(&fresh, see);
-        }
-    }
-
-    /// The next piece of the job of a lane; else the job is done.
-    fn turn(&mut self, lane: usize, place: Place) -> bool {
-        let pieces = self.jobs[place.job].pieces;
-        self.places[lane] = None;
-        let Some((_, values)) = pieces.get(place.piece + 1) else {
-            self.done[place.job] = true;
-            return false;
-        };
-        if self.side.give(lane, values).is_err() {
-            return false;
-        }
-        self.places[lane] = Some(Place { piece: place.piece + 1, next: 0, ..place });
-        true
-    }
-
-    /// Begins the next run that can be begun, with the state from which it goes on.
-    fn start(&mut self, lane: usize) -> Option<Option<Vec<f64>>> {
-        for Due { place, at, step, y } in self.due.by_ref() {
-            let job = &self.jobs[place.job];
-            let legal = job.pieces.iter().all(|(shares, _)| !shares.is_empty());
-            let start = |side: &mut S| {
-                side.start(lane, job.values, job.x0)?;
-                match place.piece {
-                    0 => Ok(()),
-                    piece => side.give(lane, &job.pieces[piece].1),
-                }
-            };
-            if legal && start(self.side).is_ok() {
-                self.clock.tau.0[lane] = job.values.get(Parameter::Tau);
-                self.clock.t0.0[lane] = job.values.get(Parameter::StartTime);
-                let flow = self.method.flow();
-                flow.at.0[lane] = at;
-                flow.step.0[lane] = step;
-                self.places[lane] = Some(place);
-                return Some(y);
-            }
-        }
-        None
-    }
-
-    /// Begins in lanes with new values, some of which are at a start; those with a kink on their way are
-    /// left.
-    fn begin(&mut self, fresh: &Which, started: &[Option<Option<Vec<f64>>>; LANES]) {
-        self.side.settle();
-        let mut x0 = self.method.flow().y.clone();
-        let mut last = Pack::all(1.0);
-        for lane in (0..LANES).filter(|lane| fresh[*lane]) {
-            let Some(place) = self.places[lane] else { continue };
-            let job = &self.jobs[place.job];
-            for (x0, x) in x0.iter_mut().zip(job.x0) {
-                x0.0[lane] = *x;
-            }
-            last.0[lane] = self.piece(&place).0.last().copied().unwrap_or(1.0);
-            self.end.0[lane] = -last.0[lane].ln();
-        }
-        let Self { side, clock, method, .. } = self;
-        let flow = method.flow();
-        let from = clock.at(&share_at(&flow.at));
-        let at_start: Which = std::array::from_fn(|lane| matches!(started[lane], Some(None)));
-        if at_start.contains(&true) {
-            for (y, begun) in flow.y.iter_mut().zip(&side.begin(&from, &x0)) {
-                y.take(begun, &at_start);
-            }
-        }
-        for (lane, started) in started.iter().enumerate() {
-            if let Some(Some(state)) = started {
-                flow.y.iter_mut().zip(state).for_each(|(y, own)| y.0[lane] = *own);
-            }
-        }
-        let kinks = side.kinks_between(&from, &clock.at(&last));
-        for lane in 0..LANES {
-            if fresh[lane] && kinks[lane] {
-                self.places[lane] = None;
-            }
-        }
-        method.begin(fresh, &mut Clocked { side: *side, clock });
     }
 
     fn step(&mut self, see: See<'_>) {
