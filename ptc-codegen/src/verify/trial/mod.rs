@@ -1,16 +1,21 @@
 //! One scenario: on both sides of Theorem 1, or in the loop of the emitted program alone.
 
+mod instant;
+mod sides;
+mod watch;
+
+pub use instant::Instant;
+pub(super) use sides::{compared, is_blurred};
+
 use super::batch::InLanes;
 use super::observer::{Here, Observer};
-use super::samples::of_sample;
-use super::track::Track;
-use super::{Campaign, Kind, Level, Other, Outcome, Setting};
+use super::{Campaign, Kind, Level, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::request::Spec;
-use crate::simulate::{
-    Accuracy, Cause, Changes, Continuous, Direct, Failure, Run, Sample, Sampled, Side,
-};
+use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sampled};
+use sides::both;
+use watch::{along, running};
 
 /// The closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]
@@ -36,40 +41,6 @@ enum Closed {
     Direct(Box<Run<Direct>>),
     /// The loop that runs.
     Running(Box<Sampled>),
-}
-
-/// One instant of a run, to be shown.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Instant {
-    /// Time t in s.
-    pub t: f64,
-    /// Time-to-go T in s.
-    pub time_to_go: f64,
-    /// x_1..x_n.
-    pub x: Vec<f64>,
-    /// The inputs.
-    pub u: Vec<f64>,
-    /// The tracking errors, where there is a reference.
-    pub errors: Vec<f64>,
-    /// The integrals of the campaign, from t0 to here.
-    pub integrals: Vec<f64>,
-    /// By how much each objective is exceeded here.
-    pub excess: Vec<f64>,
-    /// Whether what has to hold at the end has to hold here.
-    pub at_end: bool,
-}
-
-impl Instant {
-    /// States, inputs and tracking errors.
-    pub fn numbers(&self) -> impl Iterator<Item = &f64> {
-        self.x.iter().chain(&self.u).chain(&self.errors)
-    }
-
-    /// Where it is, for the objectives.
-    pub(super) fn here(&self) -> Here<'_> {
-        let Self { time_to_go, x, u, integrals, .. } = self;
-        Here { time_to_go: *time_to_go, x, u, integrals }
-    }
 }
 
 /// Far below the tolerance of the sides, and an order above what would cost time.
@@ -245,118 +216,4 @@ fn has_eps(spec: &Spec) -> Result<(), Failure> {
 /// Whether a run left the range of numbers.
 fn is_range(end: &Result<(), Failure>) -> bool {
     end.as_ref().is_err_and(|failure| failure.cause == Cause::Range)
-}
-
-/// Whether the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel,
-/// the error of a step counts many times, and falls with the accuracy; a difference in what is
-/// integrated does not.
-pub(super) fn is_blurred(outcome: &Outcome, blur: f64) -> bool {
-    outcome.ended.is_none() && outcome.difference() > blur
-}
-
-/// Both sides of Theorem 1.
-fn both(
-    (infinite, direct): &mut (Run<Continuous>, Run<Direct>),
-    (observer, objectives): (&mut Observer, usize),
-    how: (&Setting, Accuracy),
-    integrals: usize,
-) -> Outcome {
-    let track = || Track::new(how.0, objectives, integrals);
-    let (mut first, mut second) = (track(), track());
-    let watched = (&mut *observer, objectives);
-    let infinite = along(infinite, watched, how, &mut |instant| first.take(&instant));
-    let direct = along(direct, (observer, objectives), how, &mut |i| second.take(&i));
-    compared((&first, &infinite), (&second, direct))
-}
-
-/// What both sides say, with how each ended.
-pub(super) fn compared(
-    (first, infinite): (&Track, &Result<(), Failure>),
-    (second, direct): (&Track, Result<(), Failure>),
-) -> Outcome {
-    let excess = |side: &Track, end: &Result<(), Failure>| -> Vec<f64> {
-        let start = if is_range(end) { f64::INFINITY } else { f64::NEG_INFINITY };
-        side.excess.iter().map(|excess| excess.max(start)).collect()
-    };
-    let difference = match (is_range(infinite), is_range(&direct)) {
-        // As far as both came.
-        (false, false) => first.difference(second),
-        (true, true) => 0.0,
-        _ if infinite.is_err() && direct.is_err() => 0.0,
-        _ => f64::INFINITY,
-    };
-    Outcome {
-        excess: excess(first, infinite),
-        direct: Some(Other { excess: excess(second, &direct), difference }),
-        // What could not be finished says more than what left the range of numbers elsewhere.
-        ended: match (infinite.clone().err(), direct.err()) {
-            (Some(first), Some(second)) if first.cause == Cause::Range => Some(second),
-            (first, second) => first.or(second),
-        },
-    }
-}
-
-/// One side with its objectives, instant by instant.
-fn along<S: Side>(
-    run: &mut Run<S>,
-    (observer, objectives): (&mut Observer, usize),
-    (setting, accuracy): (&Setting, Accuracy),
-    visit: &mut dyn FnMut(Instant),
-) -> Result<(), Failure> {
-    run.start(&setting.values, &setting.x0)?;
-    let mut watch = Watch::new(observer, setting, objectives)?;
-    let mut left: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
-    setting.pieces.iter().try_for_each(|(shares, values)| {
-        let seen = &mut |sample: Sample<'_>| {
-            left -= 1;
-            visit(watch.instant(sample, left == 0));
-        };
-        run.advance(values, shares, accuracy, seen)
-    })
-}
-
-/// The loop that runs with its objectives, instant by instant. A signal jumps at the first sample after
-/// the place of its jump.
-fn running(
-    sampled: &mut Sampled,
-    (observer, objectives): (&mut Observer, usize),
-    setting: &Setting,
-    visit: &mut dyn FnMut(Instant),
-) -> Result<(), Failure> {
-    let Setting { values, x0, around, .. } = setting;
-    let around = around.clone().unwrap_or_default();
-    let mut watch = Watch::new(observer, setting, objectives)?;
-    let tau = values.get(Parameter::Tau);
-    let mut changes = Changes::of(&setting.pieces, tau);
-    sampled.run_along(values, &mut |since| changes.next(since), x0, &around, &mut |sample| {
-        let time_to_go = of_sample(sample.time_to_go, tau);
-        visit(watch.instant(Sample { time_to_go, ..sample }, time_to_go <= 0.0));
-    })
-}
-
-/// The objectives along one run.
-struct Watch<'a> {
-    observer: &'a mut Observer,
-    objectives: usize,
-}
-
-impl<'a> Watch<'a> {
-    fn new(
-        observer: &'a mut Observer,
-        setting: &Setting,
-        objectives: usize,
-    ) -> Result<Self, Failure> {
-        observer.start(&setting.values, &setting.x0)?;
-        Ok(Self { observer, objectives })
-    }
-
-    fn instant(&mut self, sample: Sample<'_>, at_end: bool) -> Instant {
-        let Sample { t, time_to_go, x, u, integrals, .. } = sample;
-        let mut excess = vec![f64::NEG_INFINITY; self.objectives];
-        let here = Here { time_to_go, x, u, integrals };
-        self.observer.excess(here, at_end, &mut |i, value| excess[i] = value);
-        let errors = self.observer.errors().collect();
-        let [x, u, integrals] = [x, u, integrals].map(<[f64]>::to_vec);
-        Instant { t, time_to_go, x, u, errors, integrals, excess, at_end }
-    }
 }

@@ -1,15 +1,19 @@
 //! The verdicts on a campaign in words, and the worst trajectory.
 
+mod distribution;
+mod reasons;
+mod text;
+
+pub use text::End;
+
 use super::bound::{self, Proof};
 use super::search::{self, Found};
-use super::trajectory::{Trajectory, table, trajectory};
-use super::{
-    Campaign, Corners, Doubt, Evidence, Kind, Scenario, Signal, Tally, Trial, Verdict, Worst,
-    confidence,
-};
+use super::trajectory::{Trajectory, trajectory};
+use super::{Campaign, Corners, Evidence, Kind, Tally, Trial, Verdict, Worst};
 use crate::diagnostic::counted;
 use crate::parameter::Precision;
-use crate::simulate;
+use distribution::distribution;
+use reasons::reasons;
 
 /// All that is known in the end.
 #[derive(Clone, Debug)]
@@ -92,17 +96,6 @@ pub struct Judged {
     scope: String,
     /// What it was judged by.
     pub details: Vec<String>,
-}
-
-/// What a verification comes to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
-    /// Every objective holds.
-    Holds,
-    /// An objective fails.
-    Fails,
-    /// None fails, and not every one is known to hold.
-    Undecided,
 }
 
 /// What is to be done where the sides differ.
@@ -206,179 +199,6 @@ fn sides(campaign: &Campaign, trial: &Trial, known: &Known<'_>) -> Sides {
         if trial.propagates() { PROPAGATED } else { "" }
     );
     Sides { told, apart }
-}
-
-/// Why a verdict is what it is.
-fn reasons(
-    (campaign, trial): (&Campaign, &mut Trial),
-    (objective, verdict): (usize, Verdict),
-    (known, found): (&Known<'_>, &Found),
-) -> Vec<String> {
-    let (draws, corners) = (known.drawn, &known.corners.tally);
-    let of = |count: &dyn Fn(&Tally) -> u64| {
-        format!(
-            "{} of {} and {} of {}",
-            count(draws),
-            counted(&draws.scenarios, "draw"),
-            count(corners),
-            counted(&corners.scenarios, "corner")
-        )
-    };
-    let failed = || format!("{} fail it", of(&|tally| tally.failed[objective]));
-    match verdict {
-        Verdict::Proved => Vec::new(),
-        Verdict::Sampled { draws } => vec![match confidence(draws) {
-            Some((most, beta)) => format!(
-                "{} without a failure: the probability of failure under the stated distribution is at most ln(1/{beta})/{draws} = {most:.2e} with confidence {}",
-                counted(&draws, "independent draw"),
-                1.0 - beta
-            ),
-            None => format!("{} without a failure: too few to bound its probability", counted(&draws, "independent draw")),
-        }],
-        Verdict::Fails => vec![failed()],
-        Verdict::Undecided(Doubt::Contradiction) => vec![
-            failed(),
-            "the intervals prove it: one of the two is wrong, which is a fault of this program; please report it".to_owned(),
-        ],
-        Verdict::Undecided(Doubt::Apart) => {
-            vec!["the two sides of Theorem 1 differ by more than `tolerance`".to_owned()]
-        }
-        Verdict::Undecided(Doubt::Open) => {
-            vec!["the bound is met within rounding: it holds on one side of Theorem 1, and fails on the other".to_owned()]
-        }
-        Verdict::Undecided(Doubt::Unfinished) => {
-            let (scenario, ended) = match (draws.first_unfinished, corners.first_unfinished) {
-                (Some(index), _) => (format!("scenario {index}"), rerun(campaign, trial, &campaign.scenario(index))),
-                (None, Some(place)) => {
-                    let place = usize::try_from(place).unwrap_or(usize::MAX);
-                    let scenario = known.corners.scenarios.get(place).cloned();
-                    let scenario = scenario.unwrap_or_else(|| campaign.scenario(0));
-                    (campaign.text_of(&scenario), rerun(campaign, trial, &scenario))
-                }
-                (None, None) => match &found.unfinished {
-                    Some((scenario, ended)) => (campaign.text_of(scenario), Some(ended.clone())),
-                    None => (String::new(), None),
-                },
-            };
-            let mut details = vec![format!("{} could not be finished", of(&|tally| tally.unfinished))];
-            details.extend(ended.map(|ended| format!("{scenario}: {}; {}", ended.message, ended.help)));
-            details
-        }
-    }
-}
-
-/// Why a scenario ends early.
-fn rerun(campaign: &Campaign, trial: &mut Trial, scenario: &Scenario) -> Option<simulate::Failure> {
-    trial.run(&campaign.setting(scenario)).ended
-}
-
-/// Whose state the initial one is, where there are two.
-const FOLLOWS: &str = "of the plant, and not of its tracking error e";
-
-/// What the draws are drawn from.
-fn distribution(campaign: &Campaign) -> String {
-    let drawn = campaign.uncertain().filter(|(_, (low, high))| low < high);
-    let names: Vec<_> = drawn.map(|(name, _)| name).collect();
-    let mut parts = Vec::new();
-    if !names.is_empty() {
-        let boxes = if names.len() == 1 { "its interval" } else { "their intervals" };
-        parts.push(format!("{} uniform in {boxes}", listed(&names)));
-    }
-    for (symbol, _, signals) in &campaign.disturbances {
-        let words: Vec<_> =
-            signals.iter().map(|signal: &Signal| signal.name().to_owned()).collect();
-        let likely = match words.len() {
-            1 => words[0].clone(),
-            _ => format!("one of {}, each as likely", listed(&words)),
-        };
-        parts.push(format!("{} {likely}", symbol.spelling()));
-    }
-    if let Some(around) = campaign.around.as_ref().filter(|around| around.is_drawn()) {
-        let sensors =
-            [(&around.noise, "noise even within its bounds"), (&around.noise_rms, "normal noise")];
-        let given = sensors.into_iter().filter(|(sizes, _)| sizes.iter().any(|size| *size > 0.0));
-        parts.extend(given.map(|(_, told)| format!("{told} at each sample")));
-        if around.jitter > 0.0 {
-            parts.push("samples early or late, evenly within jitter".to_owned());
-        }
-    }
-    if parts.is_empty() {
-        parts.push("nothing is drawn".to_owned());
-    }
-    if campaign.spec.reference.is_some() {
-        parts.push(format!("{} at t0 {FOLLOWS}", listed(&campaign.spec.state_names())));
-    }
-    parts.join("; ")
-}
-
-fn listed(words: &[String]) -> String {
-    match words {
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-        [] => String::new(),
-    }
-}
-
-impl Judged {
-    /// The verdict in words.
-    pub fn verdict(&self) -> String {
-        match self.verdict {
-            Verdict::Proved => {
-                format!("holds, proved {}", self.scope)
-            }
-            Verdict::Sampled { .. } => "holds, by sampling".to_owned(),
-            Verdict::Undecided(_) => "undecided".to_owned(),
-            Verdict::Fails => "fails".to_owned(),
-        }
-    }
-}
-
-impl Summary {
-    /// What it comes to: an objective that fails decides it.
-    pub fn end(&self) -> End {
-        let any = |wanted: &dyn Fn(Verdict) -> bool| {
-            self.objectives.iter().any(|judged| wanted(judged.verdict))
-        };
-        match () {
-            () if any(&|verdict| verdict == Verdict::Fails) => End::Fails,
-            () if self.sides.as_ref().is_some_and(|sides| sides.apart)
-                || any(&|verdict| !verdict.holds()) =>
-            {
-                End::Undecided
-            }
-            () => End::Holds,
-        }
-    }
-
-    /// As it is printed.
-    pub fn text(&self, campaign: &Campaign) -> String {
-        let mut text = format!("{}: {}\n", campaign.spec.name(), self.run);
-        text.push_str(&format!("draws: {}\n\n", self.distribution));
-        let judged = campaign.objectives.iter().zip(&self.objectives);
-        for (number, (objective, judged)) in (1..).zip(judged) {
-            text.push_str(&format!("objective {number}, {objective}: {}\n", judged.verdict()));
-            judged.details.iter().for_each(|detail| text.push_str(&format!("  {detail}\n")));
-        }
-        if let Some(Sides { told, apart }) = &self.sides {
-            text.push_str(&format!("\n{told}\n"));
-            if *apart {
-                text.push_str(&format!("  {APART}\n"));
-            }
-        }
-        if let Some(Trajectory { told, instants, ended, .. }) = &self.trajectory {
-            text.push_str(&format!(
-                "\nworst trajectory, {told}\n{}",
-                table(&campaign.spec, instants)
-            ));
-            text.extend(ended.iter().map(|ended| format!("  it ends early: {ended}\n")));
-        }
-        text.push_str(match self.end() {
-            End::Holds => "\nevery objective holds\n",
-            End::Fails => "\nnot verified\n",
-            End::Undecided => "\nundecided\n",
-        });
-        text
-    }
 }
 
 /// An excess in words.
