@@ -2,6 +2,7 @@
 
 mod alone;
 mod axes;
+mod entries;
 mod law;
 mod linear;
 mod mapping;
@@ -10,27 +11,22 @@ mod parameters;
 mod promises;
 mod reference;
 mod sampled;
+mod spec;
 mod units;
 mod values;
 
-use std::collections::BTreeMap;
-
-use model::Read;
 pub(crate) use parameters::known;
 pub(crate) use reference::derivatives;
 pub(crate) use values::items;
-use values::{count, shown, suggestion, whole};
 
-use super::{After, Clock, Feedback, Guard, MAX_ORDER, Spec, What};
-use crate::diagnostic::{Diagnostic, Diagnostics, Place, counted, near_miss, shorten};
-use crate::expression::Expression;
-use crate::family::Family;
-use crate::keys::{KEYS, KeyInfo};
-use crate::linear::Delay;
-use crate::mapping::TimeMapping;
-use crate::model::Coupled;
-use crate::parameter::{Fixed, Parameter, Precision, is_reserved, reason};
+use std::collections::BTreeMap;
+
+use super::{MAX_ORDER, Spec};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, counted, near_miss};
+use crate::keys::KeyInfo;
+use crate::parameter::{Fixed, Parameter, is_reserved, reason};
 use crate::syntax::{Node, Value};
+use values::{count, shown, suggestion, whole};
 
 /// One key with its value, as a front end found it. A key of a table of a design file is written
 /// `params.a` or `envelope.x_max`.
@@ -74,204 +70,6 @@ impl<'a> Reader<'a> {
         let mut reader = Self { found, keys, params };
         entries.iter().for_each(|entry| reader.admit(entry));
         reader
-    }
-
-    fn admit(&mut self, entry: &'a Entry) {
-        let (table, name) = match entry.key.split_once('.') {
-            Some((table, name)) => (Some(table), name),
-            None => (None, entry.key.as_str()),
-        };
-        // Outside a design file a key needs no table.
-        let info = KeyInfo::find(name).filter(|info| table.is_none() || table == info.table());
-        match (info, table) {
-            (Some(info), _) => {
-                if self.keys.insert(info.key, &entry.value).is_some() {
-                    self.twice(info.key, entry.place);
-                }
-            }
-            (None, Some("params")) => {
-                if self.params.insert(name, (entry.place, &entry.value)).is_some() {
-                    self.twice(&entry.key, entry.place);
-                }
-            }
-            // What moves the plant is no part of the controller, nor is what is verified: `plant::read`
-            // and `verify::read` read them.
-            (None, Some("plant" | "disturbance" | "verify")) => {}
-            (None, Some(table)) if table.starts_with("objective[") => {}
-            (None, _) => self.unknown(&entry.key, entry.place, name),
-        }
-    }
-
-    fn twice(&mut self, key: &str, place: Place) {
-        self.found.push(
-            "repeated-key",
-            key,
-            Some(place),
-            format!("key `{key}` is given twice"),
-            "leave one of the two out",
-        );
-    }
-
-    /// `name` is what `key` is called in its table.
-    fn unknown(&mut self, key: &str, place: Place, name: &str) {
-        let names = KEYS.iter().map(|info| info.key);
-        let legal = names.clone().collect::<Vec<_>>().join(", ");
-        let help = match KeyInfo::find(name).map(KeyInfo::table) {
-            Some(Some(table)) => format!("`{name}` belongs in [{table}]"),
-            Some(None) => format!("`{name}` belongs at the top, before the first table"),
-            None => suggestion(near_miss(name, names), &format!("the keys are {legal}")),
-        };
-        self.found.push(
-            "unknown-key",
-            key,
-            Some(place),
-            format!("unknown key `{}`", shorten(key)),
-            help,
-        );
-    }
-
-    fn spec(&mut self) -> Option<Spec> {
-        let samples = self.counts_samples();
-        let model = self.model();
-        let coupled = self.coupled();
-        let orders = coupled.as_ref().map(Coupled::orders);
-        let first = orders.as_ref().and_then(|orders| orders.first().copied());
-        let whole = samples && model.as_ref().is_some_and(|read| self.is_linear(&read.model));
-        let degree = model.as_ref().map(|Read { model, .. }| match whole {
-            true => model.states.len(),
-            false => model.coordinates.len(),
-        });
-        let n = self.order(degree.or(first), whole);
-        // With the order unknown, all else is still read, so that all mistakes are reported at once.
-        let order = n.unwrap_or(MAX_ORDER);
-        let highest = orders.as_ref().and_then(|orders| orders.iter().copied().max());
-        let axes = self.axes().map(|number| vec![n; number]);
-        let axes = axes.or(orders.map(|orders| orders.into_iter().map(Some).collect()));
-        let mapping = self.time_mapping(highest.unwrap_or(order));
-        let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
-        let known = parameters::known(own);
-        let name = self.name();
-        let units = self.units();
-        let what = self.choice(
-            "what",
-            &[
-                ("controller", What::Controller),
-                ("associated", What::Associated),
-                ("observer", What::Observer),
-            ],
-        );
-        let precision =
-            self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
-        let [fma, latency] =
-            ["fma", "latency"].map(|key| self.choice(key, &[("true", true), ("false", false)]));
-        let guard = self.choice(
-            "guard",
-            &[("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)],
-        );
-        let after = self.choice(
-            "after",
-            &[("hold", After::Hold), ("zero", After::Zero), ("extern", After::Extern)],
-        );
-        let precision = precision.unwrap_or(Precision::F64);
-        let states = match (&model, &coupled) {
-            (Some(read), _) => Some(read.model.states.len()),
-            (None, Some(coupled)) => Some(coupled.states.len()),
-            (None, None) if self.has_model() => None,
-            (None, None) => n,
-        };
-        let outputs = coupled.as_ref().filter(|_| samples).map(Coupled::orders);
-        let promises = self.promises(n, states, outputs.as_deref());
-        // A sample of delay is a state more of a chain, or of a plant that is linear.
-        let one = !self.has_model() && !self.keys.contains_key("axes");
-        let keeps = samples && (whole || one);
-        let late = promises.delay.as_ref().filter(|_| keeps).map_or(0, Delay::inputs);
-        let orders = (n.map(|n| n + late), order + late);
-        let of_model = model.as_ref().map(|read| &read.model);
-        let law = self.law(orders, late, &known, (of_model, coupled.as_ref()));
-        let (drift, input_gain) = match &model {
-            Some(read) => {
-                let unless =
-                    |e: &Expression, value| (*e != Expression::integer(value)).then(|| e.clone());
-                (unless(&read.drift, 0), unless(&read.gain, 1))
-            }
-            None => (self.drift(order, &known), self.input_gain(order, &known)),
-        };
-        let (reference, references) = match (&axes, &coupled) {
-            (Some(orders), Some(_)) => self.references(("output", orders), &known),
-            // What it is of has not been read.
-            _ if self.has_coupled() => (None, Vec::new()),
-            (Some(orders), None) if samples => self.references(("axis", orders), &known),
-            _ => (self.reference(n, &known), Vec::new()),
-        };
-        let mut spec = Spec {
-            n: order,
-            time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
-            name,
-            units,
-            what: what.unwrap_or(What::Controller),
-            clock: Clock::Time,
-            precision,
-            fma: fma.unwrap_or(false),
-            latency: latency.unwrap_or(false),
-            guard: guard.unwrap_or(Guard::Full),
-            feedback: law.feedback,
-            drift,
-            input_gain,
-            reference,
-            axes: None,
-            model: model.map(|read| Box::new(read.model)),
-            coupled: coupled.map(Box::new),
-            after: after.unwrap_or(After::Hold),
-            fixed: law.gains,
-            bounds: BTreeMap::new(),
-            poles: law.poles,
-            promises,
-            engine: None,
-        };
-        if spec.what == What::Associated {
-            self.associated(&mut spec);
-        }
-        if let Some(orders) = axes {
-            self.own_values(&mut spec, &orders, (law.laws, law.own_gains));
-        }
-        if let Some(axes) = &mut spec.axes {
-            axes.references = references;
-        }
-        self.fits_axes(&spec, samples);
-        self.fits_model(&spec, samples);
-        self.fits_coupled(&spec, samples);
-        self.fits_reference(&spec, samples);
-        self.fits_units(&spec);
-        self.fits_r(&spec);
-        // A law of the user's program knows all of them.
-        if let (Feedback::Extern, Some(chains)) = (&spec.feedback, spec.chains()) {
-            spec.coupled = Some(Box::new(chains));
-        }
-        let complete = self.found.is_empty();
-        spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
-        self.parameters(&mut spec, complete);
-        self.reference_exists(&spec, samples);
-        match samples {
-            true if whole => {}
-            true => self.sampled(&mut spec),
-            false => self.not_sampled(&spec),
-        }
-        // A plant that is refused leaves a spec with another clock than requested.
-        if samples == spec.sampled().is_some() {
-            self.representable(&spec);
-        }
-        (n.is_some() && mapping.is_some()).then_some(spec)
-    }
-
-    /// The infinite-time system needs mu, and checks every input.
-    fn associated(&mut self, spec: &mut Spec) {
-        spec.guard = Guard::Full;
-        if spec.time_mapping.complement().is_none() {
-            let place = self.keys.get("what").map(|node| node.place);
-            let message = "no closed form of mu is found from this kappa".to_owned();
-            let help = "the infinite-time system holds mu'(t): give the mapping as mu";
-            self.wrong("what", place, message, help.to_owned());
-        }
     }
 
     fn wrong(&mut self, key: &str, place: Option<Place>, message: String, help: String) {
@@ -384,6 +182,3 @@ impl<'a> Reader<'a> {
         first
     }
 }
-
-/// Stands in for a mapping that could not be read while the rest of the spec is.
-const UNREAD: TimeMapping = TimeMapping::Family { family: Family::Exp, rates: 0 };

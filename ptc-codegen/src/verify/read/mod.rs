@@ -1,26 +1,27 @@
 //! From the entries of `[verify]`, `[disturbance]` and `[[objective]]` to a campaign: all mistakes at
 //! once.
 
+mod campaign;
 mod disturbance;
 mod drawn;
 mod integral;
 mod objective;
 mod running;
 mod value;
+mod valued;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use integral::Integral;
-use value::{number, to_f64};
-
-use super::{Campaign, Interval, Objective, Signal};
+use super::{Campaign, Interval, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
-use crate::keys::verify::KEYS;
 use crate::parameter::Parameter;
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec, known};
 use crate::simulate::Loop;
-use crate::syntax::{Node, number as exact};
+use crate::syntax::Node;
+use integral::Integral;
+use value::{number, to_f64};
+use valued::UNVALUED;
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
@@ -69,9 +70,6 @@ pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<D
         }
     }
 }
-
-/// Code of a name without a value.
-const UNVALUED: &str = "missing-value";
 
 /// Reads the campaign of a controller and its plant.
 ///
@@ -159,116 +157,6 @@ impl Reader<'_> {
         self.found.push("unknown-key", key, Some(place), message, help);
     }
 
-    fn campaign(
-        &mut self,
-        given: &Given<'_>,
-        (drawn, disturbances): (Drawn, Disturbances),
-        objectives: Vec<Objective>,
-    ) -> Option<Campaign> {
-        let states = self.spec.state_names();
-        let n = states.len();
-        for state in states.iter().filter(|name| KEYS.iter().any(|info| info.key == **name)) {
-            let message = format!("the state `{state}` has the name of a key of [verify]");
-            self.found.push("conflict", "states", None, message, "call it something else");
-        }
-        let fixed = KEYS.iter().map(|info| info.key.to_owned());
-        let legal: Vec<_> = self.quantities().into_iter().chain(fixed).collect();
-        for (name, (place, _)) in given {
-            if !legal.iter().any(|key| key == name) {
-                self.unknown(&format!("verify.{name}"), *place, &legal);
-            }
-        }
-        let missing: Vec<_> =
-            states.iter().filter(|name| !given.contains_key(name.as_str())).cloned().collect();
-        if !missing.is_empty() {
-            let message = format!("[verify] has no interval of {}", missing.join(", "));
-            let all = match self.spec.has_model() {
-                true => states.join(", "),
-                false => format!("x1..x{n}"),
-            };
-            let help =
-                format!("give the box of initial states: one [lower, upper] for each of {all}");
-            self.found.push("missing-key", "verify", None, message, help);
-        }
-        let x0: Vec<_> =
-            states.iter().filter_map(|name| self.interval("verify", name, given)).collect();
-        let fixed_tau = self.spec.fixed.get(&Parameter::Tau).and_then(to_f64);
-        let tau = match (self.interval("verify", "tau", given), fixed_tau) {
-            (Some((low, _)), _) if low <= 0.0 => {
-                let place = given.get("tau").map(|(_, node)| node.place);
-                self.wrong("verify.tau", place, "tau is not > 0".to_owned(), KEYS[0].legal);
-                None
-            }
-            (Some(tau), _) => Some(tau),
-            (None, Some(tau)) => Some((tau, tau)),
-            (None, None) => {
-                if !given.contains_key("tau") {
-                    let message = "tau has no value";
-                    let help = "give `tau = 1` in the design, or `tau = [0.5, 2]` under [verify]";
-                    self.found.push("missing-key", "verify.tau", None, message, help);
-                }
-                None
-            }
-        };
-        let scenarios = self.integer("scenarios", given, (1, 1_000_000_000_000), 10_000);
-        let seed = self.integer("seed", given, (0, 1 << 53), 0);
-        let search = self.integer("search", given, (0, 1_000_000_000), 2000);
-        let around = Loop::of(self.spec);
-        let until = match &around {
-            Some(around) => self.end(given, tau, around.period),
-            None => self.until(given, tau),
-        };
-        let tolerance = self.number("tolerance", given, &|t| t > 0.0).unwrap_or(1e-6);
-        let varies: BTreeSet<_> = disturbances.iter().map(|(symbol, ..)| *symbol).collect();
-        let constant = self.plant.bounds.iter().filter(|(symbol, _)| !varies.contains(symbol));
-        let constant = constant
-            .filter_map(|(symbol, (low, high))| Some((*symbol, (to_f64(low)?, to_f64(high)?))));
-        let mut intervals: Vec<_> = constant.collect();
-        let mut spec = self.spec.clone();
-        if given.contains_key("tau") {
-            spec.fixed.remove(&Parameter::Tau);
-        }
-        // Each of them may have told what is wrong with it.
-        (x0.len() == n).then_some(())?;
-        let tau = tau?;
-        // What is one number is known, and what the controller is built with.
-        let (known, drawn): (Vec<_>, Vec<_>) =
-            drawn.into_iter().partition(|(_, (low, high))| low == high);
-        for (symbol, (value, _)) in &known {
-            spec.bounds.remove(symbol);
-            spec.fixed.insert(*symbol, exact(&format!("{value:e}"))?);
-        }
-        if around.is_some() {
-            spec = self.running(spec, &x0)?;
-        }
-        // An eps of the checks is that of the values that the design gives.
-        for (symbol, _) in &drawn {
-            spec.fixed.remove(symbol);
-        }
-        if known.iter().chain(&drawn).any(|(symbol, _)| matches!(symbol, Parameter::Gain(_))) {
-            spec.poles.clear();
-        }
-        // What is both of the controller and of the plant is drawn once.
-        let new = |(symbol, _): &(Parameter, _)| !self.plant.bounds.contains_key(symbol);
-        intervals.extend(drawn.into_iter().filter(|own| new(own) || varies.contains(&own.0)));
-        Some(Campaign {
-            spec,
-            plant: self.plant.clone(),
-            around,
-            scenarios: scenarios?,
-            seed: seed?,
-            search: usize::try_from(search?).ok()?,
-            until: until?,
-            tolerance,
-            tau,
-            x0,
-            intervals,
-            disturbances,
-            integrals: self.integrands(),
-            objectives,
-        })
-    }
-
     /// Order of the chain; several outputs are several chains, which have names of their own.
     fn order(&self) -> usize {
         if self.spec.coupled.is_some() { 0 } else { self.spec.n }
@@ -277,74 +165,5 @@ impl Reader<'_> {
     /// The parameters that an objective may name.
     fn known(&self) -> Vec<Parameter> {
         known(self.spec.time_mapping.parameters())
-    }
-
-    /// Every name has a value or an interval; one that has none is blamed on what uses it.
-    fn valued(
-        &mut self,
-        entries: &[Entry],
-        objectives: &[(usize, Objective)],
-        (given, drawn): (&Given<'_>, &[(Parameter, Interval)]),
-    ) {
-        let (spec, plant) = (self.spec, self.plant);
-        let integrands = self.integrands();
-        let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax];
-        let lacks = |p: &Parameter| {
-            let fixed = spec.fixed.contains_key(p) || plant.gives(*p);
-            // One that is given and not legal has been reported.
-            let drawn = drawn.iter().any(|(symbol, _)| symbol == p)
-                || given.contains_key(p.spelling().as_str());
-            !fixed && !drawn && !of_run.contains(p)
-        };
-        let mut told: BTreeSet<Parameter> = BTreeSet::new();
-        let mut tell = |key: &str, used: &mut dyn Iterator<Item = Parameter>, help: &str| {
-            let new: BTreeSet<_> = used.filter(lacks).filter(|p| told.insert(*p)).collect();
-            if new.is_empty() {
-                return;
-            }
-            let names: Vec<_> = new.into_iter().map(Parameter::spelling).collect();
-            let place =
-                entries.iter().find(|entry| entry.key == key).map(|entry| entry.value.place);
-            let message = format!("{} without a value in the design", names.join(", "));
-            self.found.push(UNVALUED, key, place, message, help);
-        };
-        let of_controller = "parameters of the controller have their values under [params], gains at `gains` or `poles`";
-        tell("verify", &mut spec.parameters().into_iter(), of_controller);
-        let of_plant = "a symbol of the plant has its value, or [lower, upper], under [plant]";
-        for (key, expression) in plant.keyed() {
-            tell(key, &mut expression.parameters().into_iter(), of_plant);
-        }
-        for integrand in &integrands {
-            tell("objective", &mut integrand.parameters().into_iter(), of_controller);
-        }
-        for (number, objective) in objectives {
-            for (name, expression) in objective.kind.expressions() {
-                let key = format!("objective[{number}].{name}");
-                tell(&key, &mut expression.parameters().into_iter(), of_controller);
-            }
-        }
-    }
-
-    fn until(&mut self, given: &Given<'_>, tau: Option<Interval>) -> Option<f64> {
-        let tau = tau?.0;
-        let eps =
-            self.spec.fixed.get(&Parameter::Eps).and_then(to_f64).map_or(0.0, |eps| eps / tau);
-        if !given.contains_key("until") {
-            return Some(eps.max(1e-3));
-        }
-        let until = self.number("until", given, &|share| share > 0.0 && share < 1.0)?;
-        if until < eps {
-            let place = given.get("until").map(|(_, node)| node.place);
-            let message =
-                format!("until = {until} ends after the gains are held, from eps/tau = {eps} on");
-            self.wrong(
-                "verify.until",
-                place,
-                message,
-                "Theorem 1 speaks of the law before eps: give a larger until, or a smaller eps",
-            );
-            return None;
-        }
-        Some(until)
     }
 }

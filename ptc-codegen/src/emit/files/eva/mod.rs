@@ -1,5 +1,7 @@
 //! The harness with which Frama-C's plug-in Eva proves that the emitted C has no error at run time.
 
+mod calls;
+mod ranges;
 mod samples;
 
 pub(super) use samples::harness as in_samples;
@@ -18,6 +20,8 @@ use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::digits::Condition;
 use crate::program::number;
 use crate::request::{Guard, Spec};
+use calls::{Call, calls, handed};
+use ranges::{Range, ranges, stem};
 
 /// Bound of |x_i| and of what functions of the user give, where the design promises none.
 const STATE: f64 = 10.0;
@@ -28,16 +32,6 @@ const LAW: f64 = 10.0;
 /// known of a value known of its copies.
 const OPTIONS: &str = "-eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all \
                        -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality";
-
-/// A value that the harness draws, as macros NAME_MIN and NAME_MAX.
-struct Range {
-    /// The macros' name up to `_MIN` and `_MAX`.
-    stem: String,
-    least: String,
-    greatest: String,
-    /// Whether a user may give others; not where the design fixes the value.
-    open: bool,
-}
 
 /// The harness of a controller, beside its annotated source.
 pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
@@ -120,65 +114,6 @@ fn rounded(value: &Fixed, spec: &Spec) -> f64 {
     value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
 }
 
-fn stem(prefix: &str, parameter: Parameter) -> String {
-    format!("{prefix}_{}", parameter.spelling().to_uppercase())
-}
-
-/// What each parameter is drawn from in finite mode. Those of time are there even where they are
-/// fixed, as time itself is drawn around them.
-fn ranges(controller: &Controller<'_>, prefix: &str) -> Vec<Range> {
-    let spec = controller.spec();
-    let own = |p: Parameter| match (spec.fixed.get(&p), spec.bounds.get(&p)) {
-        (Some(fixed), _) => Some((rounded(fixed, spec), rounded(fixed, spec))),
-        (None, Some((least, greatest))) => Some((rounded(least, spec), rounded(greatest, spec))),
-        (None, None) => None,
-    };
-    let tau = own(Parameter::Tau).unwrap_or((1.0, 1.0));
-    // The gains of order 6 stay in the range of f32 down to here.
-    let share = if spec.precision == Precision::F32 { 16.0 } else { 64.0 };
-    let greatest = |p: Parameter| {
-        let limited = controller.report.greatest.as_ref().filter(|(of, _)| *of == p);
-        limited.map_or(f64::INFINITY, |(_, greatest)| rounded(greatest, spec))
-    };
-    let default = |p: Parameter| match p {
-        Parameter::Tau | Parameter::A | Parameter::Named(_) => (1.0, 1.0),
-        Parameter::StartTime => (0.0, 0.0),
-        Parameter::Eps => {
-            let eps = (tau.0 / share).min(greatest(p));
-            (eps, eps)
-        }
-        Parameter::UMax => (10.0, 10.0),
-        Parameter::M => (1.5, 1.5),
-        Parameter::Start => (0.25, 0.25),
-        #[allow(clippy::cast_precision_loss)]
-        Parameter::Rate(i) => (i as f64 - 0.5, i as f64 - 0.5),
-        Parameter::Gain(_) => (-100.0, 100.0),
-        Parameter::Samples | Parameter::SampleTime | Parameter::Deadbeat => (1.0, 1.0),
-    };
-    let of_time =
-        |p: &Parameter| matches!(p, Parameter::Tau | Parameter::StartTime | Parameter::Eps);
-    let parameters = spec.parameters().into_iter();
-    let range = |p: Parameter| {
-        let (least, greatest) = own(p).unwrap_or_else(|| default(p));
-        Range {
-            stem: stem(prefix, p),
-            least: literal(least, spec.precision),
-            greatest: literal(greatest, spec.precision),
-            open: !spec.fixed.contains_key(&p),
-        }
-    };
-    parameters.filter(|p| of_time(p) || !spec.fixed.contains_key(p)).map(range).collect()
-}
-
-/// What `step` or `rate` is handed beside time and state: functions of the harness, and no context.
-fn handed(name: &str, externs: &[(String, &'static str)]) -> String {
-    let one = |(_, argument): &(String, &'static str)| match *argument {
-        "context" => "NULL, ".to_owned(),
-        function => format!("{name}_eva_{function}, "),
-    };
-    externs.iter().map(one).collect()
-}
-
 /// Functions of the C library that the code calls and Frama-C has no contract for.
 fn without_contract(program: &Code) -> Vec<String> {
     let suffix = if program.precision == Precision::F32 { "f" } else { "" };
@@ -191,84 +126,6 @@ fn without_contract(program: &Code) -> Vec<String> {
     let all = [Math::Sinh, Math::Cosh, Math::Tanh, Math::Atanh];
     let all = all.into_iter().filter(|function| called.contains(function));
     all.map(|function| format!("{}{suffix}", function.name())).collect()
-}
-
-/// A function of the controller: what it is called with, and which of that are pointers.
-struct Call {
-    function: &'static str,
-    arguments: Vec<String>,
-    pointers: Vec<usize>,
-}
-
-impl Call {
-    fn text(&self, name: &str, missing: Option<usize>) -> String {
-        let given = self.arguments.iter().enumerate();
-        let given: Vec<_> = given
-            .map(|(at, argument)| if missing == Some(at) { "NULL" } else { argument.as_str() })
-            .collect();
-        format!("{name}_{}({})", self.function, given.join(", "))
-    }
-}
-
-/// The calls of all functions that take time or a state.
-fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec<Call> {
-    let mut arguments = vec!["&self".to_owned(), "t".to_owned(), "x".to_owned()];
-    let mut pointers = vec![0, 2];
-    if frame.references > 0 {
-        pointers.push(arguments.len());
-        arguments.push("r".to_owned());
-    }
-    if frame.associated {
-        arguments.push(frame.zero.to_owned());
-    }
-    for (_, argument) in externs {
-        if *argument == "context" {
-            arguments.push("NULL".to_owned());
-        } else {
-            pointers.push(arguments.len());
-            arguments.push(format!("{name}_eva_{argument}"));
-        }
-    }
-    pointers.push(arguments.len());
-    let (function, last) = if frame.associated { ("rate", "xi_dot") } else { ("step", "&u") };
-    arguments.push(last.to_owned());
-    let mut calls = vec![Call { function, arguments, pointers }];
-    if frame.associated {
-        calls.extend(ways(&calls[0]));
-    }
-    if !frame.gains.is_empty() {
-        let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
-        let tick = words(&["&self", "t", "&gains"]);
-        calls.push(Call { function: "tick", arguments: tick, pointers: vec![0, 2] });
-        let given = if frame.references > 0 {
-            &["&gains", "x", "r", "&u"][..]
-        } else {
-            &["&gains", "x", "&u"]
-        };
-        let pointers = (0..given.len()).collect();
-        calls.push(Call { function: "axis", arguments: words(given), pointers });
-    }
-    calls
-}
-
-/// The other calls of the associated system, after that of `rate`: its arguments are self, t, xi, f, what
-/// the user's law takes, and xi_dot.
-fn ways(rate: &Call) -> Vec<Call> {
-    let call = |function, arguments: Vec<String>| {
-        let pointer =
-            |index: &usize| arguments[*index].as_str() != "t" && arguments[*index] != "NULL";
-        let pointers = (0..arguments.len()).filter(pointer).collect();
-        Call { function, arguments, pointers }
-    };
-    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
-    let externs = &rate.arguments[4..rate.arguments.len() - 1];
-    let control = [words(&["&self", "t", "x"]), externs.to_vec(), words(&["&xi_dot[0]"])].concat();
-    vec![
-        call("state", words(&["&self", "t", "x", "xi_dot"])),
-        call("control", control),
-        call("time", words(&["&self", "t", "&xi_dot[0]"])),
-        call("start", words(&["&self", "x", "xi_dot"])),
-    ]
 }
 
 #[derive(Template)]

@@ -1,9 +1,10 @@
 //! Each pass does its work and keeps every bit.
 
 mod balance;
+mod fold;
+mod fuse;
 
 use super::{PASSES, append, optimise};
-use crate::algebra::integer;
 use crate::expression::Function;
 use crate::family::{FAMILIES, Family};
 use crate::law::Law;
@@ -116,94 +117,6 @@ fn after(name: &str, program: Program) -> Program {
 }
 
 #[test]
-fn fold_computes_numbers_and_drops_neutral_operations() {
-    let folded = after(
-        "fold",
-        program(|p| {
-            let (two, three) = (Op::Number(integer(2)), Op::Number(integer(3)));
-            let (two, three) = (append(p, two, None), append(p, three, None));
-            let six = append(p, Op::Mul(two, three), None);
-            let x = append(p, Op::Input(Input::State(1)), None);
-            let one = append(p, Op::Number(integer(1)), None);
-            let same = append(p, Op::Div(x, one), None);
-            append(p, Op::Mul(six, same), None)
-        }),
-    );
-    let Op::Mul(six, x) = folded.get(folded.step).op else { panic!("a product is left") };
-    assert_eq!(folded.get(six).op, Op::Number(integer(6)));
-    assert_eq!(folded.get(x).op, Op::Input(Input::State(1)));
-}
-
-#[test]
-fn fold_divides_without_a_test_by_what_is_not_0() {
-    let by = |divisor: i64| {
-        let folded = after(
-            "fold",
-            program(|p| {
-                let divisor = append(p, Op::Number(integer(divisor)), None);
-                let x = append(p, Op::Input(Input::State(1)), None);
-                append(p, Op::Quotient(x, divisor), None)
-            }),
-        );
-        folded.get(folded.step).op.clone()
-    };
-    assert!(matches!(by(3), Op::Div(..)));
-    assert!(matches!(by(0), Op::Quotient(..)));
-}
-
-/// What a library computes differs from machine to machine, so it is left to the target.
-#[test]
-fn fold_computes_a_root_but_calls_no_library() {
-    let folded = after(
-        "fold",
-        program(|p| {
-            let four = append(p, Op::Number(integer(4)), None);
-            let [root, power, exp] = [
-                Op::Call(Function::Sqrt, four),
-                Op::Pow(four, four),
-                Op::Call(Function::Exp, four),
-            ]
-            .map(|op| append(p, op, None));
-            let sum = append(p, Op::Add(power, exp), None);
-            append(p, Op::Mul(root, sum), None)
-        }),
-    );
-    let Op::Mul(root, sum) = folded.get(folded.step).op else { panic!("a product is left") };
-    let Op::Add(power, exp) = folded.get(sum).op else { panic!("a sum is left") };
-    assert_eq!(folded.get(root).op, Op::Number(integer(2)));
-    assert!(matches!(folded.get(power).op, Op::Pow(..)));
-    assert!(matches!(folded.get(exp).op, Op::Call(Function::Exp, _)));
-}
-
-#[test]
-fn fold_writes_a_product_with_minus_one_as_a_negation() {
-    for swapped in [false, true] {
-        let folded = after(
-            "fold",
-            program(|p| {
-                let minus_one = append(p, Op::Number(integer(-1)), None);
-                let x = append(p, Op::Input(Input::State(1)), None);
-                let (a, b) = if swapped { (x, minus_one) } else { (minus_one, x) };
-                append(p, Op::Mul(a, b), None)
-            }),
-        );
-        assert!(matches!(folded.get(folded.step).op, Op::Neg(_)), "{swapped}");
-    }
-}
-
-#[test]
-fn fold_leaves_what_overflows_to_run_time() {
-    let folded = after(
-        "fold",
-        program(|p| {
-            let huge = append(p, Op::Number(num_traits::pow(integer(10), 300)), None);
-            append(p, Op::Mul(huge, huge), None)
-        }),
-    );
-    assert!(matches!(folded.get(folded.step).op, Op::Mul(..)));
-}
-
-#[test]
 fn chains_write_powers_as_multiplications() {
     let chained = after(
         "chains",
@@ -230,82 +143,6 @@ fn share_keeps_one_of_equal_values() {
             }),
         );
         assert!(matches!(shared.get(shared.step).op, Op::Sub(a, b) if a == b));
-    }
-}
-
-/// A program with `fma`, after the pass `fuse`.
-fn fused(build: impl FnOnce(&mut Program, [Value; 4]) -> Value) -> Program {
-    let plain = program(|p| {
-        let inputs = [Input::State(1), Input::State(2), Input::Reference(0), Input::Time];
-        let inputs = inputs.map(|input| append(p, Op::Input(input), None));
-        build(p, inputs)
-    });
-    after("prune", Program { fma: true, ..plain })
-}
-
-#[test]
-fn fuse_makes_one_operation_of_a_product_and_a_sum() {
-    let of = |op: fn(Value, Value) -> Op, swapped: bool| {
-        let fused = fused(|p, [x, y, r, _]| {
-            let product = append(p, Op::Mul(x, y), None);
-            let (a, b) = if swapped { (product, r) } else { (r, product) };
-            append(p, op(a, b), None)
-        });
-        let Op::Fused(a, b, c) = fused.get(fused.step).op else { panic!("{swapped}: not fused") };
-        let is_negative = |v: Value| matches!(fused.get(v).op, Op::Neg(_));
-        (is_negative(a) ^ is_negative(b), is_negative(c))
-    };
-    assert_eq!(of(Op::Add, false), (false, false));
-    assert_eq!(of(Op::Add, true), (false, false));
-    assert_eq!(of(Op::Sub, false), (true, false));
-    assert_eq!(of(Op::Sub, true), (false, true));
-}
-
-#[test]
-fn fuse_leaves_what_would_be_computed_twice_or_change_sign() {
-    let is_plain = |build: fn(&mut Program, [Value; 4]) -> Value| {
-        let fused = fused(build);
-        !fused.values.iter().any(|d| matches!(d.op, Op::Fused(..)))
-    };
-    assert!(is_plain(|p, [x, y, r, _]| {
-        let product = append(p, Op::Mul(x, y), None);
-        let sum = append(p, Op::Add(r, product), None);
-        append(p, Op::Max(sum, product), None)
-    }));
-    // The product is known when time is.
-    assert!(is_plain(|p, [x, _, _, t]| {
-        let product = append(p, Op::Mul(t, t), None);
-        append(p, Op::Add(x, product), None)
-    }));
-    assert!(is_plain(|p, [x, y, ..]| {
-        let (one, other) = (append(p, Op::Mul(x, x), None), append(p, Op::Mul(y, y), None));
-        append(p, Op::Sub(one, other), None)
-    }));
-    // What `init` computes is not worth it.
-    assert!(is_plain(|p, [x, ..]| {
-        let [tau, a] = [Parameter::Tau, Parameter::A]
-            .map(|parameter| append(p, Op::Input(Input::Parameter(parameter)), None));
-        let product = append(p, Op::Mul(tau, a), None);
-        let sum = append(p, Op::Add(tau, product), None);
-        append(p, Op::Mul(sum, x), None)
-    }));
-}
-
-/// A product with a coefficient of `init` less a value of the step, and the reverse.
-#[test]
-fn fuse_negates_no_field() {
-    for swapped in [false, true] {
-        let fused = fused(|p, [x, ..]| {
-            let k = append(p, Op::Input(Input::Parameter(Parameter::A)), None);
-            let [one, other] = [Op::Mul(k, x), Op::Mul(x, x)].map(|op| append(p, op, None));
-            let root = append(p, Op::Call(Function::Sqrt, other), None);
-            let (a, b) = if swapped { (root, one) } else { (one, root) };
-            append(p, Op::Sub(a, b), None)
-        });
-        assert!(matches!(fused.get(fused.step).op, Op::Fused(..)));
-        let needed = fused.needed(&[fused.step]).into_iter().map(|v| fused.get(v));
-        let mut negations = needed.filter(|d| matches!(d.op, Op::Neg(_)));
-        assert!(negations.all(|d| d.stage == Stage::Step));
     }
 }
 

@@ -1,74 +1,33 @@
-//! The clock in samples: its keys, and what it has no meaning for.
+//! The clock in samples, and its keys.
 
+mod exponent;
 mod following;
+mod meaning;
 mod observer;
 mod several;
 
 use num_traits::{Signed, Zero};
 
 use super::{Reader, items, shown, whole};
-use crate::algebra::polynomial::Polynomial;
-use crate::algebra::stability::is_hurwitz;
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::counted;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Node};
-use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Sampled, Spec, What};
+use crate::request::{Clock, MAX_ORDER, Sampled, Spec, What};
 use crate::syntax::{Value, constant, real};
+use exponent::greatest_of_all;
 
 /// Most samples of delay that a controller keeps.
 const MAX_KEPT: usize = 4;
 
-/// Greatest exponent that is looked for; with a greater one the gains leave the range of numbers.
-const MAX_EXPONENT: u32 = 1000;
-
 /// Most samples to the deadline.
 const MAX_SAMPLES: u32 = 1 << 31;
-
-/// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 10] = [
-    "A",
-    "B",
-    "C",
-    "deadbeat",
-    "measured",
-    "disturbance",
-    "observer_poles",
-    "observer_samples",
-    "observer_eps",
-    "after_observer",
-];
 
 impl Reader<'_> {
     /// Whether the clock counts samples.
     pub(super) fn counts_samples(&mut self) -> bool {
         self.choice("clock", &[("time", false), ("samples", true)]).unwrap_or(false)
-    }
-
-    /// The keys of the other clock.
-    pub(super) fn not_sampled(&mut self, spec: &Spec) {
-        if spec.what == What::Observer {
-            let place = self.keys.get("what").map(|node| node.place);
-            let message = "an observer alone needs a clock in samples".to_owned();
-            let help = "give `clock` = samples, what is measured, `observer_poles` and `observer_samples` beside it";
-            self.wrong("what", place, message, help.to_owned());
-        }
-        if let Some(delay) = spec.promises.delay.as_ref().filter(|delay| !delay.is_whole()) {
-            let place = self.keys.get("delay").map(|node| node.place);
-            let message = format!("delay = {delay} is not a whole number of samples");
-            let help =
-                "a clock in time takes whole samples; `clock` = samples compensates any delay";
-            self.wrong("delay", place, message, help.to_owned());
-        }
-        for key in OWN {
-            if let Some(node) = self.keys.get(key).copied() {
-                let message = format!("`{key}` needs a clock in samples");
-                let help = "give `clock` = samples beside it".to_owned();
-                self.wrong(key, Some(node.place), message, help);
-            }
-        }
     }
 
     /// Completes a spec whose clock is in samples.
@@ -165,73 +124,6 @@ impl Reader<'_> {
             self.wrong("g", place, message, help.to_owned());
         }
         known.into_iter().next().flatten().unwrap_or_else(|| integer(1))
-    }
-
-    /// What needs a clock in time.
-    fn has_no_meaning(&mut self, spec: &Spec) {
-        let mut against = |key: &str, wrong: bool, message: &str, help: &str| {
-            if wrong {
-                let place = self.keys.get(key).map(|node| node.place);
-                self.wrong(key, place, message.to_owned(), help.to_owned());
-            }
-        };
-        let mapping =
-            if spec.custom().is_some_and(|c| c.subject.key() == "kappa") { "kappa" } else { "mu" };
-        against(
-            mapping,
-            spec.family() != Some(Family::Exp),
-            "a clock in samples has an exact law for the mapping exp alone",
-            "take --mu exp: its poles, of any size, place what the other mappings would",
-        );
-        against(
-            "pi0",
-            spec.feedback != Feedback::Linear,
-            "a clock in samples needs a linear law",
-            "give gains or poles",
-        );
-        against(
-            "what",
-            spec.what == What::Associated,
-            "the infinite-time system has no samples",
-            "leave `clock` or `what` out",
-        );
-        against(
-            "after",
-            spec.after == After::Extern,
-            "a clock in samples has no user-defined law after the deadline",
-            "legal: hold, zero",
-        );
-        against(
-            "guard",
-            spec.guard == Guard::Result,
-            "a clock in samples has the guards full and none",
-            "its u is tested under both",
-        );
-        against(
-            "fma",
-            spec.fma,
-            "a clock in samples has no fused multiply-add yet",
-            "leave `fma` out, or `clock`: code in time fuses",
-        );
-        against(
-            "latency",
-            spec.latency,
-            "a clock in samples has no polynomials to evaluate as trees",
-            "leave `latency` out",
-        );
-        against(
-            "t0",
-            spec.fixed.contains_key(&Parameter::StartTime),
-            "t0 has no meaning for a clock in samples",
-            "arm the controller at the tick at which it starts",
-        );
-        let period = spec.promises.sample_time.is_some();
-        against(
-            "tau",
-            spec.fixed.contains_key(&Parameter::Tau) && !period,
-            "tau without `sample_time`",
-            "give both, or leave tau to run time as a number of samples",
-        );
     }
 
     /// N from tau and the sample period, and eps.
@@ -345,38 +237,4 @@ impl Reader<'_> {
             }
         }
     }
-}
-
-/// The greatest exponent of the laws of all outputs, where they are fixed; those of each are kept where they
-/// differ.
-fn greatest_of_all(spec: &mut Spec, delay: usize, a: &BigRational) -> Option<BigRational> {
-    let designs = spec.designs();
-    let each = designs.iter().map(|own| greatest(own, own.n + delay, a));
-    let each = each.collect::<Option<Vec<_>>>()?;
-    let most = each.iter().max().cloned();
-    if let Some(axes) = spec.axes.as_mut().filter(|axes| !axes.gains.is_empty()) {
-        axes.greatest = each;
-    }
-    most
-}
-
-/// The greatest real part of the exponents p = -pole/a, where the gains are fixed; where no poles
-/// are given, the integer at or above it.
-fn greatest(spec: &Spec, order: usize, a: &BigRational) -> Option<BigRational> {
-    if !spec.poles.is_empty() {
-        return spec.poles.iter().map(|(re, _)| -re / a).max();
-    }
-    let gain = |i| spec.fixed.get(&Parameter::Gain(i)).and_then(Fixed::number).cloned();
-    let gains: Option<Vec<_>> = (1..=order).map(gain).collect();
-    let loop_ = Polynomial::characteristic(&gains?);
-    // The roots of q are those of the loop with the other sign, a p.
-    let mirrored = |(i, c): (usize, &BigRational)| if i % 2 == order % 2 { c.clone() } else { -c };
-    let q = Polynomial::new(loop_.coefficients().iter().enumerate().map(mirrored).collect());
-    // Roots at an integer count as below it.
-    let margin = BigRational::new(1.into(), 1_000_000_000.into());
-    let below = |count: u32| {
-        let line = (integer(i64::from(count)) + &margin) * a;
-        is_hurwitz(&q.shifted(&line))
-    };
-    (0..=MAX_EXPONENT).find(|count| below(*count)).map(|count| integer(i64::from(count)))
 }

@@ -8,11 +8,13 @@
 // Lanes are counted, which compilers make vectors of.
 #![allow(clippy::needless_range_loop)]
 
+mod dense;
+mod scale;
 mod tableau;
 
 use std::sync::Arc;
 
-use super::flow::{Chain, Flow, MOVED, Steps, Tick, Which, share_at};
+use super::flow::{Chain, Flow, Steps, Tick, Which, share_at};
 use crate::program::lanes::{LANES, Pack, vectorized};
 use crate::simulate::Accuracy;
 use tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
@@ -129,53 +131,6 @@ impl Explicit {
         }
     }
 
-    /// Slope of the first component, from what the last rate has of the last component: in a chain no
-    /// other rate has any of its own.
-    fn slope(&mut self, rates: Rates<'_>) -> Pack {
-        let last = self.order - 1;
-        let (y, rate) = (self.flow.y[last], self.rate[last]);
-        let size = Pack::of(|lane| {
-            let size = y.0[lane].abs().max(rate.0[lane].abs());
-            if size > 0.0 { MOVED * size } else { MOVED }
-        });
-        self.state.copy_from_slice(&self.flow.y);
-        self.state[last] = Pack::of(|lane| y.0[lane] + size.0[lane]);
-        rates(&self.last.share, &self.state, &mut self.scaled);
-        #[allow(clippy::cast_precision_loss)]
-        let (count, middle) = (self.order as f64, 0.5 * last as f64);
-        Pack::of(|lane| {
-            let own = (self.scaled[last].0[lane] - rate.0[lane]) / size.0[lane];
-            let slope = middle * self.slant - own / count;
-            if slope.is_finite() { slope } else { 0.0 }
-        })
-    }
-
-    #[inline(always)]
-    fn slope_of(&self, i: usize) -> Pack {
-        #[allow(clippy::cast_precision_loss)]
-        let less = self.slant * i as f64;
-        self.last.slope.map(|slope| slope - less)
-    }
-
-    /// The scales at a part of the step, and T/tau there.
-    fn rescale(&mut self, part: f64) -> Pack {
-        let share = self.rescale_at(&self.last.length.map(|length| part * length));
-        Pack::of(|lane| self.last.share.0[lane] * share.0[lane])
-    }
-
-    /// The scales after a way, and by what T falls on it.
-    fn rescale_at(&mut self, way: &Pack) -> Pack {
-        let fall = share_at(way);
-        let mut scale = Pack::of(|lane| -self.last.slope.0[lane] * way.0[lane]).exp();
-        for own in &mut self.scale {
-            *own = scale;
-            if self.slant != 0.0 {
-                scale = Pack::of(|lane| scale.0[lane] / fall.0[lane]);
-            }
-        }
-        fall
-    }
-
     /// The derivatives at a stage.
     fn stage(&mut self, stage: usize, tableau: &Tableau, rates: Rates<'_>) {
         vectorized!(self.go(&tableau.stages[stage]));
@@ -196,16 +151,6 @@ impl Explicit {
         vectorized!(self.scale_rates(stage));
     }
 
-    /// The scaled derivatives at the begin of the step, where all scales are 1.
-    #[inline(always)]
-    fn scale_first(&mut self) {
-        for i in 0..self.order {
-            let slope = self.slope_of(i);
-            let (y, rate) = (&self.flow.y[i], &self.rate[i]);
-            self.k[i] = Pack::of(|lane| rate.0[lane] + slope.0[lane] * y.0[lane]);
-        }
-    }
-
     /// The scaled state that derivatives so far lead to.
     #[inline(always)]
     fn go(&mut self, weights: &Row) {
@@ -213,23 +158,6 @@ impl Explicit {
             let sum = self.sum(weights, i);
             let (y, length) = (&self.flow.y[i], &self.last.length);
             self.scaled[i] = Pack::of(|lane| y.0[lane] + length.0[lane] * sum.0[lane]);
-        }
-    }
-
-    #[inline(always)]
-    fn unscale(&mut self) {
-        for (i, state) in self.state.iter_mut().enumerate() {
-            let (scaled, scale) = (&self.scaled[i], &self.scale[i]);
-            *state = Pack::of(|lane| scaled.0[lane] * scale.0[lane]);
-        }
-    }
-
-    #[inline(always)]
-    fn scale_rates(&mut self, stage: usize) {
-        for i in 0..self.order {
-            let (slope, scaled, scale) = (self.slope_of(i), &self.scaled[i], &self.scale[i]);
-            let k = &mut self.k[stage * self.order + i];
-            *k = Pack::of(|lane| k.0[lane] / scale.0[lane] + slope.0[lane] * scaled.0[lane]);
         }
     }
 
@@ -263,45 +191,6 @@ impl Explicit {
             let whole = if whole <= 0.0 { 1.0 } else { whole };
             self.last.length.0[lane] * error.0[lane] / (whole * count).sqrt()
         })
-    }
-
-    /// The coefficients of the dense output.
-    #[inline(always)]
-    fn densify(&mut self, tableau: &Tableau) {
-        let n = self.order;
-        let length = self.last.length;
-        for i in 0..n {
-            let (y, new) = (self.flow.y[i], &self.new[i]);
-            let (first, last) = (&self.k[i], &self.k[END * n + i]);
-            let whole = Pack::of(|lane| new.0[lane] - y.0[lane]);
-            let bend = Pack::of(|lane| length.0[lane] * first.0[lane] - whole.0[lane]);
-            let rest =
-                Pack::of(|lane| whole.0[lane] - length.0[lane] * last.0[lane] - bend.0[lane]);
-            for (place, own) in [y, whole, bend, rest].into_iter().enumerate() {
-                self.dense[place * n + i] = own;
-            }
-            for (place, row) in (4..).zip(&tableau.dense) {
-                let sum = self.sum(row, i);
-                self.dense[place * n + i] = Pack::of(|lane| length.0[lane] * sum.0[lane]);
-            }
-        }
-    }
-
-    /// The dense output at a part of the step.
-    #[inline(always)]
-    fn interpolate(&self, part: &Pack, into: &mut [Pack]) {
-        for (i, into) in into.iter_mut().enumerate() {
-            let mut sum = self.dense[(DENSE - 1) * self.order + i];
-            for place in (0..DENSE - 1).rev() {
-                let own = &self.dense[place * self.order + i];
-                for lane in 0..LANES {
-                    let part = part.0[lane];
-                    let factor = if place % 2 == 0 { part } else { 1.0 - part };
-                    sum.0[lane] = own.0[lane] + factor * sum.0[lane];
-                }
-            }
-            *into = Pack::of(|lane| sum.0[lane] * self.scale[i].0[lane]);
-        }
     }
 
     /// The weighted sum of the scaled derivatives of a component.

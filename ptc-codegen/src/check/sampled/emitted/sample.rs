@@ -1,0 +1,250 @@
+//! One sample of a program, whose values are rows.
+
+use std::collections::BTreeMap;
+
+use super::super::chain::{Chain, Near, Row, centre};
+use super::super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
+use super::{Held, is_rate};
+use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
+use crate::expression::enclosure::Range;
+use crate::parameter::Precision;
+use crate::request::Sampled;
+
+/// One call of `step`.
+pub(super) struct Sample<'a> {
+    precision: Precision,
+    /// Numbers of what is kept and measured.
+    terms: usize,
+    kept: usize,
+    pub(super) fields: BTreeMap<&'a str, Held>,
+    locals: BTreeMap<&'a str, Held>,
+    measured: Vec<Held>,
+    reference: Vec<Held>,
+}
+
+impl<'a> Sample<'a> {
+    pub(super) fn new(
+        code: &'a Code,
+        kept: &[&'a str],
+        (sampled, references): (&Sampled, usize),
+        k: usize,
+    ) -> Option<Self> {
+        let (precision, known) = (code.precision, kept.len() + sampled.measured);
+        let rates =
+            code.fields.iter().map(|field| field.name.as_str()).filter(|name| is_rate(name));
+        let rates: Vec<_> = rates.collect();
+        let terms = known + references + rates.len();
+        let nothing = Rounded::of(Range::from(0.0));
+        let unit = |at: usize, error: f64| {
+            let mut sum = vec![nothing; terms];
+            sum[at] = Rounded { exact: Range::from(1.0), error };
+            Held::Linear(sum)
+        };
+        let mut locals = BTreeMap::new();
+        locals.insert("k", Held::Count(u32::try_from(k).ok()?));
+        // A measurement is rounded as it is handed over.
+        let rounding = unit_roundoff(precision);
+        let measured = (kept.len()..known).map(|at| unit(at, rounding)).collect();
+        let reference = (known..known + references).map(|at| unit(at, 0.0)).collect();
+        let mut fields = BTreeMap::new();
+        for (at, name) in kept.iter().enumerate() {
+            fields.insert(*name, unit(at, 0.0));
+        }
+        for (at, name) in (known + references..).zip(rates) {
+            fields.insert(name, unit(at, 0.0));
+        }
+        fields.insert("seen", Held::Count(u32::from(k > 0)));
+        Some(Self { precision, terms, kept: kept.len(), fields, locals, measured, reference })
+    }
+
+    /// A value over the states x_1..x_n and what is kept, and over the causes.
+    pub(super) fn row(&self, value: &Held, chain: &Chain, acts: bool) -> Option<Row> {
+        let nothing = vec![Rounded::of(Range::from(0.0)); self.terms];
+        let sum = match value {
+            Held::Linear(sum) => sum,
+            // What the first measurement does not show.
+            Held::Known(known) if known.exact == Range::from(0.0) => &nothing,
+            Held::Known(_) | Held::Count(_) => return None,
+        };
+        let near: Vec<Near> = sum.iter().map(|term| centre(term.exact, term.error)).collect();
+        if near.iter().any(|(value, error)| !(value.is_finite() && error.is_finite())) {
+            return None;
+        }
+        let measured = |j: usize| near.get(self.kept + j).copied().unwrap_or((0.0, 0.0));
+        let states = chain.of_states(&near[self.kept..self.kept + self.measured.len()]);
+        let of_state = states.into_iter().chain(near[..self.kept].iter().copied()).collect();
+        let actuator = if acts { 1.0 } else { 0.0 };
+        let of_cause = (0..chain.sensors()).map(measured).chain([(actuator, 0.0)]).collect();
+        Some(Row { of_state, of_cause })
+    }
+
+    /// The value with which a call ends.
+    pub(super) fn end(&self, finish: &Finish) -> Option<Held> {
+        match finish {
+            Finish::If(test, yes, no) => self.end(if self.test(test)? { yes } else { no }),
+            Finish::Give(values, _) => self.real(values.first()?),
+            Finish::Fail(_) | Finish::Axes(_) | Finish::Inputs(_) => None,
+        }
+    }
+
+    pub(super) fn block(&mut self, statements: &'a [Statement]) -> Option<()> {
+        for statement in statements {
+            match statement {
+                Statement::Let(name, shape, value) => {
+                    let value = match shape {
+                        Shape::Count => Held::Count(self.count(value)?),
+                        _ => self.real(value)?,
+                    };
+                    self.locals.insert(name, value);
+                }
+                Statement::Set(Place::Local(name), value) => {
+                    let value = self.real(value)?;
+                    self.locals.insert(name, value);
+                }
+                // What is kept from sample to sample, and what `init` leaves of it, is given.
+                Statement::Set(Place::Field(name), value) => {
+                    let given = matches!(value, Expr::Count(_) | Expr::Number(_));
+                    if !(given && self.fields.contains_key(name.as_str())) {
+                        let value = match value {
+                            Expr::Count(count) => Held::Count(*count),
+                            value => self.real(value)?,
+                        };
+                        self.fields.insert(name, value);
+                    }
+                }
+                Statement::If(test, yes, no) => {
+                    let block = if self.test(test)? { yes } else { no };
+                    self.block(block)?;
+                }
+                Statement::Require(..) | Statement::Variable(..) | Statement::Note(_) => {}
+                // No part of a controller in samples.
+                Statement::Array(..)
+                | Statement::Rows { .. }
+                | Statement::Elimination { .. }
+                | Statement::Call { .. }
+                | Statement::Solve(_) => return None,
+            }
+        }
+        Some(())
+    }
+
+    /// Whether a test holds; what depends on the states is a limit of u, which is not reached.
+    fn test(&self, test: &Test) -> Option<bool> {
+        match test {
+            Test::CountLess(a, b) => Some(self.count(a)? < self.count(b)?),
+            Test::CountEqual(a, b) => Some(self.count(a)? == self.count(b)?),
+            Test::Less(a, b) | Test::AtMost(a, b) => match (self.real(a)?, self.real(b)?) {
+                (Held::Known(a), Held::Known(b)) => {
+                    let (a, b) = (a.emitted(), b.emitted());
+                    match () {
+                        () if a.is_below(&b) => Some(true),
+                        () if b.is_below(&a) => Some(false),
+                        // Both are the same number.
+                        () => Some(matches!(test, Test::AtMost(..))),
+                    }
+                }
+                _ => Some(false),
+            },
+            Test::Finite(_) => Some(true),
+            Test::NotNumber(_) => Some(false),
+            Test::All(tests) => {
+                tests.iter().try_fold(true, |all, test| Some(all && self.test(test)?))
+            }
+        }
+    }
+
+    fn count(&self, value: &Expr) -> Option<u32> {
+        match value {
+            Expr::Count(count) => Some(*count),
+            Expr::CountSub(a, b) => Some(self.count(a)?.wrapping_sub(self.count(b)?)),
+            Expr::CountLeft(a, b) => Some(self.count(a)?.saturating_sub(self.count(b)?)),
+            Expr::CountHalf(a) => Some(self.count(a)? / 2),
+            name => match self.held(name)? {
+                Held::Count(count) => Some(*count),
+                _ => None,
+            },
+        }
+    }
+
+    fn held(&self, name: &Expr) -> Option<&Held> {
+        match name {
+            Expr::Local(name) => self.locals.get(name.as_str()),
+            Expr::Field(name) => self.fields.get(name.as_str()),
+            Expr::Element(name, index) if name == "r" => self.reference.get(*index),
+            Expr::Element(_, index) => self.measured.get(*index),
+            _ => None,
+        }
+    }
+
+    fn real(&self, value: &Expr) -> Option<Held> {
+        let unit = unit_roundoff(self.precision);
+        match value {
+            Expr::Number(exact) => Some(Held::Known(Rounded::number(exact, self.precision))),
+            Expr::Neg(a) => Some(match self.real(a)? {
+                Held::Known(a) => Held::Known(negative(a)),
+                Held::Linear(sum) => Held::Linear(sum.into_iter().map(negative).collect()),
+                Held::Count(_) => return None,
+            }),
+            Expr::Binary(operator, a, b) => {
+                let (a, b) = (self.real(a)?, self.real(b)?);
+                match operator {
+                    Operator::Add => self.sum(a, b, unit),
+                    Operator::Sub => match b {
+                        Held::Known(b) => self.sum(a, Held::Known(negative(b)), unit),
+                        Held::Linear(b) => {
+                            let b = b.into_iter().map(negative).collect();
+                            self.sum(a, Held::Linear(b), unit)
+                        }
+                        Held::Count(_) => None,
+                    },
+                    Operator::Mul => match (a, b) {
+                        (Held::Known(a), Held::Known(b)) => Some(Held::Known(product(a, b, unit))),
+                        (Held::Known(k), Held::Linear(sum))
+                        | (Held::Linear(sum), Held::Known(k)) => {
+                            let each = sum.into_iter().map(|term| product(k, term, unit));
+                            Some(Held::Linear(each.collect()))
+                        }
+                        _ => None,
+                    },
+                    Operator::Div => match (a, b) {
+                        (Held::Known(a), Held::Known(b)) => quotient(a, b, unit).map(Held::Known),
+                        (Held::Linear(sum), Held::Known(k)) => {
+                            let each = sum.into_iter().map(|term| quotient(term, k, unit));
+                            each.collect::<Option<Vec<_>>>().map(Held::Linear)
+                        }
+                        _ => None,
+                    },
+                }
+            }
+            Expr::Real(a) => {
+                let exact = Range::from(f64::from(self.count(a)?));
+                let error =
+                    if self.precision == Precision::F64 { 0.0 } else { unit * exact.high() };
+                Some(Held::Known(Rounded { exact, error }))
+            }
+            Expr::Choose(test, a, b) => self.real(if self.test(test)? { a } else { b }),
+            // A limit of u that is left to run time is not reached.
+            Expr::Parameter(_) => Some(Held::Known(Rounded::of(Range::from(f64::INFINITY)))),
+            name => self.held(name).cloned(),
+        }
+    }
+
+    fn sum(&self, a: Held, b: Held, unit: f64) -> Option<Held> {
+        match (a, b) {
+            (Held::Known(a), Held::Known(b)) => Some(Held::Known(sum(a, b, unit))),
+            (Held::Linear(a), Held::Linear(b)) => {
+                let each = a.into_iter().zip(b).map(|(a, b)| sum(a, b, unit));
+                Some(Held::Linear(each.collect()))
+            }
+            // A nonzero constant makes the loop affine, which is not examined.
+            (Held::Linear(a), Held::Known(k)) | (Held::Known(k), Held::Linear(a)) => {
+                (k.exact == Range::from(0.0) && a.len() == self.terms).then_some(Held::Linear(a))
+            }
+            _ => None,
+        }
+    }
+}
+
+fn negative(a: Rounded) -> Rounded {
+    Rounded { exact: -a.exact, ..a }
+}

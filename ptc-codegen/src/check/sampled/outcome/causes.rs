@@ -1,0 +1,45 @@
+//! What a bound is made of, cause by cause.
+
+use super::super::cells::Worst;
+use super::super::worst::Bound;
+use super::linear;
+use crate::diagnostic::{digits, digits_up};
+use crate::request::Spec;
+
+/// What the noise of measured value j is called.
+fn noise_of(spec: &Spec, j: usize) -> String {
+    format!("noise of {}{j}", if linear(spec) { "y" } else { "x" })
+}
+
+/// What a bound is made of: the state at the start, every other cause that adds to it, and rounding.
+pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
+    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (noise_of(spec, j), *part));
+    let others = [
+        ("u_step", bound.actuator),
+        (
+            match (spec.model_in_samples(), &spec.reference) {
+                (None, _) => "f",
+                (Some(_), None) => "f + g u between samples",
+                (Some(_), Some(_)) => "f + g u and r^(n) between samples",
+            },
+            bound.force,
+        ),
+        ("reference", bound.reference),
+        ("g", bound.gain),
+        ("jitter", bound.jitter),
+    ];
+    let others = others.map(|(cause, part)| (cause.to_owned(), part));
+    let mut all = vec![("x0".to_owned(), bound.x0)];
+    all.extend(noise.chain(others).filter(|(_, part)| *part > 0.0));
+    all.push(("rounding".to_owned(), bound.rounding));
+    all
+}
+
+/// Where the worst case of a state comes from.
+pub(in crate::check::sampled) fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
+    let bound = &worst.states[i];
+    let parts = causes(spec, bound);
+    let parts: Vec<_> =
+        parts.iter().map(|(cause, part)| format!("{} {cause}", digits(*part))).collect();
+    format!("|x{}| <= {}: {}", i + 1, digits_up(bound.total()), parts.join(" + "))
+}

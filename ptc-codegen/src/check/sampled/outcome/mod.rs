@@ -1,0 +1,232 @@
+//! The worst case of the sampled loop as the outcome of a check.
+
+mod assumed;
+mod causes;
+
+pub use causes::causes;
+pub(super) use causes::split;
+
+use super::cells::Worst;
+use super::followed::Followed;
+use super::judge::Loop;
+use crate::check::examine::Numbers;
+use crate::check::{Outcome, Verdict, bounds, list};
+use crate::diagnostic::{digits, digits_up};
+use crate::expansion::Expanded;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{After, PlantBounds, Reference, Spec};
+use assumed::assumed;
+
+/// Name of the check.
+pub(crate) const NAME: &str = "loop";
+
+/// The check of a design whose loop is known, and its worst case.
+pub(crate) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
+    outcome_of(spec, expanded, true)
+}
+
+/// The same with bounds on the way only if `way` is set, or u may be clipped.
+pub(super) fn outcome_of(
+    spec: &Spec,
+    expanded: Option<&Expanded>,
+    way: bool,
+) -> (Outcome, Option<Worst>) {
+    if spec.model_in_samples().is_some() || spec.decoupled().is_some() {
+        return (super::model::outcome(spec), None);
+    }
+    let limited =
+        spec.fixed.get(&Parameter::UMax).is_some_and(|limit| !matches!(limit, Fixed::Infinite));
+    let eps = spec.fixed.contains_key(&Parameter::Eps);
+    let found = Loop::new(spec, expanded).and_then(|closed| {
+        if !eps {
+            return Err("`eps` is left to run time".to_owned());
+        }
+        // What is between the samples decides no verdict.
+        let closed = if way { closed } else { closed.at_samples() };
+        Ok((closed.worst(way || limited)?, closed))
+    });
+    match found {
+        Ok((worst, closed)) => (judged(spec, &worst, &closed), Some(worst)),
+        Err(reason) => {
+            let outcome = Outcome::not_checked(NAME, reason);
+            // Of what is known it is not shown what it leaves.
+            let followed = spec.sampled().map(|own| Followed::new(spec, own));
+            match followed {
+                Some(Err(_)) if !spec.promises.x0_max.is_empty() => {
+                    (Outcome { verdict: Verdict::Undecided, ..outcome }, None)
+                }
+                _ => (outcome, None),
+            }
+        }
+    }
+}
+
+fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
+    let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
+    let nominal = worst.states.iter().map(|bound| bound.attained() - bound.reference);
+    let nominal: Vec<_> = nominal.collect();
+    let wanted = closed.errors();
+    let given = !spec.promises.error.is_empty();
+    let (limit, clipped) = clipping(spec, worst, closed);
+    let share = |values: &[f64]| {
+        let shares = values.iter().zip(&wanted).map(|(value, error)| value / error);
+        shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN))
+    };
+    let (state, most) = share(&totals);
+    let told =
+        |i: usize, x: &[f64]| format!("the worst |x{}| at the deadline is {}", i + 1, digits(x[i]));
+    let all = format!("at the deadline |x| <= {}", bounds(totals.iter().copied()));
+    let unknown = match (&spec.promises.plant, &spec.reference) {
+        (Some(PlantBounds::Unknown(why)), _) => {
+            Some(format!("{why}; with f = 0 and the g of the law"))
+        }
+        (_, Some(Reference::Input)) => {
+            Some(format!("{UNKNOWN}; with a constant r^(n) in each, and without rounding of r"))
+        }
+        _ => None,
+    };
+    let (verdict, summary) = match () {
+        () if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
+        () if clipped => (
+            Verdict::Undecided,
+            format!("u may be clipped, and the bounds hold only without: {}", told(state, &totals)),
+        ),
+        () if most <= 1.0 => match unknown {
+            Some(why) => (Verdict::Undecided, format!("{why}, {all}")),
+            None => (Verdict::Sound, all),
+        },
+        () if share(&worst.reached).1 > 1.0 => {
+            let state = share(&worst.reached).0;
+            let told = told(state, &nominal);
+            (Verdict::Refuted, format!("{told}, above error = {}", digits(wanted[state])))
+        }
+        () if share(&nominal).1 > 1.0 && !within_rounding(worst, share(&nominal).0) => (
+            Verdict::Unsound,
+            format!(
+                "in doubles {}, above error = {}",
+                told(state, &nominal),
+                digits(wanted[state])
+            ),
+        ),
+        () => (Verdict::Undecided, format!("{}, next to error", told(state, &totals))),
+    };
+    let mut details = vec![assumed(spec, worst.samples)];
+    details.extend(followed(spec));
+    details.extend(worst.states.iter().enumerate().map(|(i, _)| split(spec, worst, i)));
+    details.extend(on_the_way(worst));
+    details.extend(afterwards(spec, worst, closed));
+    details.extend(limit);
+    details.extend(random(worst));
+    let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
+    let fix = fails.then(|| fix(spec, worst, closed, state));
+    Outcome { name: NAME, verdict, summary, details, fix }
+}
+
+/// Whether what a state ends at may be rounding alone: as little of its peak as doubles lose, where
+/// the sum itself is 0.
+fn within_rounding(worst: &Worst, state: usize) -> bool {
+    let peak = worst.way.as_ref().map_or(0.0, |way| way.x[state]);
+    worst.states[state].rounding <= LOST * peak
+}
+
+/// Part of the peak of a state that rounding may leave at the end.
+const LOST: f64 = 1e-12;
+
+/// Whether u may be clipped, and what is known of it.
+pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option<String>, bool) {
+    let limit = match spec.fixed.get(&Parameter::UMax) {
+        None => return (Some("without a limit of u, which is left to run time".to_owned()), false),
+        Some(Fixed::Infinite) => return (None, false),
+        // What r^(n) takes of u is not known.
+        Some(_) if spec.reference == Some(Reference::Input) => return (None, false),
+        Some(_) => closed.limit(),
+    };
+    match &worst.way {
+        Some(way) if way.u < limit => {
+            (Some(format!("u is never clipped: |u| < u_max = {}", digits(limit))), false)
+        }
+        Some(way) => (
+            Some(format!("|u| may reach {}, and u_max = {}", digits_up(way.u), digits(limit))),
+            true,
+        ),
+        None => {
+            (Some("there are too many samples to decide whether u is clipped".to_owned()), true)
+        }
+    }
+}
+
+/// Why nothing is proved of a reference that each call is given.
+pub(super) const UNKNOWN: &str =
+    "each call is given the reference, which is not known between the samples";
+
+/// What x and u are where the law follows a reference.
+pub(super) fn followed(spec: &Spec) -> Option<String> {
+    let u = match spec.reference.as_ref()? {
+        Reference::Known(_) => "u is that of the plant",
+        Reference::Input => "u is what the law adds to what follows r^(n)",
+    };
+    let follows = match spec.states_follow() {
+        true => "x - x_r, x_r the state in which the output is r",
+        false => "x_i - r^(i-1)",
+    };
+    Some(format!("x is the tracking error, {follows}, which x0_max bounds at the start; {u}"))
+}
+
+/// Whether the plant is not a chain.
+fn linear(spec: &Spec) -> bool {
+    spec.sampled().is_some_and(|own| own.linear.is_some())
+}
+
+fn on_the_way(worst: &Worst) -> Option<String> {
+    let way = worst.way.as_ref()?;
+    let x = bounds(way.x.iter().copied());
+    let at = if way.between { "between samples too" } else { "at the samples" };
+    Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits_up(way.u)))
+}
+
+/// What holds after the deadline.
+fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
+    worst.way.as_ref()?;
+    let Some(after) = &worst.after else {
+        let why = match spec.after {
+            After::Hold if spec.reference.is_some() => {
+                "what follows the deadline is not examined beside a reference"
+            }
+            After::Hold => "no bounds are found of what follows the deadline",
+            After::Zero => "u = 0 after the deadline, which holds no state",
+            After::Extern => return None,
+        };
+        return Some(why.to_owned());
+    };
+    let x = bounds(after.x.iter().copied());
+    let clipped = if after.u < closed.limit() { "" } else { ", unless u is clipped" };
+    let at = if after.between { "" } else { ", at the samples," };
+    Some(format!("from the deadline on{at} |x| <= {x} and |u| <= {}{clipped}", digits_up(after.u)))
+}
+
+/// What random noise adds, which has no bound.
+fn random(worst: &Worst) -> Option<String> {
+    let rms: Vec<_> = worst.states.iter().map(|bound| bound.rms).collect();
+    let of_u = worst.way.as_ref().map(|way| format!(", of u up to {}", digits(way.u_rms)));
+    rms.iter().any(|rms| *rms > 0.0).then(|| {
+        let (x, of_u) = (list(rms.iter().copied()), of_u.unwrap_or_default());
+        format!("random noise adds a standard deviation of {x} at the deadline{of_u}, which is not in the bounds")
+    })
+}
+
+/// What accounts for most of an error that is too large, and the eps that makes it least.
+fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
+    let bound = &worst.states[state];
+    let mut parts = causes(spec, bound);
+    // What may be changed is not rounding.
+    parts.pop();
+    let largest = parts.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+    let largest = largest.map(|(cause, part)| {
+        let percent = digits((100.0 * part / (bound.total() - bound.rounding)).round());
+        format!("{cause} accounts for {percent} % of it")
+    });
+    let eps = closed.best_eps(&Numbers::new(spec, closed.expanded));
+    let eps = eps.filter(|eps| spec.fixed.get(&Parameter::Eps) != Some(eps));
+    let eps = eps.map(|eps| format!("the worst case is least with eps near {eps} s"));
+    largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,63 @@
+//! What is true or false of values.
+
+use super::Expr;
+
+/// What is true or false of values.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Test {
+    /// a < b, of floating-point numbers.
+    Less(Expr, Expr),
+    /// a <= b, of floating-point numbers.
+    AtMost(Expr, Expr),
+    /// a < b, of counts.
+    CountLess(Expr, Expr),
+    /// a == b, of counts.
+    CountEqual(Expr, Expr),
+    /// Neither infinite nor no number.
+    Finite(Expr),
+    /// No number.
+    NotNumber(Expr),
+    /// All of them; holds where there is none.
+    All(Vec<Test>),
+}
+
+impl Test {
+    /// Both tests.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        match self {
+            Self::All(mut tests) => {
+                tests.push(other);
+                Self::All(tests)
+            }
+            test => Self::All(vec![test, other]),
+        }
+    }
+
+    pub(super) fn local_fields(&self) -> Self {
+        match self {
+            Self::Less(a, b) => Self::Less(a.local_fields(), b.local_fields()),
+            Self::AtMost(a, b) => Self::AtMost(a.local_fields(), b.local_fields()),
+            Self::CountLess(a, b) => Self::CountLess(a.local_fields(), b.local_fields()),
+            Self::CountEqual(a, b) => Self::CountEqual(a.local_fields(), b.local_fields()),
+            Self::Finite(a) => Self::Finite(a.local_fields()),
+            Self::NotNumber(a) => Self::NotNumber(a.local_fields()),
+            Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
+        }
+    }
+
+    /// Calls `visit` on every expression in it.
+    pub fn visit(&self, visit: &mut dyn FnMut(&Expr)) {
+        match self {
+            Self::Less(a, b)
+            | Self::AtMost(a, b)
+            | Self::CountLess(a, b)
+            | Self::CountEqual(a, b) => {
+                a.visit(visit);
+                b.visit(visit);
+            }
+            Self::Finite(a) | Self::NotNumber(a) => a.visit(visit),
+            Self::All(tests) => tests.iter().for_each(|test| test.visit(visit)),
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! How a call ends, by name and by number.
+
+#[cfg(feature = "files")]
+use crate::internal::fault;
+
+/// Outcome of a call, with the words of the emitted interfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking.
+    Ok,
+    /// Time-to-go is held, or the deadline is over.
+    Hold,
+    /// |u| was clipped to `u_max`.
+    Saturated,
+    /// The deadline is over, and u is 0.
+    After,
+    /// A parameter outside its domain, or a coefficient that overflows.
+    Param,
+    /// An argument that is not finite.
+    Input,
+    /// A result that is not finite.
+    Range,
+}
+
+impl Status {
+    /// Its name in the languages that begin it with a capital.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ok => "Ok",
+            Self::Hold => "Hold",
+            Self::Saturated => "Saturated",
+            Self::After => "After",
+            Self::Param => "Param",
+            Self::Input => "Input",
+            Self::Range => "Range",
+        }
+    }
+
+    /// The status with a number, as an array of them holds it.
+    #[cfg(feature = "files")]
+    pub(crate) fn of_number(number: f64) -> Self {
+        let all = [
+            Self::Ok,
+            Self::Hold,
+            Self::Saturated,
+            Self::After,
+            Self::Param,
+            Self::Input,
+            Self::Range,
+        ];
+        let found = all.into_iter().find(|status| f64::from(status.number()) == number);
+        found.unwrap_or_else(|| fault(format!("no status has the number {number}")))
+    }
+
+    /// Its number in the languages without names for it: negative where the call failed.
+    pub fn number(self) -> i32 {
+        match self {
+            Self::Ok => 0,
+            Self::Hold => 1,
+            Self::Saturated => 2,
+            Self::After => 3,
+            Self::Param => -1,
+            Self::Input => -2,
+            Self::Range => -3,
+        }
+    }
+}

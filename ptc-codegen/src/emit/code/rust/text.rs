@@ -1,0 +1,103 @@
+//! Expressions in Rust.
+
+use super::super::text::{Level, Text, bracketed};
+use super::Rust;
+use crate::code::{AXIS, Shape};
+use crate::parameter::Precision;
+
+impl Text for Rust<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    fn literal(&self, digits: &str) -> String {
+        digits.to_owned()
+    }
+
+    fn count(&self, count: u32) -> String {
+        count.to_string()
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("self.{name}")
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("params.{name}")
+    }
+
+    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
+        let place = match (stride, index) {
+            (1, _) => format!("{AXIS} as usize"),
+            (stride, 0) => format!("{stride} * {AXIS} as usize"),
+            (stride, index) => format!("{stride} * {AXIS} as usize + {index}"),
+        };
+        format!("{}[{place}]", self.field(name))
+    }
+
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("{}.wrapping_sub({b})", typed(a)))
+    }
+
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("{}.saturating_sub({b})", typed(a)))
+    }
+
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} / 2"))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        // In brackets wherever it is compared: `<` behind a type opens its arguments.
+        (Level::Choice, format!("{} as {}", bracketed(count), self.type_of(Shape::Real)))
+    }
+
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        (Level::Choice, format!("if {test} {{ {yes} }} else {{ {no} }}"))
+    }
+
+    fn call(&self, function: &str, arguments: &[String]) -> String {
+        let path = match self.runtime {
+            "" => "math".to_owned(),
+            runtime => format!("{runtime}math::{}", self.type_of(Shape::Real)),
+        };
+        format!("{path}::{function}({})", arguments.join(", "))
+    }
+
+    fn fused(&self, operands: &[String; 3]) -> Option<String> {
+        Some(self.call("mul_add", operands))
+    }
+
+    fn abs(&self, a: &str) -> String {
+        let name = a.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+        if name { format!("{a}.abs()") } else { format!("({a}).abs()") }
+    }
+
+    fn sign(&self, a: &str) -> (Level, String) {
+        let text = format!("if {a} > 0.0 {{ 1.0 }} else if {a} < 0.0 {{ -1.0 }} else {{ {a} }}");
+        (Level::Choice, text)
+    }
+
+    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        let (test, yes, no) = self.divisible(a, b);
+        (Level::Choice, format!("if {test} {{ {yes} }} else {{ {no} }}"))
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("{value}.is_finite()")
+    }
+
+    fn not_number(&self, value: &str) -> String {
+        format!("{value}.is_nan()")
+    }
+}
+
+/// A count whose type is known, so that a method can be called on it.
+fn typed(count: &str) -> String {
+    let is_number = count.bytes().all(|b| b.is_ascii_digit());
+    format!("{count}{}", if is_number { "_u32" } else { "" })
+}

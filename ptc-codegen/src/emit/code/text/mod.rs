@@ -1,0 +1,215 @@
+//! What the printers share: how an expression is written, by the words of a language.
+
+mod lines;
+
+pub(in crate::emit) use lines::Lines;
+
+use super::expression;
+use crate::code::{AXIS, Expr, Test};
+use crate::parameter::Precision;
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::emit) enum Level {
+    /// A choice between two.
+    Choice,
+    /// a + b, a - b.
+    Sum,
+    /// a * b, a / b.
+    Product,
+    /// -a.
+    Sign,
+    /// A name, a number or a call.
+    Atom,
+}
+
+/// The words of a language.
+pub(in crate::emit) trait Text {
+    /// Precision of the numbers.
+    fn precision(&self) -> Precision;
+
+    /// A literal that is not negative. What has a default is as C and C++ write it.
+    fn literal(&self, digits: &str) -> String {
+        match self.precision() {
+            Precision::F32 => format!("{digits}f"),
+            Precision::F64 => digits.to_owned(),
+        }
+    }
+
+    /// A literal count.
+    fn count(&self, count: u32) -> String {
+        format!("{count}U")
+    }
+
+    /// A local value or an argument.
+    fn local(&self, name: &str) -> String {
+        name.to_owned()
+    }
+
+    /// A field of what the function belongs to.
+    fn field(&self, name: &str) -> String;
+
+    /// Element `index`, from 0, of such a field.
+    fn field_element(&self, name: &str, index: usize) -> String {
+        self.element(&self.field(name), index)
+    }
+
+    /// A parameter of `init`.
+    fn parameter(&self, name: &str) -> String;
+
+    /// Element `index`, from 0, of an array.
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}[{index}]")
+    }
+
+    /// An element of an array of arrays, both counted from 0.
+    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+        format!("{array}[{row}][{column}]")
+    }
+
+    /// Element `index` of the `stride` elements of a field that belong to the axis of the argument.
+    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
+        let place = match (stride, index) {
+            (1, _) => AXIS.to_owned(),
+            (stride, 0) => format!("{stride}U * {AXIS}"),
+            (stride, index) => format!("({stride}U * {AXIS}) + {index}U"),
+        };
+        format!("{}[{place}]", self.field(name))
+    }
+
+    /// a - b of counts, modulo 2^32.
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Sum, format!("{a} - {b}"))
+    }
+
+    /// a - b of counts, 0 where b is greater.
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Choice, format!("({b} < {a}) ? ({a} - {b}) : 0U"))
+    }
+
+    /// Half of a count, rounded down.
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} / 2U"))
+    }
+
+    /// A count as a floating-point number.
+    fn real(&self, count: &str) -> (Level, String);
+
+    /// One of two values.
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        (Level::Choice, format!("({test}) ? {} : {}", bracketed(yes), bracketed(no)))
+    }
+
+    /// A function of the mathematical library by its name in formulas: `sqrt`, `ln`, `pow`.
+    fn call(&self, function: &str, arguments: &[String]) -> String;
+
+    /// a * b + c, rounded once; none where the language has no word for it, and refuses such a design.
+    fn fused(&self, operands: &[String; 3]) -> Option<String>;
+
+    /// |a|.
+    fn abs(&self, a: &str) -> String;
+
+    /// 1 for a > 0, -1 for a < 0, else a.
+    fn sign(&self, a: &str) -> (Level, String) {
+        let (zero, one) = (self.literal("0.0"), self.literal("1.0"));
+        (Level::Choice, format!("({a} > {zero}) ? {one} : (({a} < {zero}) ? -{one} : {a})"))
+    }
+
+    /// a / b, and no number where b is 0 or no number.
+    fn quotient(&self, a: &str, b: &str) -> (Level, String);
+
+    /// What the user's function `name` gives for an array and a time.
+    fn callback(&self, name: &str, array: &str, time: &str) -> String {
+        format!("{name}({array}, {time})")
+    }
+
+    /// Whether a number is finite.
+    fn finite(&self, value: &str) -> String;
+
+    /// Whether it is no number.
+    fn not_number(&self, value: &str) -> String;
+
+    /// The operator between tests that must all hold.
+    fn and(&self) -> &'static str {
+        "&&"
+    }
+
+    /// The operator between tests one of which must hold.
+    fn or(&self) -> &'static str {
+        "||"
+    }
+
+    /// What compares for equality.
+    fn equal(&self) -> &'static str {
+        "=="
+    }
+
+    /// The same as an object: what all languages share is compiled once.
+    fn as_text(&self) -> &dyn Text;
+
+    /// An expression and how tightly it holds together.
+    fn print(&self, value: &Expr) -> (Level, String) {
+        expression::print(self.as_text(), value)
+    }
+
+    /// An expression, in brackets where it holds together less tightly than `level`.
+    fn within(&self, value: &Expr, level: Level) -> String {
+        match self.print(value) {
+            (own, text) if own < level => format!("({text})"),
+            (_, text) => text,
+        }
+    }
+
+    /// An expression that stands alone.
+    fn alone(&self, value: &Expr) -> String {
+        self.print(value).1
+    }
+
+    /// A test.
+    fn test(&self, test: &Test) -> String {
+        self.parts(test).join(&format!(" {} ", self.and()))
+    }
+
+    /// The tests that must all hold, each as an operand of [`Text::and`] where there are several.
+    fn parts(&self, test: &Test) -> Vec<String> {
+        expression::parts(self.as_text(), test)
+    }
+
+    /// Several tests, each as an operand of [`Text::and`].
+    fn all(&self, tests: &[Test]) -> Vec<String> {
+        tests.iter().flat_map(|test| self.operands(test)).collect()
+    }
+
+    /// A test as an operand of [`Text::and`] and [`Text::or`].
+    fn operands(&self, test: &Test) -> Vec<String> {
+        match test {
+            Test::Finite(_) | Test::NotNumber(_) => self.parts(test),
+            _ => vec![format!("({})", self.test(test))],
+        }
+    }
+}
+
+/// A word that begins a sentence.
+#[cfg(feature = "files")]
+pub(in crate::emit) fn capital(word: &str) -> String {
+    let (first, rest) = word.split_at(word.len().min(1));
+    format!("{}{rest}", first.to_ascii_uppercase())
+}
+
+/// Without the brackets around the whole, where those of a statement or a call are enough.
+pub(in crate::emit) fn bare(test: String) -> String {
+    let inner = test.strip_prefix('(').and_then(|inner| inner.strip_suffix(')'));
+    let whole = |inner: &&str| {
+        let mut depth = 0i32;
+        inner.chars().all(|c| {
+            depth += i32::from(c == '(') - i32::from(c == ')');
+            depth >= 0
+        })
+    };
+    inner.filter(whole).map_or(test.clone(), str::to_owned)
+}
+
+/// A text of several words in brackets.
+pub(in crate::emit) fn bracketed(text: &str) -> String {
+    if text.contains(' ') { format!("({text})") } else { text.to_owned() }
+}

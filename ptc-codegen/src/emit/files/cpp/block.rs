@@ -1,0 +1,127 @@
+//! Statements in C++.
+
+use super::super::block::{Block, Branch};
+use super::super::gives::Gives;
+use super::super::text::{Lines, Text};
+use super::{Cpp, word};
+use crate::code::{Ending, Expr, Shape, Solve, Status, Test};
+use crate::internal::fault;
+
+impl Block for Cpp<'_> {
+    fn as_block(&mut self) -> &mut dyn Block {
+        self
+    }
+
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        let joint = "\n    && ";
+        let (otherwise, end) = ("} else {", "}");
+        Branch { open: "if (", turn: "} else if (", then: ") {", joint, otherwise, end }
+    }
+
+    fn joint_of_not(&self) -> &'static str {
+        "\n        && "
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("// ", "")
+    }
+
+    fn define(&self, name: &str, shape: Shape, value: &str) -> String {
+        format!("const {} {name} = {value};", self.type_of(shape))
+    }
+
+    /// With a value, which a constant function of C++17 needs.
+    fn declare(&self, name: &str, shape: Shape) -> Option<String> {
+        Some(format!("{} {name}{{}};", self.type_of(shape)))
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value};")
+    }
+
+    fn require(&mut self, test: &Test, status: Status) {
+        let line = self.unless("!", test, ") {");
+        self.out.open(line);
+        self.fail(status);
+        self.out.close("}");
+    }
+
+    fn array(&mut self, name: &str, values: &[Expr]) {
+        let values: Vec<_> = values.iter().map(|value| self.alone(value)).collect();
+        let before = format!("const {} {name}{{{{", self.type_of(Shape::Reals(values.len())));
+        let line = self.out.list(&before, &values, "}};");
+        self.out.line(line);
+    }
+
+    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
+        self.array("p", tail);
+        self.array("w", weights);
+        self.out.line(format!("const auto {name} = rows(w, p);"));
+    }
+
+    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
+        self.array("a", matrix);
+        self.array("b", right);
+        self.out.line(format!("const auto {name} = eliminate(a, b);"));
+    }
+
+    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize) {
+        let kind = self.type_of(Shape::Reals(count));
+        self.out.line(format!("const {kind} {name} = {callback}({});", given.join(", ")));
+    }
+
+    fn rounds(&self, rounds: u32, _: bool) -> [String; 2] {
+        let round = Solve::ROUND;
+        let open = format!("for (std::size_t {round} = 0U; {round} < {rounds}U; {round}++) {{");
+        [open, "}".to_owned()]
+    }
+
+    fn leave(&self) -> &'static str {
+        "break;"
+    }
+
+    fn begin(&self, name: &str, value: &str) -> String {
+        format!("{} {name} = {value};", self.real_type())
+    }
+
+    fn give(&mut self, values: &[Expr], ending: Ending) {
+        let values: Vec<_> = values.iter().map(|value| self.alone(value)).collect();
+        let values = values.join(", ");
+        let status = match ending {
+            Ending::Known(status) => word(status),
+            Ending::OfGains => "status".to_owned(),
+        };
+        self.out.line(match self.gives {
+            Gives::Nothing => return,
+            Gives::Status | Gives::Progress => format!("return {status};"),
+            Gives::Control | Gives::Value => format!("return {{{values}, {status}}};"),
+            Gives::Rate | Gives::Values => format!("return {{{{{{{values}}}}}, {status}}};"),
+            Gives::Gains => format!("gains.status = {status};"),
+            Gives::Array => format!("return {{{{{values}}}}};"),
+            Gives::Number => format!("return {values};"),
+            Gives::Axes => fault("axes are the whole of a function"),
+        });
+    }
+
+    fn fail(&mut self, status: Status) {
+        let (word, zero) = (word(status), self.literal("0.0"));
+        self.out.line(match self.gives {
+            Gives::Control | Gives::Value => format!("return {{{zero}, {word}}};"),
+            Gives::Rate | Gives::Values => format!("return {{{{}}, {word}}};"),
+            Gives::Gains => "return {};".to_owned(),
+            Gives::Axes => {
+                let each = vec![word.as_str(); self.code.axes().unwrap_or_default()].join(", ");
+                format!("return {{{{}}, {{{{{each}}}}}, {word}}};")
+            }
+            _ => format!("return {word};"),
+        });
+    }
+}

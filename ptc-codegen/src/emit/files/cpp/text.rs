@@ -1,0 +1,55 @@
+//! Expressions in C++.
+
+use super::super::text::{Level, Text};
+use super::Cpp;
+use crate::parameter::Precision;
+
+impl Text for Cpp<'_> {
+    fn as_text(&self) -> &dyn Text {
+        self
+    }
+
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("{}{name}{}", self.prefix, self.suffix)
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("params.{name}")
+    }
+
+    fn call(&self, function: &str, arguments: &[String]) -> String {
+        let function = if function == "ln" { "log" } else { function };
+        format!("std::{function}({})", arguments.join(", "))
+    }
+
+    fn fused(&self, operands: &[String; 3]) -> Option<String> {
+        Some(self.call("fma", operands))
+    }
+
+    /// std::fabs is not constant.
+    fn abs(&self, a: &str) -> String {
+        format!("absolute({a})")
+    }
+
+    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        let zero = self.literal("0.0");
+        let nan = format!("std::numeric_limits<{}>::quiet_NaN()", self.real_type());
+        (Level::Choice, format!("(({b} < {zero}) || ({b} > {zero})) ? ({a} / {b}) : {nan}"))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        (Level::Atom, format!("static_cast<{}>({count})", self.real_type()))
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("finite({value})")
+    }
+
+    fn not_number(&self, value: &str) -> String {
+        format!("(!({value} <= {value}))")
+    }
+}

@@ -1,0 +1,72 @@
+//! What a controller does at its limits: after the deadline, at the bound of u, with wrong inputs.
+
+use super::super::{Controller, Language};
+use crate::expression::Function;
+use crate::parameter::{Fixed, Parameter, Precision};
+use crate::program::Op;
+use crate::request::{After, Feedback, Guard};
+
+pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
+    let spec = controller.spec();
+    let held = match spec.feedback {
+        Feedback::Linear => "the gains of T = eps are held",
+        Feedback::Expression(_) | Feedback::Extern => "T is held at eps in the law",
+    };
+    let mut lines = vec![String::new()];
+    lines.push(match spec.after {
+        After::Hold => {
+            format!("From t0 + tau - eps on, and after the deadline, {held} (status HOLD).")
+        }
+        After::Zero => format!(
+            "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u = 0 (status AFTER)."
+        ),
+        After::Extern => format!(
+            "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u is the result of the user-defined function after (status AFTER)."
+        ),
+    });
+    lines.push(match spec.fixed.get(&Parameter::UMax) {
+        Some(Fixed::Infinite) => "u is not clipped.".to_owned(),
+        _ => "|u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the deadline."
+            .to_owned(),
+    });
+    let [given, any] = match spec.references() {
+        0 => ["t and x", "t or x"],
+        _ => ["t, x and r", "t, x or r"],
+    };
+    let pointers = language == Language::C;
+    lines.push(match (spec.guard, pointers) {
+        (Guard::Full, true) => format!("Guard full: {given} are finite, t >= t0 and no pointer is NULL, or the call is refused (status E_INPUT)."),
+        (Guard::Full, false) => {
+            format!("Guard full: {given} are finite and t >= t0, or the call is refused (INPUT).")
+        }
+        (Guard::Result, true) => format!("Guard result: {any} that is not finite is refused by one test on u (status E_RANGE). t >= t0 and valid pointers are the responsibility of the caller."),
+        (Guard::Result, false) => format!("Guard result: {any} that is not finite is refused by one test on u (RANGE). t >= t0 is the responsibility of the caller."),
+        (Guard::None, true) => format!("Guard none: finite {given}, t >= t0 and valid pointers are the responsibility of the caller."),
+        (Guard::None, false) => {
+            format!("Guard none: finite {given} and t >= t0 are the responsibility of the caller.")
+        }
+    });
+    let precision = match spec.precision {
+        Precision::F64 => "f64 (IEEE 754 binary64)",
+        Precision::F32 => "f32 (IEEE 754 binary32)",
+    };
+    let library = controller.program.values.iter().any(|value| match value.op {
+        Op::Call(function, _) => {
+            !matches!(function, Function::Abs | Function::Sign | Function::Sqrt)
+        }
+        Op::Pow(..) => true,
+        _ => false,
+    });
+    let library = if library { " and with the same mathematical library" } else { "" };
+    let (fused, machine) = match spec.fma {
+        true => (
+            ", with fused multiply-adds: a processor without them calls the library for each",
+            "whose compiler fuses nothing more",
+        ),
+        false => ("", "without fused multiply-add"),
+    };
+    lines.push(format!(
+        "Precision {precision}{fused}. Results are bit for bit the same on every IEEE 754 machine {machine} (gcc, clang: -ffp-contract=off){library}."
+    ));
+    lines
+}

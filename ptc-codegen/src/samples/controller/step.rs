@@ -1,0 +1,160 @@
+//! The function `step`: u from what is measured, and its status.
+
+use std::ops::Neg;
+
+use super::super::model::AtSample;
+use super::Builder;
+use crate::code::{
+    Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
+};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::After;
+
+impl Builder<'_> {
+    pub(super) fn step(&mut self, start: &Expr, samples: &Expr) -> Function {
+        let measured = self.sampled.measured;
+        let given = if self.sampled.measures_states() { "x" } else { "y" };
+        let (real, count) = (Shape::Real, Shape::Count);
+        let mut model = self.spec.model.is_some().then(|| AtSample::new(self));
+        let element = |j| Expr::Element(given.to_owned(), j);
+        let elements = (0..measured).map(element);
+        let elements = elements.chain(self.given_references().into_iter().flatten());
+        let mut body: Vec<_> = self.finite(elements).into_iter().collect();
+        body.push(Self::elapsed(start));
+        self.remember_inputs(1);
+        if self.sampled.observes() {
+            let end = match self.sampled.observer_samples() {
+                Some(samples) => Expr::Count(samples),
+                // Half of the time for either: the controller has time to bring down what
+                // rounding leaves of the estimates.
+                None => samples.clone().count_half(),
+            };
+            body.extend(self.observe(&end));
+        } else if let Some(model) = &mut model {
+            body.push(Statement::Note("The chain of the output.".to_owned()));
+            body.extend(model.chain(self));
+        } else {
+            let states = self.states(given);
+            let states = states.into_iter().zip(1..);
+            body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
+        }
+        body.extend(self.follow());
+        body.extend(self.law(samples));
+        if let Some(model) = &mut model {
+            let (before, v) = model.input(self);
+            body.extend(before);
+            body.push(Statement::Let("v".to_owned(), real, v));
+        }
+        let mut finish = self.finish(samples);
+        let (finite, changes) = (Test::Finite(Expr::local("v")), self.remembered() > 0);
+        if changes {
+            // A call that fails changes nothing, so it fails before the inputs are remembered.
+            body.push(Statement::Require(finite, Status::Range));
+            let u = match finish.results() {
+                Some([u]) => u.clone(),
+                _ => {
+                    body.push(Statement::Variable("u_now".to_owned(), real));
+                    body.extend(chosen(&finish));
+                    Expr::local("u_now")
+                }
+            };
+            finish.give_all(std::slice::from_ref(&u));
+            body.extend(self.shift_inputs(&u));
+            body.extend(self.shift_rates());
+            if self.sampled.observes() {
+                body.extend(self.keep_estimates());
+            }
+        } else {
+            finish = Finish::choose(finite, finish, Finish::Fail(Status::Range));
+        }
+        let about = match changes {
+            true => "Call it once for each tick.",
+            false => "",
+        };
+        let what = self.given();
+        let reference = self.reference();
+        let beside = if reference.is_some() { ", and the reference" } else { "" };
+        let arguments =
+            [Variable::new("k", count, "tick"), Variable::new(given, Shape::Reals(measured), what)];
+        Function {
+            name: "step",
+            about: format!("u from tick `k`, which may wrap, and {what}{beside}. {about}"),
+            owner: Owner::Controller,
+            access: if changes { Access::Change } else { Access::Read },
+            arguments: arguments.into_iter().chain(reference).collect(),
+            callbacks: Vec::new(),
+            results: vec![Variable::new("u", real, "input of the plant")],
+            failures: match self.guarded() {
+                true => vec![Status::Input, Status::Range],
+                false => vec![Status::Range],
+            },
+            body,
+            finish,
+            guarded: self.guarded(),
+        }
+    }
+
+    /// What is measured, in words.
+    pub(in crate::samples) fn given(&self) -> &'static str {
+        match (self.sampled.measures_states(), &self.sampled.linear) {
+            (true, _) if self.spec.model.is_some() => "the state x of the model",
+            (true, None) => "the state x = (x1, x1', ...)",
+            (true, Some(_)) => "the state x",
+            (false, None) => "what is measured, y = (x1, ...)",
+            (false, Some(_)) => "what is measured, y = C x",
+        }
+    }
+
+    /// The end of `step`: v within its bound, and its status.
+    fn finish(&mut self, samples: &Expr) -> Finish {
+        let v = Expr::local("v");
+        let give = |value: &Expr, status| Finish::give(vec![value.clone()], status);
+        let going = || Test::CountLess(Expr::local("elapsed"), samples.clone());
+        let (limit, zero) = (self.limit(), self.spec.after == After::Zero);
+        let (tracks, held) = (give(&v, Status::Ok), give(&v, Status::Hold));
+        let mut finish = match self.hold() {
+            Some(hold) => {
+                let hold = self.keep("hold", "samples to go at which the gains are held", hold);
+                Finish::choose(Test::AtMost(Expr::local("left").real(), hold), held, tracks)
+            }
+            None if zero => tracks,
+            None => Finish::choose(going(), tracks, held),
+        };
+        if let Some(limit) = limit {
+            let least = limit.clone().neg();
+            for (test, end) in [
+                (Test::Less(v.clone(), least.clone()), &least),
+                (Test::Less(limit.clone(), v.clone()), &limit),
+            ] {
+                finish = Finish::choose(test, give(end, Status::Saturated), finish);
+            }
+        }
+        match zero {
+            true => Finish::choose(going(), finish, give(&Expr::integer(0), Status::After)),
+            false => finish,
+        }
+    }
+
+    /// The bound of |u|; none for no bound.
+    pub(in crate::samples) fn limit(&mut self) -> Option<Expr> {
+        if let Some(Fixed::Infinite) = self.spec.fixed.get(&Parameter::UMax) {
+            return None;
+        }
+        let limit = self.parameter(Parameter::UMax);
+        Some(self.keep("u_max", "bound of |u|", limit))
+    }
+}
+
+/// The value with which a call ends, as that of `u_now`.
+fn chosen(finish: &Finish) -> Vec<Statement> {
+    match (finish.results(), finish) {
+        (None, Finish::If(test, yes, no)) => {
+            vec![Statement::If(test.clone(), chosen(yes), chosen(no))]
+        }
+        (values, _) => {
+            let set =
+                |value: &Expr| Statement::Set(Place::Local("u_now".to_owned()), value.clone());
+            values.iter().flat_map(|values| values.iter().map(set)).collect()
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Both sides of Theorem 1, and how far they are apart.
+
+use super::super::observer::Observer;
+use super::super::track::Track;
+use super::super::{Other, Outcome, Setting};
+use super::is_range;
+use super::watch::along;
+use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run};
+
+/// Whether the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel,
+/// the error of a step counts many times, and falls with the accuracy; a difference in what is
+/// integrated does not.
+pub(in crate::verify) fn is_blurred(outcome: &Outcome, blur: f64) -> bool {
+    outcome.ended.is_none() && outcome.difference() > blur
+}
+
+/// Both sides of Theorem 1.
+pub(super) fn both(
+    (infinite, direct): &mut (Run<Continuous>, Run<Direct>),
+    (observer, objectives): (&mut Observer, usize),
+    how: (&Setting, Accuracy),
+    integrals: usize,
+) -> Outcome {
+    let track = || Track::new(how.0, objectives, integrals);
+    let (mut first, mut second) = (track(), track());
+    let watched = (&mut *observer, objectives);
+    let infinite = along(infinite, watched, how, &mut |instant| first.take(&instant));
+    let direct = along(direct, (observer, objectives), how, &mut |i| second.take(&i));
+    compared((&first, &infinite), (&second, direct))
+}
+
+/// What both sides say, with how each ended.
+pub(in crate::verify) fn compared(
+    (first, infinite): (&Track, &Result<(), Failure>),
+    (second, direct): (&Track, Result<(), Failure>),
+) -> Outcome {
+    let excess = |side: &Track, end: &Result<(), Failure>| -> Vec<f64> {
+        let start = if is_range(end) { f64::INFINITY } else { f64::NEG_INFINITY };
+        side.excess.iter().map(|excess| excess.max(start)).collect()
+    };
+    let difference = match (is_range(infinite), is_range(&direct)) {
+        // As far as both came.
+        (false, false) => first.difference(second),
+        (true, true) => 0.0,
+        _ if infinite.is_err() && direct.is_err() => 0.0,
+        _ => f64::INFINITY,
+    };
+    Outcome {
+        excess: excess(first, infinite),
+        direct: Some(Other { excess: excess(second, &direct), difference }),
+        // What could not be finished says more than what left the range of numbers elsewhere.
+        ended: match (infinite.clone().err(), direct.err()) {
+            (Some(first), Some(second)) if first.cause == Cause::Range => Some(second),
+            (first, second) => first.or(second),
+        },
+    }
+}
