@@ -179,7 +179,9 @@ impl<E: End> Enclosure<E> {
     /// a/b, the whole line where 0 is inside b.
     #[inline]
     pub(crate) fn over(&self, other: &Self) -> Self {
-        self.times(&other.reciprocal())
+        let inverse = other.reciprocal();
+        // 0 times the whole line is 0, but 0/0 is no number.
+        if inverse == Self::WHOLE { inverse } else { self.times(&inverse) }
     }
 
     /// a^2.

@@ -78,6 +78,9 @@ fn corners<E: End + Debug>() {
             let expected =
                 if x == zero || y == zero { zero.clone() } else { Enclosure::new(low, high) };
             assert_eq!(x.times(&y), expected, "{x:?} {y:?}");
+            if y.low < E::from(0) && y.high > E::from(0) {
+                assert_eq!(x.over(&y), Enclosure::WHOLE, "{x:?} {y:?}");
+            }
         }
     }
     assert_eq!(one.over(&zero), Enclosure::WHOLE);
