@@ -78,6 +78,9 @@ impl fmt::Display for Missing {
 
 impl std::error::Error for Missing {}
 
+/// The word for a layer that could not run.
+pub const NOT_RUN: &str = "NOT RUN";
+
 /// How a layer ended.
 #[derive(Clone, Debug)]
 pub enum Outcome {
@@ -95,7 +98,7 @@ impl Outcome {
         match self {
             Self::Passed(_) => "passed",
             Self::Failed(_) => "FAILED",
-            Self::NotRun(_) => "NOT RUN",
+            Self::NotRun(_) => NOT_RUN,
         }
     }
 

@@ -3,6 +3,7 @@
 
 pub mod context;
 pub mod harness;
+pub mod kept;
 pub mod layer;
 pub mod layers;
 pub mod report;

@@ -8,8 +8,10 @@ use std::time::Duration;
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Parser;
 use ptc_assure::context::{Context, workspace};
+use ptc_assure::kept::Kept;
 use ptc_assure::layer::{Layer, Outcome};
 use ptc_assure::layers::{LAYERS, cost};
+use ptc_assure::report::Entry;
 use ptc_assure::{report, tool};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
 use ptc_codegen::request::Spec;
@@ -44,6 +46,9 @@ struct CommandLine {
     /// records, and for proofs and rules another third of all each day
     #[arg(long)]
     brief: bool,
+    /// Take what layers found that passed in an earlier run of the same commit with the same words
+    #[arg(long, conflicts_with = "design")]
+    resume: bool,
     /// Install nothing: a layer that lacks a tool is not run
     #[arg(long)]
     no_install: bool,
@@ -89,8 +94,17 @@ fn execute(line: &CommandLine) -> Result<bool> {
         print!("{}", cost::table(&cost::costs(&context, &[design(file)?])?));
         return Ok(true);
     }
-    let mut outcomes: Vec<(&Layer, Outcome)> = Vec::new();
+    let kept = Kept::new(&context);
+    if line.resume {
+        kept.resumes()?;
+    }
+    let (mut entries, mut failed): (Vec<(&Layer, Entry)>, _) = (Vec::new(), false);
     for layer in chosen {
+        if let Some(entry) = kept.entry(layer.name).filter(|_| line.resume) {
+            println!("{:<8} {:<12} kept    {}", entry.word, layer.name, entry.summary);
+            entries.push((layer, entry));
+            continue;
+        }
         eprintln!("{} ...", layer.name);
         let (outcome, time) = layer.execute(&context);
         println!(
@@ -103,18 +117,24 @@ fn execute(line: &CommandLine) -> Result<bool> {
         for failure in outcome.finding().into_iter().flat_map(|finding| &finding.failures) {
             eprintln!("{failure}");
         }
-        outcomes.push((layer, outcome));
+        let entry = Entry::of(&outcome);
+        if matches!(outcome, Outcome::Passed(_)) {
+            kept.keep(layer.name, &entry)
+                .with_context(|| format!("cannot keep what {} found", layer.name))?;
+        }
+        failed |= matches!(outcome, Outcome::Failed(_));
+        entries.push((layer, entry));
     }
     let all = line.layers.is_empty() && line.except.is_empty();
     let whole = all.then(|| workspace().join("assurance/REPORT.md"));
     if let Some(path) = line.report.clone().or(whole) {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
         folder.map_or(Ok(()), fs::create_dir_all)?;
-        fs::write(&path, report::report(&context, &outcomes))
+        fs::write(&path, report::report(&context, &entries))
             .with_context(|| format!("cannot write {}", path.display()))?;
         println!("written: {}", path.display());
     }
-    Ok(!outcomes.iter().any(|(_, outcome)| matches!(outcome, Outcome::Failed(_))))
+    Ok(!failed)
 }
 
 /// The controller of a design file.

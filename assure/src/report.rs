@@ -5,10 +5,33 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use crate::context::{Context, TIME};
-use crate::layer::{Finding, Layer, Outcome, Table};
+use crate::layer::{Finding, Layer, NOT_RUN, Outcome, Table};
+
+/// What the report says of a layer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// How it ended, in a word.
+    pub word: String,
+    /// The same in a line.
+    pub summary: String,
+    /// Failures, defects, tables and notes.
+    pub details: String,
+}
+
+impl Entry {
+    /// That of an outcome.
+    pub fn of(outcome: &Outcome) -> Self {
+        let mut text = String::new();
+        if let Some(finding) = outcome.finding() {
+            details(&mut text, finding);
+        }
+        let (word, summary) = (outcome.word().to_owned(), outcome.summary().to_owned());
+        Self { word, summary, details: text }
+    }
+}
 
 /// The text of the report.
-pub fn report(context: &Context, layers: &[(&Layer, Outcome)]) -> String {
+pub fn report(context: &Context, layers: &[(&Layer, Entry)]) -> String {
     let (seed, brief) = (context.seed, if context.brief { " --brief" } else { "" });
     let minutes = match context.time {
         TIME => String::new(),
@@ -22,12 +45,12 @@ pub fn report(context: &Context, layers: &[(&Layer, Outcome)]) -> String {
          | layer | shows that | result | |\n| --- | --- | --- | --- |\n",
         env!("CARGO_PKG_VERSION")
     );
-    for (layer, outcome) in layers {
-        let cells = [layer.name, layer.claim, outcome.word(), outcome.summary()].map(cell);
+    for (layer, entry) in layers {
+        let cells = [layer.name, layer.claim, &*entry.word, &*entry.summary].map(cell);
         let _ = writeln!(text, "| {} |", cells.join(" | "));
     }
     text.push_str("\n## Tools\n\n| tool | version |\n| --- | --- |\n");
-    let ran = layers.iter().filter(|(_, outcome)| outcome.finding().is_some());
+    let ran = layers.iter().filter(|(_, entry)| entry.word != NOT_RUN);
     let tools: BTreeMap<_, _> = ran
         .flat_map(|(layer, _)| layer.tools)
         .map(|tool| (tool.name, tool.version()))
@@ -36,18 +59,9 @@ pub fn report(context: &Context, layers: &[(&Layer, Outcome)]) -> String {
     for (name, version) in tools {
         let _ = writeln!(text, "| {name} | {} |", cell(&version));
     }
-    for (layer, outcome) in layers {
-        let _ = write!(
-            text,
-            "\n## {}\n\n{} **{}**: {}\n",
-            layer.name,
-            layer.claim,
-            outcome.word(),
-            outcome.summary()
-        );
-        if let Some(finding) = outcome.finding() {
-            details(&mut text, finding);
-        }
+    for (layer, Entry { word, summary, details }) in layers {
+        let _ =
+            write!(text, "\n## {}\n\n{} **{word}**: {summary}\n{details}", layer.name, layer.claim);
     }
     text
 }
