@@ -1,22 +1,21 @@
 //! The guard `full`: a call that tracks tests u alone, and what it gives is what testing every input
 //! first would give.
 
+use ptc_assure::harness::optimised;
 use ptc_assure::harness::random::Random;
 use ptc_assure::harness::specs::spec;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{Code, Expr, Instance, Statement, Status, Test};
 use ptc_codegen::controller::{self, Controller};
 use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
-use ptc_codegen::program::passes;
 use ptc_codegen::request::{Guard, Spec};
 
 /// The controller of `spec` as a program.
 fn code(spec: &Spec) -> Code {
     let report = examine(spec);
     let law = Law::of(&report.spec);
-    let program = passes::optimise(lower(&report.spec, &law), &mut |_, _| {});
+    let program = optimised(&report.spec);
     let controller = Controller { report: &report, law: &law, program: &program, measured: &[] };
     controller::whole(&controller)
 }

@@ -78,6 +78,9 @@ impl fmt::Display for Missing {
 
 impl std::error::Error for Missing {}
 
+/// The word for a layer that found no fault.
+pub const PASSED: &str = "passed";
+
 /// The word for a layer that could not run.
 pub const NOT_RUN: &str = "NOT RUN";
 
@@ -96,7 +99,7 @@ impl Outcome {
     /// The word for it in reports.
     pub fn word(&self) -> &'static str {
         match self {
-            Self::Passed(_) => "passed",
+            Self::Passed(_) => PASSED,
             Self::Failed(_) => "FAILED",
             Self::NotRun(_) => NOT_RUN,
         }

@@ -43,10 +43,10 @@ struct CommandLine {
     #[arg(long, value_name = "FILE", conflicts_with = "layers")]
     design: Option<PathBuf>,
     /// Examine less: of the families orders up to 2, a quarter of the random controllers and of the
-    /// records, and for proofs and rules another third of all each day
+    /// records, and for proofs and rules another seventh each day
     #[arg(long)]
     brief: bool,
-    /// Take what layers found that passed in an earlier run of the same commit with the same words
+    /// Reuse results of layers that passed in an earlier run of the same commit with the same options
     #[arg(long, conflicts_with = "design")]
     resume: bool,
     /// Install nothing: a layer that lacks a tool is not run
@@ -98,7 +98,8 @@ fn execute(line: &CommandLine) -> Result<bool> {
     if line.resume {
         kept.resumes()?;
     }
-    let (mut entries, mut failed): (Vec<(&Layer, Entry)>, _) = (Vec::new(), false);
+    let mut entries: Vec<(&Layer, Entry)> = Vec::new();
+    let mut failed = false;
     for layer in chosen {
         if let Some(entry) = kept.entry(layer.name).filter(|_| line.resume) {
             println!("{:<8} {:<12} kept    {}", entry.word, layer.name, entry.summary);
@@ -118,9 +119,10 @@ fn execute(line: &CommandLine) -> Result<bool> {
             eprintln!("{failure}");
         }
         let entry = Entry::of(&outcome);
-        if matches!(outcome, Outcome::Passed(_)) {
+        // A file that was changed meanwhile may have been examined.
+        if matches!(outcome, Outcome::Passed(_)) && Kept::new(&context) == kept {
             kept.keep(layer.name, &entry)
-                .with_context(|| format!("cannot keep what {} found", layer.name))?;
+                .with_context(|| format!("cannot keep the result of {}", layer.name))?;
         }
         failed |= matches!(outcome, Outcome::Failed(_));
         entries.push((layer, entry));

@@ -11,7 +11,7 @@ use crate::layer::{Finding, Layer, NOT_RUN, Outcome, Table};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// How it ended, in a word.
-    pub word: String,
+    pub word: &'static str,
     /// The same in a line.
     pub summary: String,
     /// Failures, defects, tables and notes.
@@ -25,8 +25,7 @@ impl Entry {
         if let Some(finding) = outcome.finding() {
             details(&mut text, finding);
         }
-        let (word, summary) = (outcome.word().to_owned(), outcome.summary().to_owned());
-        Self { word, summary, details: text }
+        Self { word: outcome.word(), summary: outcome.summary().to_owned(), details: text }
     }
 }
 
@@ -46,7 +45,7 @@ pub fn report(context: &Context, layers: &[(&Layer, Entry)]) -> String {
         env!("CARGO_PKG_VERSION")
     );
     for (layer, entry) in layers {
-        let cells = [layer.name, layer.claim, &*entry.word, &*entry.summary].map(cell);
+        let cells = [layer.name, layer.claim, entry.word, &*entry.summary].map(cell);
         let _ = writeln!(text, "| {} |", cells.join(" | "));
     }
     text.push_str("\n## Tools\n\n| tool | version |\n| --- | --- |\n");

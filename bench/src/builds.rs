@@ -1,6 +1,7 @@
 //! What builds cost, in processor seconds: the command, a crate that uses the macro, and what
 //! controllers add to it.
 
+use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -39,10 +40,10 @@ pub(crate) fn measure() -> Result<Builds> {
     let command = from_nothing(&["--package", "ptc-codegen"])?;
     let lab = from_nothing(&["--package", "ptc-codegen", "--release", "--features", "lab"])?;
     let tests = processor_seconds(workspace(), &scratch("tests")?, &["test", "--workspace"])?;
-    let root = workspace().display();
-    let folder = crate_with("by_path", &format!("path = \"{root}\""))?;
+    let folder = crate_with("by_path", &format!("path = {:?}", workspace()))?;
     let by_path = of_controllers(&folder, 1, 0)?;
-    let folder = crate_with("user", &format!("git = \"file://{root}\""))?;
+    let address = format!("file://{}", workspace().display());
+    let folder = crate_with("user", &format!("git = {address:?}"))?;
     let user = of_controllers(&folder, 1, 0)?;
     let least = |controllers| -> Result<f64> {
         let mut least = f64::INFINITY;
@@ -75,7 +76,7 @@ fn crate_with(name: &str, source: &str) -> Result<PathBuf> {
     std::fs::write(folder.join("src/lib.rs"), "")?;
     // The versions that the workspace uses, which are here already.
     std::fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
-    run(Command::new("cargo").args(["fetch", "--quiet"]).current_dir(&folder))?;
+    run(Command::new(cargo()).args(["fetch", "--quiet"]).current_dir(&folder))?;
     Ok(folder)
 }
 
@@ -102,13 +103,17 @@ fn of_controllers(folder: &Path, controllers: usize, round: usize) -> Result<f64
     processor_seconds(folder, &folder.join("target"), &["build", "--offline"])
 }
 
+/// The cargo that runs this program.
+fn cargo() -> OsString {
+    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+}
+
 /// User and system time of cargo with all that it starts.
 fn processor_seconds(folder: &Path, target: &Path, words: &[&str]) -> Result<f64> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     // `times` prints a line of the shell itself, and one of what it has waited for.
     let script = "\"$0\" \"$@\" --quiet || exit 1; times";
     let mut command = Command::new("sh");
-    command.args(["-c", script]).arg(cargo).args(words).current_dir(folder);
+    command.args(["-c", script]).arg(cargo()).args(words).current_dir(folder);
     let told = run(command.env("CARGO_TARGET_DIR", target))?;
     let seconds = |text: &str| {
         let (minutes, seconds) = text.strip_suffix('s')?.split_once('m')?;

@@ -28,6 +28,9 @@ use std::sync::Mutex;
 use std::thread::ScopedJoinHandle;
 
 use ptc_codegen::emit::Language;
+use ptc_codegen::law::Law;
+use ptc_codegen::lower::lower;
+use ptc_codegen::program::{Program, passes};
 use ptc_codegen::request::Spec;
 
 /// The strict C flags: generated code has no warning under any of them, and no contraction, for
@@ -45,6 +48,14 @@ pub const STRICT: [&str; 11] = [
     "-Werror",
     "-ffp-contract=off",
 ];
+
+/// The optimised program of `spec`, whose invariants hold after each pass. The generator itself tests them only where it
+/// is compiled without optimisation.
+pub fn optimised(spec: &Spec) -> Program {
+    passes::optimise(lower(spec, &Law::of(spec)), &mut |pass, program| {
+        assert_eq!(program.check(), Ok(()), "{spec:?}, after the pass {}", pass.name);
+    })
+}
 
 /// `path` as an empty folder.
 pub fn empty(path: &Path) -> PathBuf {

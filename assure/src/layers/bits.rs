@@ -23,7 +23,7 @@ use crate::harness::program::{Outcome, Record, in_c, in_c_from, in_rust};
 use crate::harness::random::Random;
 use crate::harness::records::records;
 use crate::harness::specs::{calls_a_library, families, spec};
-use crate::harness::{STRICT, in_pairs};
+use crate::harness::{STRICT, in_pairs, optimised};
 use crate::layer::{Finding, Layer};
 use crate::tool::{GCC, RUSTC};
 
@@ -163,7 +163,7 @@ fn agree(spec: &Spec, records: &[Record], c: &[Outcome], rust: &[Outcome]) {
 fn agrees_as_a_whole(spec: &Spec, records: &[Record], c: &[Outcome]) {
     let report = examine(spec);
     let law = Law::of(spec);
-    let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
+    let program = optimised(spec);
     let code = controller::whole(&Controller {
         report: &report,
         law: &law,
@@ -290,11 +290,9 @@ fn other_forms(context: &Context) -> usize {
         looped
     });
     let specs: Vec<_> = plain.iter().enumerate().flat_map(of).chain(looped).collect();
-    let optimised =
-        |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {}).values;
     let differs = |spec: &&Spec| {
         let plain = Spec { fma: false, latency: false, ..(*spec).clone() };
-        optimised(spec).len() != optimised(&plain).len()
+        optimised(spec).values.len() != optimised(&plain).values.len()
     };
     // Order 1 has no sum of products, and low orders no polynomial that a tree shortens.
     let other = specs.iter().filter(differs).count();

@@ -5,12 +5,10 @@ use std::path::Path;
 
 use anyhow::Result;
 use ptc_codegen::emit::Language;
-use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Fixed, Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::number::round;
-use ptc_codegen::program::{Input, Program, passes};
+use ptc_codegen::program::{Input, Program};
 use ptc_codegen::request::Spec;
 
 use super::seeded::{Defect, with_defect};
@@ -20,7 +18,7 @@ use crate::harness::random::Random;
 use crate::harness::records::records;
 use crate::harness::runtime::{Home, homes};
 use crate::harness::specs::{calls_a_library, spec};
-use crate::harness::{empty, in_pairs, tolerance};
+use crate::harness::{empty, in_pairs, optimised, tolerance};
 use crate::layer::{Finding, Table};
 
 /// Records for each controller, where the run is not brief.
@@ -181,7 +179,7 @@ struct Reference {
 impl Reference {
     fn new(spec: &Spec) -> Self {
         let spec = Spec { precision: Precision::F64, ..spec.clone() };
-        let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
+        let program = optimised(&spec);
         Self { spec, program }
     }
 

@@ -3,18 +3,18 @@
 
 use ptc_codegen::family::Family;
 use ptc_codegen::law::{Form, Law};
-use ptc_codegen::lower::lower;
+use ptc_codegen::program::Stage;
 use ptc_codegen::program::cost::{self, INSTRUCTIONS};
-use ptc_codegen::program::{Stage, passes};
 use ptc_codegen::request::Spec;
 
 use crate::support;
+use support::optimised;
 use support::specs::spec;
 
 /// Instructions of a step by the cost model, with the loads, the test and the status of any step.
 fn instructions(spec: &Spec) -> usize {
     const FRAME: usize = 10;
-    let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+    let program = optimised(spec);
     FRAME + cost::count(&program, &[program.step], Stage::Tick).cycles(&INSTRUCTIONS)
 }
 

@@ -7,13 +7,12 @@ use std::collections::BTreeMap;
 
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::family::{FAMILIES, Family};
-use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, Program, passes};
+use ptc_codegen::program::{Input, Program};
 use ptc_codegen::request::{Entry, Spec, read as read_spec};
 use ptc_codegen::syntax::parse;
+use support::optimised;
 use support::tolerance;
 use support::vectors::{Vector, read};
 
@@ -26,10 +25,6 @@ fn spec(keys: &[(&str, String)]) -> Spec {
     };
     let entries: Vec<_> = keys.iter().map(entry).collect();
     read_spec(&entries).unwrap_or_else(|found| panic!("{keys:?}: {}", found[0]))
-}
-
-fn optimised(spec: &Spec) -> Program {
-    passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {})
 }
 
 /// What the parameter is in a vector.

@@ -3,13 +3,11 @@
 
 use crate::support;
 
-use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::passes;
 use ptc_codegen::reference::{Call, call, evaluate, tolerance};
 use ptc_codegen::request::Spec;
+use support::optimised;
 use support::random::Random;
 use support::specs::{rounded, spec};
 
@@ -18,7 +16,7 @@ const FAMILIES: [&str; 8] =
 
 /// The worst error of u with pi0 = -xi_n at the start, as a part of what is allowed.
 fn worst(spec: &Spec, random: &mut Random) -> f64 {
-    let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+    let program = optimised(spec);
     let settle = |value: f64| rounded(value, spec.precision);
     let mut size = || settle(random.sign() * random.magnitude(1e-2, 1e2));
     let (tau, t0, a, m) = (size().abs(), 0.0, size().abs().sqrt(), 0.7);

@@ -4,12 +4,11 @@
 
 use crate::support;
 
-use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, Program, passes};
+use ptc_codegen::program::{Input, Program};
 use ptc_codegen::request::{After, Spec};
+use support::optimised;
 use support::program::{self, Record, in_c, in_rust};
 use support::random::Random;
 use support::specs::{rounded, spec};
@@ -212,7 +211,7 @@ fn languages_agree_on_laws_of_the_user() {
     let seen = in_pairs(&indexed, |(index, (spec, (c, rust)))| {
         let records = records(spec, &mut Random(*index as u64));
         let [c, rust] = [c, rust].map(|side| side.run(&records).iter().map(of).collect::<Vec<_>>());
-        let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+        let program = optimised(spec);
         for ((record, c), rust) in records.iter().zip(&c).zip(&rust) {
             if calls_a_library(spec) {
                 assert_eq!(c.0, rust.0, "{spec:?}\n{record:?}");

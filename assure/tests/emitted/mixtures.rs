@@ -3,14 +3,12 @@
 
 use crate::support;
 
-use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::passes;
 use ptc_codegen::reference::{Call, call, evaluate, tolerance};
 use ptc_codegen::request::Spec;
 use support::in_pairs;
+use support::optimised;
 use support::specs::{rounded, spec};
 
 /// What decays like 1/t is mixed with each of these.
@@ -57,7 +55,7 @@ fn worst(spec: &Spec, tau: f64, t0: f64, calls: &[(f64, &Spec)]) -> (f64, f64) {
     let settle = |value: f64| rounded(value, spec.precision);
     let (tau, t0) = (settle(tau), settle(t0));
     let parameter = |p| settle(value(p, tau, t0));
-    let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+    let program = optimised(spec);
     let x = [-0.6161580515342653, 1.5, -0.25, 2.0, 0.125, -1.0].map(settle);
     let x = &x[..spec.n];
     let mut worst = (0.0, 1.0);

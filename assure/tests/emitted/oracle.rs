@@ -10,9 +10,10 @@ use ptc_codegen::lower::lower;
 use ptc_codegen::mapping::TimeMapping;
 use ptc_codegen::parameter::{Fixed, Precision};
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, Program, Stage, cost, passes};
+use ptc_codegen::program::{Input, Program, Stage, cost};
 use ptc_codegen::request::Spec;
 use ptc_codegen::syntax::number;
+use support::optimised;
 use support::program::{Outcome, Program as Compiled, Record, in_c, in_rust, real};
 use support::vectors::{Vector, read};
 use support::{folder, tolerance};
@@ -66,6 +67,7 @@ fn judge_in(languages: &[Made], test: &str, groups: &[(Spec, Vec<Vector>)]) {
     let folder = folder(test);
     let specs: Vec<_> = groups.iter().map(|(spec, _)| spec.clone()).collect();
     let made = |(language, make): &Made| (*language, make(&folder, &specs));
+    specs.iter().for_each(|spec| drop(optimised(spec)));
     let programs: Vec<_> = languages.iter().map(made).collect();
     let mut table: BTreeMap<_, Worst> = BTreeMap::new();
     let mut wrong = Vec::new();
@@ -208,7 +210,7 @@ fn other_forms() {
 /// Holds that the form of `spec` has the operations that its options give it.
 fn is_another_form(spec: &Spec, plain: &Spec) {
     let count = |spec: &Spec| {
-        let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+        let program = optimised(spec);
         cost::count(&program, &[program.step], Stage::Tick)
     };
     let (plain, other) = (count(plain), count(spec));

@@ -10,15 +10,14 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::{DMatrix, DVector};
 use ptc_assure::context::workspace;
+use ptc_assure::harness::optimised;
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Fixed, Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, Program, number, passes};
+use ptc_codegen::program::{Input, Program, number};
 use ptc_codegen::request::{Feedback, Guard, Spec, read};
 
 /// Points of time-to-go in a decade: enough to meet the peaks of what swings.
@@ -71,8 +70,7 @@ impl<'a> Loop<'a> {
         spec.fixed.remove(&Parameter::Eps);
         let plain = Spec { input_gain: None, ..spec.clone() };
         let observer = Spec { feedback: Feedback::Extern, ..plain.clone() };
-        let program = |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
-        let (controller, plain, observer) = (program(&spec), program(&plain), program(&observer));
+        let [controller, plain, observer] = [&spec, &plain, &observer].map(optimised);
         Self { values, n: spec.n, controller, plain, observer }
     }
 

@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use ptc_codegen::expression::{Expression, Node, Variable};
-use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
+use ptc_codegen::program::Input;
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, Program, passes};
 use ptc_codegen::reference::{Call, Status, evaluate, tolerance};
 use ptc_codegen::request::{Feedback, Guard, Spec};
 
+use crate::harness::optimised;
 use crate::harness::program::{Outcome, Record, real};
 use crate::harness::specs::{calls_a_library, rounded};
 
@@ -172,7 +171,7 @@ fn value(spec: &Spec, record: &Record, wanted: Parameter) -> f64 {
 }
 
 fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Difference> {
-    let program: Program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+    let program = optimised(spec);
     let settle = |value| rounded(value, spec.precision);
     let law = |arguments: &[f64]| {
         let (time, xi) = arguments.split_last().unwrap_or((&0.0, &[]));

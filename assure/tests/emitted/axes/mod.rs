@@ -11,12 +11,10 @@ use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{Code, Instance};
 use ptc_codegen::controller::{self, Controller};
 use ptc_codegen::law::Law;
-use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
-use ptc_codegen::program::passes;
 use ptc_codegen::request::Spec;
-use support::folder;
 use support::random::Random;
+use support::{folder, optimised};
 
 const CALLS: usize = 200;
 
@@ -98,8 +96,7 @@ type Given = (Vec<u64>, Vec<i64>, i64);
 
 fn whole(spec: &Spec, work: impl FnOnce(&Code)) {
     let (report, law) = (examine(spec), Law::of(spec));
-    let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
-    assert_eq!(program.check(), Ok(()));
+    let program = optimised(spec);
     let controller = Controller { report: &report, law: &law, program: &program, measured: &[] };
     work(&controller::whole(&controller));
 }

@@ -8,8 +8,8 @@ pub(crate) mod vectors;
 use std::path::{Path, PathBuf};
 
 pub(crate) use ptc_assure::harness::{
-    STRICT, c_compiler, goldens, in_pairs, in_samples, program, random, records, run, rustc, specs,
-    tolerance, write,
+    STRICT, c_compiler, goldens, in_pairs, in_samples, optimised, program, random, records, run,
+    rustc, specs, tolerance, write,
 };
 
 /// An empty folder of a test's own.

@@ -64,7 +64,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
     let calls: Vec<_> = code.functions.iter().map(call).collect();
     let (work, others): (Vec<_>, Vec<_>) =
         calls.iter().partition(|call| matches!(call.function, "step" | "update"));
-    // A float holds every count up to it.
+    // The precision represents each count up to it exactly.
     let exact = if spec.precision == Precision::F32 { 1 << 24 } else { u32::MAX };
     let is_time = |one: &Statement| matches!(one, Statement::Let(name, ..) if name == "t");
     let timed = code.functions.iter().any(|function| function.body.iter().any(is_time));
@@ -176,7 +176,7 @@ struct Harness<'a> {
     options: &'static str,
     frame: &'a Outline,
     ranges: Vec<Range>,
-    /// The macro of the most ticks since the start, where time itself is computed.
+    /// Upper bound of the ticks since the start, where time itself is computed.
     ticks: Option<Bound>,
     bounds: Vec<Bound>,
     parameters: Vec<Drawn>,
