@@ -97,11 +97,8 @@ pub mod accepted;
 #[cfg(feature = "files")]
 mod interface;
 
-// The command, which names the library as other programs do.
 #[cfg(feature = "cli")]
 mod cli;
-#[cfg(feature = "cli")]
-extern crate self as ptc_codegen;
 
 /// Runs the command of a command line, its own name first, and gives its exit code: for the program, and for the
 /// module of Python, whose wheel carries it.

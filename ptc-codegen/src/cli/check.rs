@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
+use crate::accepted::Accepted;
+use crate::check::Outcome;
+use crate::check::examine::{Report, examine_expanded};
+use crate::check::sampled::{Bound, Margins, Worst, margins};
 use clap::Args;
-use ptc_codegen::Accepted;
-use ptc_codegen::check::Outcome;
-use ptc_codegen::check::examine::{Report, examine_expanded};
-use ptc_codegen::check::sampled::{Bound, Margins, Worst, margins};
 use serde_json::json;
 
 use super::flags::{Design, EngineFlag, ListFormat, SpecFlags};

@@ -3,7 +3,7 @@
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-use ptc_codegen::emit::File;
+use crate::emit::File;
 
 use super::report::{Failure, Notice};
 use super::write;

@@ -1,8 +1,8 @@
 //! `explain`: what a message means, an example that causes it, and its fix.
 
+use crate::diagnostic::explain::{self, Explanation, KINDS};
+use crate::diagnostic::near_miss;
 use clap::Args;
-use ptc_codegen::diagnostic::explain::{self, Explanation, KINDS};
-use ptc_codegen::diagnostic::near_miss;
 
 use super::report::Failure;
 

@@ -3,8 +3,8 @@
 
 use std::path::PathBuf;
 
+use crate::keys::{KEYS, KeyInfo};
 use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches, ValueEnum};
-use ptc_codegen::keys::{KEYS, KeyInfo};
 
 use super::engine::Engine;
 use super::report::quoted;

@@ -6,8 +6,8 @@ use std::io::{self, Cursor, ErrorKind, Read, Write};
 use std::path::Path;
 use std::process::Command;
 
-use ptc_codegen::emit::File;
-use ptc_codegen::emit::fmu::Version;
+use crate::emit::File;
+use crate::emit::fmu::Version;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 

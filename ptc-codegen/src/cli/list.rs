@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
+use crate::family::{FAMILIES, FamilyInfo};
+use crate::parameter::Parameter;
+use crate::request::Spec;
 use clap::Args;
-use ptc_codegen::family::{FAMILIES, FamilyInfo};
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::request::Spec;
 use serde_json::{Value, json};
 
 use super::catalogue;

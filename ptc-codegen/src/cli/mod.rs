@@ -44,9 +44,9 @@ use std::ffi::OsString;
 
 use clap::{CommandFactory, Parser};
 
+use crate::diagnostic::visible;
+use crate::internal::guarded;
 use args::{Command, CommandLine};
-use ptc_codegen::diagnostic::visible;
-use ptc_codegen::internal::guarded;
 use report::Failure;
 
 /// Runs the command of a command line, its own name first: the exit code.

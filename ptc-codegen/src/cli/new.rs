@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::design;
+use crate::diagnostic::Place;
+use crate::request;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use ptc_codegen::design;
-use ptc_codegen::diagnostic::Place;
-use ptc_codegen::request;
 
 use super::catalogue::{ENTRIES, Entry};
 use super::output::{self, Outputs};

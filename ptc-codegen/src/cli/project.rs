@@ -3,7 +3,7 @@
 use std::fs;
 use std::io;
 
-use ptc_codegen::emit::File;
+use crate::emit::File;
 
 use super::output::{Folder, Kind, Place, TemporaryFolder, holds};
 use super::report::Failure;

@@ -3,10 +3,10 @@
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 
-use ptc_codegen::diagnostic::{visible, visible_line};
-use ptc_codegen::internal::{INTERNAL, Internal};
+use crate::diagnostic::{visible, visible_line};
+use crate::internal::{INTERNAL, Internal};
 #[cfg(feature = "lab")]
-use ptc_codegen::simulate::{self, Cause};
+use crate::simulate::{self, Cause};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 

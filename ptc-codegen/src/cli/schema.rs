@@ -1,8 +1,8 @@
 //! `schema`: a JSON schema of design files, from the tables of keys.
 
-use ptc_codegen::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
-use ptc_codegen::keys::{KEYS, KeyInfo, PLANT_KEYS};
-use ptc_codegen::syntax::number;
+use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
+use crate::keys::{KEYS, KeyInfo, PLANT_KEYS};
+use crate::syntax::number;
 use serde_json::{Map, Value, json};
 
 pub(crate) const EXAMPLES: &str = "\

@@ -3,14 +3,14 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use ptc_codegen::design::{self, mistakes, overrides, root};
-use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place};
-use ptc_codegen::internal::INTERNAL;
-use ptc_codegen::keys::KeyInfo;
-use ptc_codegen::limits::ENTRIES;
-use ptc_codegen::plant::{self, Plant};
-use ptc_codegen::request::{Entry, Spec};
-use ptc_codegen::syntax::parse;
+use crate::design::{self, mistakes, overrides, root};
+use crate::diagnostic::{Diagnostic, LARGE, Place};
+use crate::internal::INTERNAL;
+use crate::keys::KeyInfo;
+use crate::limits::ENTRIES;
+use crate::plant::{self, Plant};
+use crate::request::{Entry, Spec};
+use crate::syntax::parse;
 
 use super::report::{Exit, Failure, Notice, Quote, quoted};
 

@@ -3,7 +3,7 @@
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-use ptc_codegen::diagnostic::visible_line;
+use crate::diagnostic::visible_line;
 
 use super::report::Failure;
 

@@ -5,8 +5,8 @@ mod report;
 
 use std::path::Path;
 
-use ptc_codegen::synthesis::{self, Outcome, Wish, file};
-use ptc_codegen::verify::{Trial, possible};
+use crate::synthesis::{self, Outcome, Wish, file};
+use crate::verify::{Trial, possible};
 
 pub(crate) use args::{EXAMPLES, Request};
 

@@ -1,9 +1,9 @@
 //! The report of a choice that was found, or of a wish for which there is none.
 
-use ptc_codegen::diagnostic::counted;
-use ptc_codegen::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
-use ptc_codegen::verify::bound::limits;
-use ptc_codegen::verify::{Verdict, against, confidence};
+use crate::diagnostic::counted;
+use crate::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
+use crate::verify::bound::limits;
+use crate::verify::{Verdict, against, confidence};
 
 use crate::cli::report::{Failure, Notice};
 

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use crate::emit::{Language, Project};
+use crate::program::passes::PASSES;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use ptc_codegen::emit::{Language, Project};
-use ptc_codegen::program::passes::PASSES;
 
 use crate::cli::flags::{Design, EngineFlag, SpecFlags};
 

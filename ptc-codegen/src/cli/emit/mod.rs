@@ -4,13 +4,13 @@ mod args;
 
 use std::path::Path;
 
-use ptc_codegen::Accepted;
-use ptc_codegen::check::examine::examine_expanded;
-use ptc_codegen::controller::measured::Measured;
-use ptc_codegen::diagnostic::Diagnostic;
-use ptc_codegen::emit::{File, Language, Project};
-use ptc_codegen::expansion::Expanded;
-use ptc_codegen::request::Spec;
+use crate::accepted::Accepted;
+use crate::check::examine::examine_expanded;
+use crate::controller::measured::Measured;
+use crate::diagnostic::Diagnostic;
+use crate::emit::{File, Language, Project};
+use crate::expansion::Expanded;
+use crate::request::Spec;
 
 pub(crate) use args::{EXAMPLES, Emit};
 
@@ -38,7 +38,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     let given = source.parse();
     let mut spec = given.read()?;
     let expanded = request.engine.engine.prepare(&mut spec)?;
-    let dump = |pass: &str| ptc_codegen::dump(&spec, expanded.as_ref(), pass);
+    let dump = |pass: &str| crate::accepted::dump(&spec, expanded.as_ref(), pass);
     if let Some(program) = request.dump.as_deref().and_then(dump) {
         return write::to_stdout(&program);
     }

@@ -6,10 +6,10 @@
 mod part;
 mod symbolica;
 
+use crate::expansion::{self, ClosedForms, Expanded};
+use crate::mapping::Mapping;
+use crate::request::Spec;
 use clap::ValueEnum;
-use ptc_codegen::expansion::{self, ClosedForms, Expanded};
-use ptc_codegen::mapping::Mapping;
-use ptc_codegen::request::Spec;
 
 pub(crate) use part::Part;
 

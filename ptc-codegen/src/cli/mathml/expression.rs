@@ -1,9 +1,9 @@
 //! Expressions of users as MathML.
 
+use crate::algebra::{BigRational, integer};
+use crate::expression::{Expression, Function, Node, Variable};
+use crate::parameter::Parameter;
 use num_traits::{Signed, ToPrimitive};
-use ptc_codegen::algebra::{BigRational, integer};
-use ptc_codegen::expression::{Expression, Function, Node, Variable};
-use ptc_codegen::parameter::Parameter;
 
 use super::super::greek::GREEK;
 use super::element::{

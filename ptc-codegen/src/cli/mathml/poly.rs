@@ -1,7 +1,7 @@
 //! Polynomials as MathML, with the symbols as `show --format latex` writes them.
 
+use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol};
 use num_traits::{One, Signed, Zero};
-use ptc_codegen::algebra::{BigRational, Kind, Monomial, Poly, Symbol};
 
 use super::element::{
     Math, TIMES, fenced, fraction, mark, name, number, operator, product, relation, row, sequence,

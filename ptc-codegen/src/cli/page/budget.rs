@@ -1,9 +1,9 @@
 //! Where the bounds of the sampled loop come from, as bars.
 
-use ptc_codegen::check::examine::Report;
-use ptc_codegen::check::sampled::causes;
-use ptc_codegen::diagnostic::{digits, digits_up};
-use ptc_codegen::request::one_or_each;
+use crate::check::examine::Report;
+use crate::check::sampled::causes;
+use crate::diagnostic::{digits, digits_up};
+use crate::request::one_or_each;
 
 /// Colours of causes, which the page defines.
 const COLOURS: usize = 8;

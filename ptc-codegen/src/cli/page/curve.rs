@@ -1,11 +1,11 @@
 //! What eps makes of the loop, as curves.
 
+use crate::check::examine::Report;
+use crate::check::sampled::curve;
+use crate::parameter::{Fixed, Parameter};
+use crate::plot::Curve;
+use crate::request::one_or_each;
 use num_traits::ToPrimitive;
-use ptc_codegen::check::examine::Report;
-use ptc_codegen::check::sampled::curve;
-use ptc_codegen::parameter::{Fixed, Parameter};
-use ptc_codegen::plot::Curve;
-use ptc_codegen::request::one_or_each;
 
 use super::svg::Svg;
 use crate::cli::report::Failure;

@@ -1,9 +1,9 @@
 //! What a design is, in tables, and the command that runs it again.
 
-use ptc_codegen::expression::Expression;
-use ptc_codegen::parameter::{Fixed, Parameter};
-use ptc_codegen::plant::Plant;
-use ptc_codegen::request::{After, Feedback, Guard, Reference, Spec};
+use crate::expression::Expression;
+use crate::parameter::{Fixed, Parameter};
+use crate::plant::Plant;
+use crate::request::{After, Feedback, Guard, Reference, Spec};
 
 use crate::cli::source::Source;
 

@@ -9,13 +9,13 @@ mod worst;
 
 use std::path::Path;
 
+use crate::accepted::Accepted;
+use crate::check::Verdict;
+use crate::check::examine::Report;
+use crate::emit::{File, Language};
+use crate::plant::Plant;
+use crate::request::Spec;
 use askama::Template;
-use ptc_codegen::Accepted;
-use ptc_codegen::check::Verdict;
-use ptc_codegen::check::examine::Report;
-use ptc_codegen::emit::{File, Language};
-use ptc_codegen::plant::Plant;
-use ptc_codegen::request::Spec;
 
 use super::mathml::{Math, display, inline};
 use super::report::Failure;

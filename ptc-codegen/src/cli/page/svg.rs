@@ -1,7 +1,7 @@
 //! Drawings of a page.
 
+use crate::plot::Figure;
 use askama::filters::HtmlSafe;
-use ptc_codegen::plot::Figure;
 
 use crate::cli::report::Failure;
 

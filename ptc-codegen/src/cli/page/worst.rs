@@ -1,9 +1,9 @@
 //! The worst run of the sampled loop, drawn.
 
-use ptc_codegen::check::examine::Report;
-use ptc_codegen::check::sampled::trajectory;
-use ptc_codegen::diagnostic::digits;
-use ptc_codegen::plot::{Figure, Quantity, Trace};
+use crate::check::examine::Report;
+use crate::check::sampled::trajectory;
+use crate::diagnostic::digits;
+use crate::plot::{Figure, Quantity, Trace};
 
 use super::svg::Svg;
 use crate::cli::report::Failure;

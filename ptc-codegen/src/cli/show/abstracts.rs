@@ -1,9 +1,9 @@
 //! The closed forms of mappings of which nothing is known, by the selected engine. The
 //! library's own has a published sum for them, which is faster than D.
 
-use ptc_codegen::algebra::{Kind, Poly, Symbol, integer};
-use ptc_codegen::expansion::{bell::bell_table, letter};
-use ptc_codegen::mapping::Mapping;
+use crate::algebra::{Kind, Poly, Symbol, integer};
+use crate::expansion::{bell::bell_table, letter};
+use crate::mapping::Mapping;
 
 use super::super::engine::{Engine, Part};
 use super::super::report::Failure;

@@ -1,9 +1,9 @@
 //! `show` of a plant with several outputs: the plant with its decoupling, and the law of each output.
 
-use ptc_codegen::emit::coupled::law;
-use ptc_codegen::model::Coupled;
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::request::{Feedback, Spec};
+use crate::emit::coupled::law;
+use crate::model::Coupled;
+use crate::parameter::Parameter;
+use crate::request::{Feedback, Spec};
 
 use super::super::report::{Failure, Notice};
 use super::args::Subject;

@@ -1,13 +1,13 @@
 //! The expansions of a mapping that the user wrote down: in r_k, with r_k as expressions.
 
-use ptc_codegen::algebra::Poly;
-use ptc_codegen::expansion::Expanded;
-use ptc_codegen::expression::{Expression, Subject as Given};
-use ptc_codegen::internal::fault;
-use ptc_codegen::law::Law;
-use ptc_codegen::mapping::{Custom, Form, Mapping};
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::request::Spec;
+use crate::algebra::Poly;
+use crate::expansion::Expanded;
+use crate::expression::{Expression, Subject as Given};
+use crate::internal::fault;
+use crate::law::Law;
+use crate::mapping::{Custom, Form, Mapping};
+use crate::parameter::Parameter;
+use crate::request::Spec;
 
 use super::super::engine::{Engine, Part};
 use super::super::report::{Failure, Notice};

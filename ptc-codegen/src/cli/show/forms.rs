@@ -1,9 +1,9 @@
 //! Closed forms laid out: B_{i,j}, BB_n and b_n, and the values of parameters.
 
-use ptc_codegen::algebra::Poly;
-use ptc_codegen::internal::fault;
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::request::Spec;
+use crate::algebra::Poly;
+use crate::internal::fault;
+use crate::parameter::Parameter;
+use crate::request::Spec;
 
 use super::sheet::{Form, Forms, Layout, Sheet};
 

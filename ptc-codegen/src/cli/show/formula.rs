@@ -1,7 +1,7 @@
 //! Expressions in LaTeX.
 
+use crate::expression::{Expression, Function, Node, Variable};
 use num_traits::Signed;
-use ptc_codegen::expression::{Expression, Function, Node, Variable};
 
 use super::super::greek::GREEK;
 

@@ -1,7 +1,7 @@
 //! A sheet in JSON; the help of `show` documents its shape.
 
-use ptc_codegen::algebra::{Kind, Poly, Symbol};
-use ptc_codegen::expression::Expression;
+use crate::algebra::{Kind, Poly, Symbol};
+use crate::expression::Expression;
 use serde_json::{Map, Value, json};
 
 use super::sheet::{Block, Forms, Sheet};

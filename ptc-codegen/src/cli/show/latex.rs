@@ -1,7 +1,7 @@
 //! A sheet in LaTeX: a fragment for a document that uses the package amsmath.
 
-use ptc_codegen::algebra::{Poly, latex};
-use ptc_codegen::expression::Expression;
+use crate::algebra::{Poly, latex};
+use crate::expression::Expression;
 
 use super::formula;
 use super::sheet::{Block, Form, Forms, Layout, Sheet};

@@ -1,11 +1,11 @@
 //! `show law`: the linear law with the gains as they are computed.
 
-use ptc_codegen::algebra::{Kind, Poly, Symbol};
-use ptc_codegen::expression::Expression;
-use ptc_codegen::internal::fault;
-use ptc_codegen::law::{Form, Law};
-use ptc_codegen::model::Model;
-use ptc_codegen::request::Spec;
+use crate::algebra::{Kind, Poly, Symbol};
+use crate::expression::Expression;
+use crate::internal::fault;
+use crate::law::{Form, Law};
+use crate::model::Model;
+use crate::request::Spec;
 
 use super::sheet::{Block, Forms, Sheet};
 

@@ -1,7 +1,7 @@
 //! A sheet in MathML.
 
+use crate::algebra::{BigRational, Monomial, Poly};
 use num_traits::Signed;
-use ptc_codegen::algebra::{BigRational, Monomial, Poly};
 
 use super::sheet::{Block, Forms, Layout, Sheet};
 use crate::cli::mathml::{self, Math, equal, name, number, of_poly, operator, row, sub, sup};

@@ -14,16 +14,16 @@ mod mathml;
 mod sheet;
 mod text;
 
+use crate::algebra::Poly;
+use crate::diagnostic::Diagnostic;
+use crate::family::Family;
+use crate::keys::KeyInfo;
+use crate::law::Law;
+use crate::mapping::Mapping;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Axes, MAX_ORDER, Spec};
+use crate::syntax::{Node, Value};
 use num_traits::ToPrimitive;
-use ptc_codegen::algebra::Poly;
-use ptc_codegen::diagnostic::Diagnostic;
-use ptc_codegen::family::Family;
-use ptc_codegen::keys::KeyInfo;
-use ptc_codegen::law::Law;
-use ptc_codegen::mapping::Mapping;
-use ptc_codegen::parameter::{Fixed, Parameter};
-use ptc_codegen::request::{Axes, MAX_ORDER, Spec};
-use ptc_codegen::syntax::{Node, Value};
 
 use args::Format;
 pub(crate) use args::{EXAMPLES, Show, Subject};

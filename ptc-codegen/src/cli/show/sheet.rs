@@ -1,7 +1,7 @@
 //! What `show` prints, before it has a notation.
 
-use ptc_codegen::algebra::{Poly, text};
-use ptc_codegen::expression::Expression;
+use crate::algebra::{Poly, text};
+use crate::expression::Expression;
 
 /// The answer to one request.
 pub(super) struct Sheet {

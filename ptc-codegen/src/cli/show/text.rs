@@ -1,7 +1,7 @@
 //! A sheet in plain text.
 
-use ptc_codegen::algebra::{Poly, text};
-use ptc_codegen::expression::Expression;
+use crate::algebra::{Poly, text};
+use crate::expression::Expression;
 
 use super::sheet::{Block, Form, Forms, Layout, Sheet, texts, widths};
 

@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
+use crate::algebra::BigRational;
+use crate::diagnostic::counted;
+use crate::request::Spec;
+use crate::simulate::record::{Asked, instant};
+use crate::simulate::{Loop, MAX_SAMPLES};
+use crate::syntax::number;
 use num_traits::{Signed, ToPrimitive};
-use ptc_codegen::algebra::BigRational;
-use ptc_codegen::diagnostic::counted;
-use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::record::{Asked, instant};
-use ptc_codegen::simulate::{Loop, MAX_SAMPLES};
-use ptc_codegen::syntax::number;
 
 use super::args::Simulate;
 use crate::cli::report::{Failure, Notice, Quote};

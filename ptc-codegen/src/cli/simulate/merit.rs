@@ -1,6 +1,6 @@
 //! Figures of each run in a report: its final error, the peak of each input, the time in saturation.
 
-use ptc_codegen::simulate::record::Row;
+use crate::simulate::record::Row;
 
 use super::run::Run;
 use crate::cli::page::{Part, Table, short};

@@ -7,10 +7,10 @@ mod page;
 mod picture;
 mod run;
 
+use crate::parameter::Precision;
+use crate::plant::{self, Plant};
 pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;
-use ptc_codegen::parameter::Precision;
-use ptc_codegen::plant::{self, Plant};
 use run::{Run, continuous, sampled};
 
 use super::output::{self, Outputs};

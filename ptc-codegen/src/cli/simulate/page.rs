@@ -1,10 +1,10 @@
 //! The report of the runs.
 
-use ptc_codegen::check::examine::examine;
-use ptc_codegen::parameter::{Fixed, Parameter};
-use ptc_codegen::plant::Plant;
-use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::record::Row;
+use crate::check::examine::examine;
+use crate::parameter::{Fixed, Parameter};
+use crate::plant::Plant;
+use crate::request::Spec;
+use crate::simulate::record::Row;
 
 use super::args::Simulate;
 use super::merit;

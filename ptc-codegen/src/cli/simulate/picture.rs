@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use crate::plot::{Figure, Quantity, Trace};
+use crate::request::Spec;
+use crate::simulate::record::Row;
 use num_traits::ToPrimitive;
-use ptc_codegen::plot::{Figure, Quantity, Trace};
-use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::record::Row;
 
 use super::run::Run;
 use crate::cli::page::undrawn;

@@ -1,12 +1,12 @@
 //! One run for one tau, kept for the CSV and the picture.
 
-use ptc_codegen::check::examine::{Report, examine};
-use ptc_codegen::diagnostic::digits;
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::plant::Plant;
-use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::record::{self, Asked, Row};
-use ptc_codegen::simulate::{Cause, Failure as Ended, Loop, Values, tracking_error};
+use crate::check::examine::{Report, examine};
+use crate::diagnostic::digits;
+use crate::parameter::Parameter;
+use crate::plant::Plant;
+use crate::request::Spec;
+use crate::simulate::record::{self, Asked, Row};
+use crate::simulate::{Cause, Failure as Ended, Loop, Values, tracking_error};
 
 use crate::cli::report::{self, Failure, Notice};
 

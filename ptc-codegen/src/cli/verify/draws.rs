@@ -1,9 +1,9 @@
 //! The draws in a report: how they spread, what drives them, which are worst.
 
-use ptc_codegen::diagnostic::digits;
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::plot::{Band, Histogram};
-use ptc_codegen::verify::{Campaign, Drawn, Envelope, Kind, Trajectory, Trial, Worst};
+use crate::diagnostic::digits;
+use crate::parameter::Parameter;
+use crate::plot::{Band, Histogram};
+use crate::verify::{Campaign, Drawn, Envelope, Kind, Trajectory, Trial, Worst};
 
 use crate::cli::page::{Part, Svg, Table};
 use crate::cli::report::Failure;

@@ -16,8 +16,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use ptc_codegen::verify::record::{PROGRAM, Row, differing, hash};
-use ptc_codegen::verify::{Campaign, chunks};
+use crate::verify::record::{PROGRAM, Row, differing, hash};
+use crate::verify::{Campaign, chunks};
 
 use failure::{foreign, unusable};
 use header::{Header, OWNER, owner, owner_line};

@@ -9,8 +9,8 @@ mod progress;
 
 use std::ops::Range;
 
-use ptc_codegen::request;
-use ptc_codegen::verify::{self, Campaign, End, Known, Trial, csv, possible, summary};
+use crate::request;
+use crate::verify::{self, Campaign, End, Known, Trial, csv, possible, summary};
 
 pub(crate) use args::{EXAMPLES, Verify};
 use journal::Journal;

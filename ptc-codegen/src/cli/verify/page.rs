@@ -1,10 +1,10 @@
 //! The report of a verification.
 
-use ptc_codegen::check::examine::examine;
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::plot::{Bounded, Figure, Quantity, Trace};
-use ptc_codegen::request::Spec;
-use ptc_codegen::verify::{
+use crate::check::examine::examine;
+use crate::parameter::Parameter;
+use crate::plot::{Bounded, Figure, Quantity, Trace};
+use crate::request::Spec;
+use crate::verify::{
     APART, Campaign, Drawn, End, Judged, Kind, Level, Objective, Sides, Summary, Trajectory, Trial,
     Verdict, columns, shown,
 };

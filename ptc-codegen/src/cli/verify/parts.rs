@@ -7,8 +7,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use ptc_codegen::verify::record::{self, Row, Writer};
-use ptc_codegen::verify::{Campaign, Drawn, Trial, chunks, sample};
+use crate::verify::record::{self, Row, Writer};
+use crate::verify::{Campaign, Drawn, Trial, chunks, sample};
 
 use super::journal::{Journal, SUFFIX};
 use super::progress::progress;

@@ -13,10 +13,10 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::Duration;
 
-use ptc_codegen::algebra::{Poly, Symbol};
-use ptc_codegen::expansion::ClosedForms;
-use ptc_codegen::expression::{Expression, Variable};
-use ptc_codegen::mapping::{Custom, Form, Mapping};
+use crate::algebra::{Poly, Symbol};
+use crate::expansion::ClosedForms;
+use crate::expression::{Expression, Variable};
+use crate::mapping::{Custom, Form, Mapping};
 use serde_json::{Value, json};
 
 use super::part::Part;

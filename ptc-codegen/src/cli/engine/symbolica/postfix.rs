@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
+use crate::algebra::{BigRational, Poly, Symbol};
+use crate::expression::{Expression, Function, Node};
 use num_traits::Signed;
-use ptc_codegen::algebra::{BigRational, Poly, Symbol};
-use ptc_codegen::expression::{Expression, Function, Node};
 
 use super::words::Target;
 
@@ -185,8 +185,8 @@ fn plus(a: Expression, b: Expression) -> Expression {
 mod tests {
     use super::super::words::read;
     use super::*;
-    use ptc_codegen::algebra::{Kind, text};
-    use ptc_codegen::expression::Variable;
+    use crate::algebra::{Kind, text};
+    use crate::expression::Variable;
 
     fn expression(text: &str) -> Option<String> {
         let names = Names(vec![Variable::TimeToGo.into(), Expression::pi()]);

@@ -1,10 +1,10 @@
 //! The time mapping with its closed forms: r_k, BB_n and b_n.
 
-use ptc_codegen::expression::{Expression, Subject as Meaning, family_form};
-use ptc_codegen::family::Family;
-use ptc_codegen::mapping::{Form as Computed, TimeMapping};
-use ptc_codegen::parameter::Parameter;
-use ptc_codegen::request::Spec;
+use crate::expression::{Expression, Subject as Meaning, family_form};
+use crate::family::Family;
+use crate::mapping::{Form as Computed, TimeMapping};
+use crate::parameter::Parameter;
+use crate::request::Spec;
 
 use super::group::{Group, elapsed, minus};
 use crate::cli::mathml::{

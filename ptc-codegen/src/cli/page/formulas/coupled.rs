@@ -1,10 +1,10 @@
 //! The formulas of plants with several inputs, and of several axes.
 
-use ptc_codegen::expression::Expression;
-use ptc_codegen::model::{Coupled, Inverse};
-use ptc_codegen::parameter::Name;
-use ptc_codegen::plant::Plant;
-use ptc_codegen::request::{Clock, Feedback, Spec};
+use crate::expression::Expression;
+use crate::model::{Coupled, Inverse};
+use crate::parameter::Name;
+use crate::plant::Plant;
+use crate::request::{Clock, Feedback, Spec};
 
 use super::closed::{mapping, matrix, r};
 use super::group::Group;

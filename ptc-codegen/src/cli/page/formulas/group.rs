@@ -1,7 +1,7 @@
 //! What a group of formulas is, and what several groups write.
 
-use ptc_codegen::expression::Variable;
-use ptc_codegen::request::Spec;
+use crate::expression::Variable;
+use crate::request::Spec;
 
 use crate::cli::mathml::{Math, number, relation, variable};
 

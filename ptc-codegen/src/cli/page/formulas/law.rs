@@ -1,8 +1,8 @@
 //! The law with its gains.
 
-use ptc_codegen::algebra::{Kind, Poly, Symbol};
-use ptc_codegen::law::{Form, Law};
-use ptc_codegen::request::{Feedback, Spec};
+use crate::algebra::{Kind, Poly, Symbol};
+use crate::law::{Form, Law};
+use crate::request::{Feedback, Spec};
 
 use super::group::{Group, elapsed, minus, n};
 use crate::cli::mathml::{

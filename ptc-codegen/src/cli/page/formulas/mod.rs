@@ -6,8 +6,8 @@ mod group;
 mod law;
 mod plant;
 
-use ptc_codegen::plant::Plant;
-use ptc_codegen::request::Spec;
+use crate::plant::Plant;
+use crate::request::Spec;
 
 use crate::cli::report::Failure;
 

@@ -1,9 +1,9 @@
 //! The plant of one chain.
 
-use ptc_codegen::expression::Expression;
-use ptc_codegen::model::Model;
-use ptc_codegen::plant::Plant;
-use ptc_codegen::request::Spec;
+use crate::expression::Expression;
+use crate::model::Model;
+use crate::plant::Plant;
+use crate::request::Spec;
 
 use super::group::{Group, n};
 use crate::cli::mathml::{

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use ptc_codegen::verify::record::{PROGRAM, hash};
-use ptc_codegen::verify::{Campaign, ENGINE};
+use crate::verify::record::{PROGRAM, hash};
+use crate::verify::{Campaign, ENGINE};
 
 /// Bytes of the line that names the owner.
 pub(super) const OWNER: usize = PROGRAM.len() + ", owner 0000000000, ".len() + 16 + 1;
