@@ -125,8 +125,8 @@ ptc_status ptc_exp3_axes3_own_axis(
             const double s1 = gains->gain[3U * axis] * x[0];
             const double s2 = s1 + (gains->gain[(3U * axis) + 1U] * x[1]);
             const double v1 = s2 + (gains->gain[(3U * axis) + 2U] * x[2]);
-            const double input_gain = gains->input_gain[axis];
-            const double v = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
+            const double g = gains->input_gain[axis];
+            const double v = v1 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
@@ -201,8 +201,8 @@ ptc_status ptc_exp3_axes3_own_step(
                 const double s1 = gains.gain[3U * axis] * x[axis][0];
                 const double s2 = s1 + (gains.gain[(3U * axis) + 1U] * x[axis][1]);
                 const double v1 = s2 + (gains.gain[(3U * axis) + 2U] * x[axis][2]);
-                const double input_gain = gains.input_gain[axis];
-                v[axis] = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
+                const double g = gains.input_gain[axis];
+                v[axis] = v1 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
             }
             u[0] = v[0];
             u[1] = v[1];

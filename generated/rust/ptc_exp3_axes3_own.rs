@@ -368,12 +368,8 @@ impl PtcExp3Axes3OwnGains {
         let s1 = self.gain[3 * axis as usize] * x[0];
         let s2 = s1 + (self.gain[3 * axis as usize + 1] * x[1]);
         let v1 = s2 + (self.gain[3 * axis as usize + 2] * x[2]);
-        let input_gain = self.input_gain[axis as usize];
-        let v = if input_gain < 0.0 || input_gain > 0.0 {
-            v1 / input_gain
-        } else {
-            f64::NAN
-        };
+        let g = self.input_gain[axis as usize];
+        let v = if g < 0.0 || g > 0.0 { v1 / g } else { f64::NAN };
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max[axis as usize]) {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {

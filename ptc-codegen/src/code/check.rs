@@ -19,6 +19,8 @@ struct Seen<'a> {
     parameters: BTreeSet<&'a str>,
     callbacks: BTreeSet<&'static str>,
     locals: BTreeSet<String>,
+    /// Whether the fields are those of the gains, which C++ names as it does locals.
+    of_gains: bool,
     may_change: bool,
     changed: bool,
 }
@@ -39,6 +41,7 @@ impl Code {
             parameters: names(&self.parameters),
             callbacks: BTreeSet::new(),
             locals: BTreeSet::new(),
+            of_gains: false,
             may_change: true,
             changed: false,
         };
@@ -62,6 +65,7 @@ impl Code {
             parameters: BTreeSet::new(),
             callbacks: function.callbacks.iter().map(|callback| callback.name).collect(),
             locals: function.arguments.iter().map(|a| a.name.clone()).collect(),
+            of_gains: function.owner == Owner::Gains,
             may_change: function.access == Access::Change,
             changed: false,
         };
@@ -119,6 +123,7 @@ impl Code {
             parameters: BTreeSet::new(),
             callbacks: BTreeSet::new(),
             locals: rows.chain([AXIS.to_owned()]).collect(),
+            of_gains: true,
             may_change: false,
             changed: false,
         };
@@ -279,6 +284,9 @@ impl Seen<'_> {
     }
 
     fn define(&mut self, name: &str) -> Result<(), String> {
+        if self.of_gains && self.fields.contains(name) {
+            return Err(format!("{name} is a field of the gains and a local"));
+        }
         match self.locals.insert(name.to_owned()) {
             true => Ok(()),
             false => Err(format!("{name} is declared twice")),

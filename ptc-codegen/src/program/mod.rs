@@ -100,7 +100,7 @@ impl Input {
             Self::Control => "u".to_owned(),
             Self::Wanted(output) => format!("w_{output}"),
             Self::Gain(j) => format!("gain{j}"),
-            Self::Divisor => "input_gain".to_owned(),
+            Self::Divisor => "g".to_owned(),
         }
     }
 

@@ -7,7 +7,7 @@ use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable, Wanted};
 use crate::code::Solve;
 use crate::parameter::Parameter;
 use crate::program::number::settle;
-use crate::program::{Op, Value};
+use crate::program::{Input, Op, Value};
 use crate::reference::Status;
 use crate::request::Guard;
 
@@ -91,7 +91,7 @@ impl Maker<'_> {
                 }
                 Op::Quotient(_, divisor) => {
                     let name = program.get(*divisor).name.as_ref();
-                    let name = name.map_or("input_gain", |(name, _)| name);
+                    let name = name.map_or_else(|| Input::Divisor.name(), |(name, _)| name.clone());
                     if missing("negative") {
                         add(format!("{name} < 0.0"), "g was not negative");
                     }

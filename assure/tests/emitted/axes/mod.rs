@@ -1,12 +1,14 @@
-//! Several axes with one deadline, and plants with several inputs: C, Rust and the interpreter give the
+//! Several axes with one deadline, and plants with several inputs: every language and the interpreter give the
 //! same bits, and each axis those of a controller of its own, by `tick` and `axis`, up to order 11.
 
 mod designs;
 mod native;
+mod others;
 
 use crate::support;
 use designs::{coupled, specs};
 use native::{in_c, in_rust};
+use others::{in_cpp, in_octave, in_python};
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{Code, Instance};
 use ptc_codegen::controller::{self, Controller};
@@ -14,6 +16,7 @@ use ptc_codegen::law::Law;
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::request::Spec;
 use support::random::Random;
+use support::specs::calls_a_library;
 use support::{folder, optimised};
 
 const CALLS: usize = 200;
@@ -152,10 +155,19 @@ fn axes_give_the_same_bits_everywhere() {
         let calls = calls(&spec, count);
         let folder = folder(&format!("axes_{}", spec.name()));
         let wanted = interpreted(&spec, &calls);
-        for (language, found) in [
+        let mut all = vec![
             ("C", in_c(&folder, &spec, &calls, count)),
             ("Rust", in_rust(&folder, &spec, &calls, count)),
-        ] {
+            ("C++", in_cpp(&folder, &spec, &calls, count)),
+        ];
+        // They have functions of their own.
+        if !calls_a_library(&spec) {
+            let python = in_python(&folder, &spec, &calls, count);
+            all.extend(python.map(|found| ("Python", found)));
+            let octave = in_octave(&folder, &spec, &calls, count);
+            all.extend(octave.map(|found| ("Octave", found)));
+        }
+        for (language, found) in all {
             assert_eq!(found.len(), wanted.len());
             for (index, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
                 assert_eq!(found, wanted, "{language}, call {index} of {}", spec.name());

@@ -12,7 +12,7 @@ use super::support::{STRICT, c_compiler, run, rustc, write};
 use super::{Call, Given, LAW, is_extern, parameters};
 
 /// A number as both languages write it, or what stands for no number.
-fn written(value: f64, nan: &str, suffix: &str) -> String {
+pub(super) fn written(value: f64, nan: &str, suffix: &str) -> String {
     if value.is_nan() { nan.to_owned() } else { format!("{value:?}{suffix}") }
 }
 
@@ -22,26 +22,38 @@ fn list(values: &[f64], nan: &str, suffix: &str, (open, close): (&str, &str)) ->
 }
 
 /// Whether the states are those of one plant.
-fn is_plant(spec: &Spec) -> bool {
+pub(super) fn is_plant(spec: &Spec) -> bool {
     spec.coupled.as_ref().is_some_and(|coupled| !coupled.is_of_axes)
 }
 
 /// The states: a list of those of each axis, or those of one plant.
-fn states(spec: &Spec, x: &[f64], nan: &str, suffix: &str, ends: (&str, &str)) -> String {
+pub(super) fn states(
+    spec: &Spec,
+    x: &[f64],
+    nan: &str,
+    suffix: &str,
+    ends: (&str, &str),
+) -> String {
     match is_plant(spec) {
         true => list(x, nan, suffix, ends),
         false => lists(x, spec.n, nan, suffix, ends),
     }
 }
 
-fn lists(values: &[f64], length: usize, nan: &str, suffix: &str, ends: (&str, &str)) -> String {
+pub(super) fn lists(
+    values: &[f64],
+    length: usize,
+    nan: &str,
+    suffix: &str,
+    ends: (&str, &str),
+) -> String {
     let rows: Vec<_> =
         values.chunks(length.max(1)).map(|row| list(row, nan, suffix, ends)).collect();
     format!("{}{}{}", ends.0, rows.join(", "), ends.1)
 }
 
 /// The parameters as members of a structure, arrays together.
-fn members(spec: &Spec, assign: &str, ends: (&str, &str), suffix: &str) -> String {
+pub(super) fn members(spec: &Spec, assign: &str, ends: (&str, &str), suffix: &str) -> String {
     let all = parameters(spec);
     let groups = all.chunk_by(|a, b| a.0.key() == b.0.key());
     let member = |group: &[(Parameter, f64)]| {
@@ -148,7 +160,7 @@ pub(super) fn in_rust(folder: &Path, spec: &Spec, calls: &[Call], count: usize) 
 }
 
 /// The lines of a program; floats become doubles, as the interpreter has them.
-fn read(spec: &Spec, text: &[u8]) -> Vec<Given> {
+pub(super) fn read(spec: &Spec, text: &[u8]) -> Vec<Given> {
     let widened = |bits: u64| match spec.precision {
         Precision::F64 => bits,
         Precision::F32 => {
@@ -160,7 +172,11 @@ fn read(spec: &Spec, text: &[u8]) -> Vec<Given> {
         let status = words.next().and_then(|word| word.parse().ok()).expect("a status");
         let (mut u, mut axes) = (Vec::new(), Vec::new());
         while let (Some(bits), Some(axis)) = (words.next(), words.next()) {
-            u.push(widened(bits.parse().expect("bits")));
+            let bits = match bits.strip_prefix("0x") {
+                Some(digits) => u64::from_str_radix(digits, 16),
+                None => bits.parse(),
+            };
+            u.push(widened(bits.expect("bits")));
             axes.push(axis.parse().expect("a status"));
         }
         (u, axes, status)

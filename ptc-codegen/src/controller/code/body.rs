@@ -68,6 +68,9 @@ fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, u
 /// What the laws of all outputs give.
 const LAWS: &str = "laws";
 
+/// The field of the gains by which u of an axis is divided.
+pub(super) const INPUT_GAIN: &str = "input_gain";
+
 /// The sums of which u of an axis is made, level by level.
 const PARTS: [&str; 2] = ["part", "half"];
 
@@ -116,8 +119,12 @@ impl Writer<'_> {
             return;
         }
         let known = match &definition.op {
-            Op::Input(Input::Divisor) if self.plan.program.divisors.len() > 1 => {
-                let own = Expr::OfAxis("input_gain".to_owned(), 1, 0);
+            // Its tests name it several times.
+            Op::Input(Input::Divisor) => {
+                let own = match self.plan.program.divisors.len() {
+                    1 => Expr::field(INPUT_GAIN),
+                    _ => Expr::OfAxis(INPUT_GAIN.to_owned(), 1, 0),
+                };
                 let name = Input::Divisor.name();
                 self.statements.push(Statement::Let(name.clone(), Shape::Real, own));
                 Expr::local(name)
@@ -241,10 +248,7 @@ impl Writer<'_> {
                 }
                 _ => Expr::FieldElement("gain".to_owned(), j - 1),
             },
-            Input::Divisor => match self.plan.program.divisors.len() {
-                1 => Expr::field("input_gain"),
-                _ => fault("an input gain of each axis that is not read first"),
-            },
+            Input::Divisor => fault("an input gain that is not read first"),
             Input::Drift => Expr::local("f"),
             Input::Control | Input::Wanted(_) => fault("a controller does not take u"),
         }

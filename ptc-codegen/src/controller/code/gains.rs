@@ -2,7 +2,7 @@
 //! and the `step` of all axes.
 
 use super::Builder;
-use super::body::body;
+use super::body::{INPUT_GAIN, body};
 use crate::code::{
     AXIS, Access, Axes, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status,
     Test, Variable,
@@ -41,7 +41,7 @@ impl Builder<'_> {
         };
         let mut gains = vec![Variable::new("gain", Shape::Reals(program.gains.len()), about)];
         if !program.divisors.is_empty() {
-            gains.push(Variable::new("input_gain", shape(&program.divisors), "g"));
+            gains.push(Variable::new(INPUT_GAIN, shape(&program.divisors), "g"));
         }
         if !program.bounds.is_empty() {
             let of_each = Shape::Reals(program.bounds.len());

@@ -21,7 +21,11 @@ impl Cpp<'_> {
         self.out.line(format!(" */\n#ifndef {guard}_HPP\n#define {guard}_HPP\n"));
         self.out.line("#include <array>");
         for (header, needed) in [
-            ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
+            (
+                "cmath",
+                code.functions.iter().any(|function| calls_library(code, function))
+                    || init_calls(code),
+            ),
             ("cstddef", code.axes().is_some() || code.counts()),
             (
                 "cstdint",
@@ -128,7 +132,7 @@ impl Cpp<'_> {
         let mut list = vec![format!("const Params&{params}")];
         let state = code.start.as_ref().and_then(|start| start.state.as_ref());
         list.extend(state.map(|state| format!("const State& {}", state.name)));
-        let arm = code.function("arm").is_some_and(calls_library);
+        let arm = code.function("arm").is_some_and(|arm| calls_library(code, arm));
         let constant = if init_calls(code) || arm { "" } else { "constexpr " };
         let list = list.join(", ");
         self.out.line(format!("[[nodiscard]] {constant}Status init({list}) noexcept"));

@@ -117,7 +117,7 @@ impl<'a> Cpp<'a> {
                 | Gives::Axes
         );
         let discard = if typed { "" } else { "[[nodiscard]] " };
-        let constant = if calls_library(function) { "" } else { "constexpr " };
+        let constant = if calls_library(self.code, function) { "" } else { "constexpr " };
         let access = if function.access == Access::Read { " const" } else { "" };
         let throws = if kinds.is_empty() { " noexcept" } else { "" };
         let (name, list) = (function.name, list.join(", "));
