@@ -43,7 +43,7 @@ fn failures(folder: &Path, spec: &Spec) -> u32 {
 /// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
 fn kinds() -> Vec<Spec> {
     let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
-    let kinds: [&[(&str, &str)]; 14] = [
+    let kinds: [&[(&str, &str)]; 15] = [
         &[("n", "3"), ("mu", "exp")],
         &[("n", "4"), ("mu", "rational"), ("precision", "f32")],
         &[("n", "2"), ("mu", "exp_sum")],
@@ -80,6 +80,16 @@ fn kinds() -> Vec<Spec> {
         ],
         // A law of stretched time, which an iteration finds.
         &[("n", "6"), ("mu", "exp_sum(2)"), ("tau", "1.75"), ("pi0", "extern")],
+        // A g that is 0 in doubles where x1 is great.
+        &[
+            ("n", "2"),
+            ("kappa", "atanh(dt/tau)"),
+            ("poles", "-7,-3"),
+            ("reference", "sin(t)"),
+            ("g", "exp(-x1*x1)"),
+            ("guard", "none"),
+            ("allow", "growth,sampling,deadline,loop,envelope"),
+        ],
         // Deadlines beyond the range, or next to the start.
         &[
             ("n", "1"),

@@ -106,12 +106,24 @@ impl<'a> Maker<'a> {
             [Status::Saturated, Status::Range].iter().position(|s| *s == one.status)
         };
         let status = expected.iter().max_by_key(rank)?.status;
+        if status == Status::Saturated && !self.is_in_range(session, t, x, &expected) {
+            return None;
+        }
         let limits = self.limits(session);
         let both = expected.iter().zip(limits);
         let inputs = both.map(|(one, limit)| self.wanted(session, (t, x), one, limit));
         let inputs = inputs.collect::<Option<Vec<_>>>()?;
         let axis = self.controller.program.axis.map(|_| status);
         Some(Call { t, x: x.to_vec(), status, inputs, axis })
+    }
+
+    /// Whether the program has a number for each input that the definition clips: a g that the definition keeps, exp(-x1^2)
+    /// of a great x1, may be 0 in its precision.
+    fn is_in_range(&self, session: &Session, t: f64, x: &[f64], expected: &[Outcome]) -> bool {
+        let seen = self.trial(session, t, x).each;
+        let mut clipped =
+            seen.iter().zip(expected).filter(|(_, one)| one.status == Status::Saturated);
+        clipped.all(|((seen, _), _)| *seen != Status::Range)
     }
 
     /// What an input must be; `None` where rounding decides what it is.
