@@ -17,6 +17,9 @@ pub(super) struct Reach {
     pub(super) change: Vec<f64>,
     /// Of how far each measured value moves until it is measured.
     pub(super) drift: Vec<Vec<f64>>,
+    /// Of what is not exact in it, by how much each of the next states counts, one sample behind the other:
+    /// [`Sampled::inexact`].
+    pub(super) inexact: Vec<f64>,
 }
 
 impl Sampled {
@@ -53,6 +56,8 @@ impl Sampled {
                 reach.acting.push(acting);
                 reach.change.push(change);
             }
+            let acting = reach.acting.last().copied().unwrap_or_default();
+            reach.inexact.extend(self.inexact(k, &reach.states[k], acting));
         }
         Some(())
     }

@@ -63,7 +63,7 @@ impl Sampled {
     /// The signals that attain the bound of an output without a change, with f held over each sample.
     pub(super) fn signals(&self, output: &Output, at: usize) -> Signals {
         let mut row = self.row(output, at);
-        let mut before = Vec::new();
+        let mut room = vec![0.0; self.size()];
         let (mut causes, mut force) = (vec![Vec::new(); at + 1], vec![0.0; at + 1]);
         let signed = |seen: f64, limit: f64| if seen < 0.0 { -limit } else { limit };
         let ends = |seen: &dyn Fn(usize) -> f64| {
@@ -74,8 +74,7 @@ impl Sampled {
             let step = self.step(k);
             causes[k] = ends(&|l| along(&row, &step.columns[l]));
             force[k] = self.force.as_ref().map_or(0.0, |force| force.signed(&row));
-            step.matrix.after(&row, &mut before);
-            std::mem::swap(&mut row, &mut before);
+            self.earlier(k, &mut row, &mut room);
         }
         let mut x0: Vec<_> = row.iter().zip(&self.x0).map(|(p, x0)| signed(*p, *x0)).collect();
         if let Some(own) = &self.force {

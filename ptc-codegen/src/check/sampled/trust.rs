@@ -5,8 +5,10 @@
 //! counts with the state there. Where each state is bounded at each sample, that is all; else the
 //! error of the row is followed, and bounded with how far it may grow until another sample.
 
-use super::chain::{Matrix, Near, Row};
+use super::chain::{Near, Step};
+use super::moved::Moved;
 use super::reach::Reach;
+use super::worst::Sampled;
 
 /// By what an error is bounded.
 #[derive(Clone, Copy)]
@@ -37,20 +39,18 @@ pub(super) struct Inexact<'a> {
 
 impl<'a> Inexact<'a> {
     pub(super) fn new(trust: Option<Trust<'a>>, size: usize) -> Self {
-        #[allow(clippy::cast_precision_loss)]
-        let unit = (size + 4) as f64 * f64::EPSILON;
-        Self { trust, unit, off: 0.0, sum: 0.0 }
+        Self { trust, unit: unit(size), off: 0.0, sum: 0.0 }
     }
 
     /// What u at sample `at` adds, which counts `weight` times; `limits` bound the causes.
     pub(super) fn direct(
         &mut self,
         weight: f64,
-        u: &Row,
+        step: &Step,
         at: usize,
         limits: impl Iterator<Item = f64>,
     ) {
-        let weight = weight.abs();
+        let (weight, u) = (weight.abs(), &step.u);
         let unit = self.unit;
         let errors = u.of_state.iter().map(|(gain, error)| error + unit * gain.abs());
         match self.trust {
@@ -64,35 +64,27 @@ impl<'a> Inexact<'a> {
             None => {}
         }
         let of_causes = u.of_cause.iter().zip(limits).map(|((_, error), limit)| error * limit);
-        self.sum += weight * of_causes.sum::<f64>();
+        self.sum += weight * (of_causes.sum::<f64>() + step.lost_of_u);
     }
 
-    /// What sample `k` adds: its matrix and the columns of its causes with their bounds, seen by `row`.
-    pub(super) fn sample<'b>(
-        &mut self,
-        k: usize,
-        row: &[f64],
-        matrix: &Matrix,
-        causes: impl Iterator<Item = (&'b Vec<Near>, f64)>,
-    ) {
-        let unit = self.unit;
+    /// What sample `k` of a loop adds, seen by `row`.
+    pub(super) fn sample(&mut self, sampled: &Sampled, k: usize, row: &[f64]) {
         match self.trust {
             Some(Trust::Reach(reach)) => {
-                for (column, limit) in causes {
-                    let part = |(p, (b, error)): (&f64, &Near)| p.abs() * (error + unit * b.abs());
-                    self.sum += row.iter().zip(column).map(part).sum::<f64>() * limit;
-                }
-                self.sum += matrix.inexact(row, &reach.states[k], unit);
+                self.sum += size_of(row, &reach.inexact[k * row.len()..][..row.len()]);
             }
             Some(Trust::Fading(fading)) => {
                 let scale = &fading.scales[k + 1];
-                for (column, limit) in causes {
+                let step = sampled.step(k);
+                for (column, limit) in sampled.causes(step, 0.0) {
                     let reach = column.iter().zip(scale);
                     let reach =
                         reach.map(|((b, error), d)| (b.abs() + error) * d).fold(0.0, f64::max);
                     let own: f64 = row.iter().zip(column).map(|(p, (_, e))| (p * e).abs()).sum();
                     self.sum += (self.off * fading.growth * reach + own) * limit;
                 }
+                let lost = row.iter().zip(&step.lost).map(|(p, (own, _))| p.abs() * own);
+                self.sum += lost.sum::<f64>();
                 let size: f64 = row.iter().zip(scale).map(|(p, d)| (p / d).abs()).sum();
                 self.off += fading.errors[k] * size;
             }
@@ -106,5 +98,52 @@ impl<'a> Inexact<'a> {
             let scaled = fading.scales[0].iter().zip(x0).map(|(d, x0)| d * x0);
             self.sum += self.off * fading.growth * scaled.fold(0.0, f64::max);
         }
+    }
+}
+
+/// sum_i |row_i| weight_i, by index as [`Sampled::earlier`].
+#[allow(clippy::needless_range_loop)]
+fn size_of(row: &[f64], weights: &[f64]) -> f64 {
+    let (weights, mut sum) = (&weights[..row.len()], 0.0);
+    for i in 0..row.len() {
+        sum += row[i].abs() * weights[i];
+    }
+    sum
+}
+
+/// Relative rounding of a sum over so many states.
+fn unit(size: usize) -> f64 {
+    #[allow(clippy::cast_precision_loss)]
+    let terms = (size + 4) as f64;
+    terms * f64::EPSILON
+}
+
+impl Sampled {
+    /// The columns of all that moves the loop in a sample, with their bounds; `gain` is that of what an input gain that is
+    /// not known adds to the input.
+    fn causes<'a>(
+        &'a self,
+        step: &'a Step,
+        gain: f64,
+    ) -> impl Iterator<Item = (&'a Vec<Near>, f64)> {
+        let force = self.force.iter().map(|force| (&force.column, force.most()));
+        let moved = self.moved.iter().flat_map(Moved::causes);
+        let others = [(&step.lost, 1.0), (&self.chain.input, gain)];
+        step.columns.iter().zip(self.limits()).chain(force).chain(moved).chain(others)
+    }
+
+    /// What is not exact in sample `k`, and what rounding of a reference adds there, by how much each of the next states
+    /// counts, from `states` with an input within `acting`.
+    pub(super) fn inexact(&self, k: usize, states: &[f64], acting: f64) -> Vec<f64> {
+        let (step, unit) = (self.step(k), unit(self.size()));
+        let mut sums = step.matrix.inexact(states, unit);
+        sums.iter_mut().zip(&step.lost).for_each(|(sum, (own, _))| *sum += own);
+        // A bound that is not known counts for nothing where it acts by nothing.
+        let gain = if self.gain_error > 0.0 { self.gain_error * acting } else { 0.0 };
+        for (column, limit) in self.causes(step, gain).filter(|(_, limit)| *limit > 0.0) {
+            let parts = column.iter().map(|(b, error)| (error + unit * b.abs()) * limit);
+            sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
+        }
+        sums
     }
 }

@@ -189,6 +189,7 @@ impl Sampled {
                 acting: vec![acting; count],
                 change: vec![change; count],
                 drift: vec![rest.drift(&rest.x0, acting); count],
+                inexact: rest.inexact(0, &rest.x0, acting).repeat(count),
             };
             let total =
                 |output: &Output| rest.bound(output, length, Some(Trust::Reach(&reach))).total();

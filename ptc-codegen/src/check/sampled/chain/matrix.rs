@@ -12,27 +12,14 @@ pub(in crate::check::sampled) struct Matrix {
 }
 
 impl Matrix {
-    /// row * self.
-    pub(in crate::check::sampled) fn after(&self, row: &[f64], product: &mut Vec<f64>) {
-        product.clear();
-        product.resize(self.size, 0.0);
-        for (factor, own) in row.iter().zip(self.entries.chunks_exact(self.size)) {
-            if *factor != 0.0 {
-                product.iter_mut().zip(own).for_each(|(sum, entry)| *sum += factor * entry);
-            }
-        }
-    }
-
-    /// sum_ij |row_i| (error_ij + unit |entry_ij|) x_j.
-    pub(in crate::check::sampled) fn inexact(&self, row: &[f64], x: &[f64], unit: f64) -> f64 {
+    /// sum_j (error_ij + unit |entry_ij|) x_j of each row.
+    pub(in crate::check::sampled) fn inexact(&self, x: &[f64], unit: f64) -> Vec<f64> {
         let rows = self.entries.chunks_exact(self.size).zip(self.errors.chunks_exact(self.size));
-        let parts = row.iter().zip(rows).filter(|(p, _)| **p != 0.0);
-        let of_row = |(p, (entries, errors)): (&f64, (&[f64], &[f64]))| {
+        let of_row = |(entries, errors): (&[f64], &[f64])| {
             let off = entries.iter().zip(errors).zip(x);
-            let off = off.map(|((entry, error), x)| (error + unit * entry.abs()) * x);
-            p.abs() * off.sum::<f64>()
+            off.map(|((entry, error), x)| (error + unit * entry.abs()) * x).sum()
         };
-        parts.map(of_row).sum()
+        rows.map(of_row).collect()
     }
 
     /// Largest sum of |entries| of a row of D' self D^-1, for the diagonals of two scalings.

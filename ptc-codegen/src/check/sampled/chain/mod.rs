@@ -40,9 +40,15 @@ pub(super) fn centre(range: Range, error: f64) -> Near {
 /// A number and a bound of its distance from the true one.
 pub(super) type Near = (f64, f64);
 
-/// The sum of a row over a column.
+/// The sum of a row over a column, by index as [`Sampled::earlier`](super::worst::Sampled::earlier).
+#[allow(clippy::needless_range_loop)]
 pub(super) fn along(row: &[f64], column: &[Near]) -> f64 {
-    row.iter().zip(column).map(|(p, (b, _))| p * b).sum()
+    let (length, mut sum) = (row.len().min(column.len()), 0.0);
+    let (row, column) = (&row[..length], &column[..length]);
+    for i in 0..length {
+        sum += row[i] * column[i].0;
+    }
+    sum
 }
 
 /// A value as a sum over the states and the causes: the errors of each measured state, then that of

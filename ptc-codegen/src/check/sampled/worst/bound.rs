@@ -2,7 +2,6 @@
 
 use super::super::chain::along;
 use super::super::force::most as most_of;
-use super::super::moved::Moved;
 use super::super::trust::{Inexact, Trust};
 use super::{Output, Sampled};
 
@@ -50,21 +49,18 @@ impl Sampled {
         at: usize,
         trust: Option<Trust<'_>>,
     ) -> Bound {
-        let mut bound = Bound { noise: vec![0.0; self.noise.len()], ..Bound::default() };
+        let mut bound = Bound::default();
         let mut row = self.row(output, at);
         let mut inexact = Inexact::new(trust, self.size());
-        // Of the numbers of a reference.
-        let mut lost = 0.0;
+        let mut causes = Causes::new(self);
         if output.direct != 0.0 {
             let u = &self.step(at).u;
-            let seen: Vec<_> = u.of_cause.iter().map(|(d, _)| output.direct * d).collect();
-            self.add(&mut bound, &seen);
-            bound.jitter += self.of_drift(trust, at, &seen);
-            inexact.direct(output.direct, u, at, self.limits());
-            lost += output.direct.abs() * self.step(at).lost_of_u;
+            causes.see(|cause| output.direct * u.of_cause[cause].0);
+            causes.add();
+            bound.jitter += self.of_drift(trust, at, &causes.seen);
+            inexact.direct(output.direct, self.step(at), at, self.limits());
         }
-        let mut before = Vec::new();
-        let mut seen = Vec::new();
+        let mut room = vec![0.0; self.size()];
         let (mut constant, mut varying) = (0.0, [0.0; 2]);
         for k in (0..at).rev() {
             let step = self.step(k);
@@ -75,30 +71,27 @@ impl Sampled {
                     varying.iter_mut().zip(size).for_each(|(sum, part)| *sum += part);
                 }
             }
-            seen.clear();
-            seen.extend(step.columns.iter().map(|column| along(&row, column)));
+            causes.see(|cause| along(&row, &step.columns[cause]));
             let earlier = output.change && k + 1 == at;
             if earlier {
-                let causes = seen.iter_mut().zip(&step.u.of_cause);
-                causes.for_each(|(sum, (own, _))| *sum -= output.direct * own);
-                inexact.direct(output.direct, &step.u, k, self.limits());
-                lost += output.direct.abs() * step.lost_of_u;
+                causes.seen.iter_mut().zip(&step.u.of_cause).for_each(|(sum, (own, _))| {
+                    *sum -= output.direct * own;
+                });
+                inexact.direct(output.direct, step, k, self.limits());
             }
             if let Some(moved) = &self.moved {
                 bound.reference += moved.adds(&self.chain, &row);
             }
-            lost += row.iter().zip(&step.lost).map(|(p, (own, _))| p.abs() * own).sum::<f64>();
-            self.add(&mut bound, &seen);
-            bound.jitter += self.of_drift(trust, k, &seen) + self.of_switch(trust, k, &row);
-            let gain = self.of_gain(trust, k);
-            bound.gain += along(&row, &self.chain.input).abs() * gain;
-            let force = self.force.iter().map(|force| (&force.column, force.most()));
-            let causes = step.columns.iter().zip(self.limits()).chain(force);
-            let moved = self.moved.iter().flat_map(Moved::causes);
-            let causes = causes.chain(moved).chain([(&step.lost, 1.0)]);
-            inexact.sample(k, &row, &step.matrix, causes.chain([(&self.chain.input, gain)]));
-            step.matrix.after(&row, &mut before);
-            std::mem::swap(&mut row, &mut before);
+            causes.add();
+            if self.late.is_some() {
+                bound.jitter +=
+                    self.of_drift(trust, k, &causes.seen) + self.of_switch(trust, k, &row);
+            }
+            if self.gain_error > 0.0 {
+                bound.gain += along(&row, &self.chain.input).abs() * self.of_gain(trust, k);
+            }
+            inexact.sample(self, k, &row);
+            self.earlier(k, &mut row, &mut room);
             if earlier {
                 let less = self.row(output, k);
                 row.iter_mut().zip(less).for_each(|(sum, own)| *sum -= own);
@@ -108,29 +101,62 @@ impl Sampled {
         let kept = row.iter().skip(self.x0.len()).zip(&self.kept);
         bound.reference += kept.map(|(p, start)| (p * start).abs()).sum::<f64>();
         inexact.start(&[self.x0.as_slice(), &self.kept].concat());
-        let mut rounding = inexact.sum + lost;
+        let mut rounding = inexact.sum;
         if let Some(force) = &self.force {
             let [least, most] = varying;
             bound.force =
                 (force.middle.abs() + force.constant) * constant.abs() + force.varying * least;
             rounding += force.varying * (most - least);
         }
-        bound.rms = bound.rms.sqrt();
-        // The sums of this function round too.
+        bound.rms = causes.variance.sqrt();
+        bound.actuator = causes.sums.pop().unwrap_or_default();
+        bound.noise = causes.sums;
+        // The sums of this function round too: no term more than once for each that follows it.
+        #[allow(clippy::cast_precision_loss)]
+        let rounded = 1e-12_f64.max((at + 64) as f64 * f64::EPSILON);
         let others = bound.reference + bound.gain + bound.jitter;
-        let slack = 1e-12 * (bound.attained() + others + rounding);
+        let slack = rounded * (bound.attained() + others + rounding);
         bound.rounding = if trust.is_some() { rounding + slack } else { f64::INFINITY };
         bound
     }
+}
 
-    /// Adds the causes of one sample, each weighted by how much of it the output sees.
-    fn add(&self, bound: &mut Bound, seen: &[f64]) {
-        // Errors of different samples are independent: their variances add up.
-        let random = seen.iter().zip(&self.noise_rms).map(|(seen, rms)| (seen * rms).powi(2));
-        bound.rms += random.sum::<f64>();
-        let parts = bound.noise.iter_mut().chain([&mut bound.actuator]);
-        for ((sum, seen), limit) in parts.zip(seen).zip(self.limits()) {
-            *sum += seen.abs() * limit;
+/// What the causes of all samples add: the errors of each measured state, then that of the actuator.
+struct Causes {
+    limits: Vec<f64>,
+    rms: Vec<f64>,
+    /// Those that are not 0, or that a jitter moves: most loops have few.
+    active: Vec<usize>,
+    /// How much of each the output sees.
+    seen: Vec<f64>,
+    sums: Vec<f64>,
+    variance: f64,
+}
+
+impl Causes {
+    fn new(sampled: &Sampled) -> Self {
+        let limits: Vec<_> = sampled.limits().collect();
+        let rms = [sampled.noise_rms.as_slice(), &[0.0]].concat();
+        let counts =
+            |cause: &usize| limits[*cause] > 0.0 || rms[*cause] > 0.0 || sampled.late.is_some();
+        let active = (0..limits.len()).filter(counts).collect();
+        let zeros = vec![0.0; limits.len()];
+        Self { limits, rms, active, seen: zeros.clone(), sums: zeros, variance: 0.0 }
+    }
+
+    /// Notes how much of each cause the output sees.
+    fn see(&mut self, seen: impl Fn(usize) -> f64) {
+        for cause in &self.active {
+            self.seen[*cause] = seen(*cause);
+        }
+    }
+
+    /// Adds what it sees. Errors of different samples are independent: their variances add up.
+    fn add(&mut self) {
+        for cause in &self.active {
+            let seen = self.seen[*cause].abs();
+            self.sums[*cause] += seen * self.limits[*cause];
+            self.variance += (seen * self.rms[*cause]).powi(2);
         }
     }
 }

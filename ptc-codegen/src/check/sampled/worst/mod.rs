@@ -27,6 +27,8 @@ pub(super) struct Sampled {
     pub(super) chain: Chain,
     /// Sample 0, 1, ...; the last one stays.
     steps: Vec<Step>,
+    /// Their matrices by rows, one behind the other: sums over many samples wait for memory else.
+    matrices: Vec<f64>,
     /// Where the input that acts is kept; `None` for u itself.
     pub(super) acting: Option<usize>,
     /// Of each state its unit.
@@ -80,6 +82,25 @@ fn most(steps: &[Step], units: &[Unit], unit: Unit) -> Vec<f64> {
     all
 }
 
+/// A row times a matrix of a size that the compiler knows: worst cases spend most of their time here. By index, as chains
+/// of iterators are slow where nothing is inlined across the parts of a crate.
+#[allow(clippy::needless_range_loop)]
+fn product<const SIZE: usize>(row: &[f64], matrix: &[f64], into: &mut [f64]) {
+    let (row, matrix) = (&row[..SIZE], &matrix[..SIZE * SIZE]);
+    let mut sums = [0.0; SIZE];
+    for i in 0..SIZE {
+        for j in 0..SIZE {
+            sums[j] += row[i] * matrix[i * SIZE + j];
+        }
+    }
+    into.copy_from_slice(&sums);
+}
+
+/// The matrices of steps, one behind the other.
+fn in_a_row(steps: &[Step]) -> Vec<f64> {
+    steps.iter().flat_map(|step| step.matrix.entries.iter().copied()).collect()
+}
+
 impl Sampled {
     /// The loop of a chain with one row of gains a sample, which nothing disturbs yet.
     pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
@@ -109,6 +130,7 @@ impl Sampled {
         let gains = map(units[..chain.n].iter().filter_map(gained));
         Self {
             chain,
+            matrices: in_a_row(&steps),
             steps,
             acting,
             units,
@@ -141,6 +163,27 @@ impl Sampled {
         &self.steps[k.min(self.steps.len() - 1)]
     }
 
+    /// Takes a row over the states of sample `k` + 1 to the one over those of sample `k`, p M_k; `room` is as long.
+    pub(super) fn earlier(&self, k: usize, row: &mut Vec<f64>, room: &mut Vec<f64>) {
+        let (size, k) = (self.size(), k.min(self.steps.len() - 1));
+        let matrix = &self.matrices[k * size * size..][..size * size];
+        match size {
+            1 => product::<1>(row, matrix, room),
+            2 => product::<2>(row, matrix, room),
+            3 => product::<3>(row, matrix, room),
+            4 => product::<4>(row, matrix, room),
+            5 => product::<5>(row, matrix, room),
+            6 => product::<6>(row, matrix, room),
+            _ => {
+                room.fill(0.0);
+                for (factor, own) in row.iter().zip(matrix.chunks_exact(size)) {
+                    room.iter_mut().zip(own).for_each(|(sum, entry)| *sum += factor * entry);
+                }
+            }
+        }
+        std::mem::swap(row, room);
+    }
+
     /// The bounds of the causes.
     pub(super) fn limits(&self) -> impl Iterator<Item = f64> {
         self.noise.iter().copied().chain([self.actuator])
@@ -168,8 +211,8 @@ impl Sampled {
 
     /// The loop with its last sample repeated, from states within other bounds.
     pub(super) fn last(&self, x0: Vec<f64>) -> Self {
-        let steps = self.steps.last().cloned().into_iter().collect();
-        Self { steps, x0, gains: BTreeMap::new(), ..self.clone() }
+        let steps: Vec<_> = self.steps.last().cloned().into_iter().collect();
+        Self { matrices: in_a_row(&steps), steps, x0, gains: BTreeMap::new(), ..self.clone() }
     }
 
     /// The row of an output on s_K, with u_K written out.
@@ -209,14 +252,13 @@ impl Sampled {
         let mut scales: Vec<_> = (0..=at).map(|k| self.units(k)).collect();
         if let Some(output) = output {
             let mut row = self.row(output, at);
-            let mut before = Vec::new();
+            let mut room = vec![0.0; self.size()];
             for k in (0..=at).rev() {
                 let seen: f64 = row.iter().zip(&scales[k]).map(|(p, d)| (p / d).abs()).sum();
                 let seen = seen.max(f64::MIN_POSITIVE * 1e30);
                 scales[k].iter_mut().for_each(|d| *d *= seen);
                 if k > 0 {
-                    self.step(k - 1).matrix.after(&row, &mut before);
-                    std::mem::swap(&mut row, &mut before);
+                    self.earlier(k - 1, &mut row, &mut room);
                 }
             }
         }
