@@ -6,7 +6,7 @@ mod meaning;
 mod observer;
 mod several;
 
-use num_traits::{Signed, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Reader, items, shown, whole};
 use crate::algebra::{BigRational, integer};
@@ -145,14 +145,17 @@ impl Reader<'_> {
         let off = (&ratio - &nearest).abs();
         let place = self.keys.get("tau").map(|node| node.place);
         if off > BigRational::new(1.into(), 1_000_000_000.into()) || nearest.is_zero() {
-            let text = |count: BigRational| constant::text(&(count.max(integer(1)) * h));
+            // In so many digits that it is seen to be no whole number.
+            let digits = format!("{:.11e}", decimal(&ratio));
+            let periods: f64 = digits.parse().unwrap_or(f64::NAN);
+            let near = |count: BigRational| decimal(&(count.max(integer(1)) * h));
             let message = format!(
                 "tau = {} is {} of {}",
-                constant::text(tau),
-                counted(&constant::text(&ratio), "sample period"),
-                constant::text(h)
+                decimal(tau),
+                counted(&periods.to_string(), "sample period"),
+                decimal(h)
             );
-            let (below, above) = (text(ratio.floor()), text(ratio.ceil()));
+            let (below, above) = (near(ratio.floor()), near(ratio.ceil()));
             let help =
                 format!("tau is a whole number of them: the nearest are {below} and {above}");
             self.wrong("tau", place, message, help);
@@ -237,4 +240,9 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// The double that is nearest, which reads back as it: exact fractions may be long.
+fn decimal(number: &BigRational) -> f64 {
+    number.to_f64().unwrap_or(f64::NAN)
 }
