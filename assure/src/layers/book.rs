@@ -53,7 +53,7 @@ const DEFECTS: [(&str, &str); 5] = [
 fn run(context: &Context) -> Result<Finding> {
     let (pages, links, failures) = examine(context, "")?;
     let mut finding = Finding { failures, ..Finding::default() };
-    for (defect, added) in DEFECTS {
+    for (defect, added) in context.in_turn(DEFECTS.to_vec()) {
         let (.., faults) = examine(context, added)?;
         finding.seed(defect, faults.into_iter().next());
     }

@@ -16,6 +16,7 @@ mod fuzz;
 mod identity;
 mod matlab;
 mod miri;
+mod mixed;
 mod module;
 mod names;
 mod packages;
@@ -49,6 +50,7 @@ pub const LAYERS: &[Layer] = &[
     bits::LAYER,
     identity::LAYER,
     fuzz::LAYER,
+    mixed::LAYER,
     cpp::LAYER,
     python::LAYER,
     matlab::LAYER,

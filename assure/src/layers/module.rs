@@ -22,7 +22,7 @@ const SCRIPT: &str = include_str!("module.py");
 pub(super) const LAYER: Layer = Layer {
     name: "module",
     claim: "The Python module emits the files of the command, gives its verdicts and the bits of its \
-            simulations and campaigns, reports every mistake, and stops on request; and the \
+            simulations and campaigns, reports every mistake, and stops on request; its crate has no warning; and the \
             command of the wheel is the program, with its exit codes, streams and signals.",
     tools: &[GCC, RUSTC, PYTHON],
     run,
@@ -63,12 +63,15 @@ fn run(context: &Context) -> Result<Finding> {
 pub(super) fn wheel(context: &Context, folder: &Path) -> Result<PathBuf> {
     let python = runtime::python(&context.shared("maturin"), &[MATURIN])?;
     let wheels = empty(&folder.join("wheels"));
-    succeed(
-        building(python.as_ref(), context.target())
-            .args(["-m", "maturin", "build", "--quiet", "--profile", "dev", "--out"])
-            .arg(&wheels)
-            .current_dir(workspace()),
-    )?;
+    let mut maturin = building(python.as_ref(), context.target());
+    maturin.args(["-m", "maturin", "build", "--quiet", "--profile", "dev", "--out"]).arg(&wheels);
+    // Where clippy is there, it compiles the crate of the module, and so lints it.
+    let clippy = Command::new("clippy-driver").arg("--version").output();
+    if clippy.is_ok_and(|output| output.status.success()) {
+        maturin.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver");
+        maturin.env("CLIPPY_ARGS", "-D__CLIPPY_HACKERY__warnings");
+    }
+    succeed(maturin.current_dir(workspace()))?;
     Ok(fs::read_dir(&wheels)?.next().context("a wheel")??.path())
 }
 

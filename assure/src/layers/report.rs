@@ -71,7 +71,7 @@ fn run(context: &Context) -> Result<Finding> {
     }
     let verified = format!("{}{VERIFIED}", design(MAPPINGS[0]));
     pages.push(page(&command, &folder, "verified", &verified, &["verify"])?);
-    let seeds = seeds(&pages[0], &folder)?;
+    let seeds = context.in_turn(seeds(&pages[0], &folder)?);
     let all: Vec<_> = pages.iter().chain(seeds.iter().map(|(_, path)| path)).collect();
     let script = folder.join("report.py");
     fs::write(&script, SCRIPT)?;

@@ -32,8 +32,13 @@ const REFUSED: [Defect; 3] = [
     (" THEN", " {", "a brace of C"),
 ];
 
+/// An interpreter with what reads Structured Text, and with NumPy.
+pub(super) fn python(context: &Context) -> Result<PathBuf> {
+    runtime::python(&context.shared("blark"), &["numpy>=1.26", "blark==0.8.3"])
+}
+
 fn run(context: &Context) -> Result<Finding> {
-    let python = runtime::python(&context.shared("blark"), &["numpy>=1.26", "blark==0.8.3"])?;
+    let python = python(context)?;
     let side = Side {
         language: Language::StructuredText,
         run: &|folder, homes, records| {

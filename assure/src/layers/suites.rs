@@ -1,10 +1,12 @@
 //! The tests that `cargo test` leaves out, as they take minutes: of emitted code, of closed loops, of the command, and
 //! of the sessions in the documents.
 
+use std::path::Path;
 use std::process::Command;
 
 use anyhow::Result;
 
+use super::st;
 use crate::context::{Context, workspace};
 use crate::harness::command::succeed;
 use crate::layer::{Finding, Layer};
@@ -15,7 +17,7 @@ pub(super) const EMITTED: Layer = Layer {
     claim: "Emitted C and Rust give u of the reference vectors, agree with C++, Python and the interpreter \
             bit for bit, and give each status where it is due; the goldens run and are formatted.",
     tools: &[GCC, GXX, PYTHON],
-    run: |context| suite(context, &["--release", "--package", "ptc-assure", "--test", "emitted"]),
+    run: emitted,
 };
 
 pub(super) const LOOPS: Layer = Layer {
@@ -41,11 +43,23 @@ pub(super) const SESSIONS: Layer = Layer {
     run: |context| suite(context, &[&OPTIMISED[..], &["--test", "readme"]].concat()),
 };
 
+/// With an interpreter for the emitted Python and Structured Text, where its packages can be had.
+fn emitted(context: &Context) -> Result<Finding> {
+    let python = st::python(context).ok();
+    let target = ["--release", "--package", "ptc-assure", "--test", "emitted"];
+    suite_with(context, &target, python.as_deref())
+}
+
 const OPTIMISED: [&str; 5] = ["--release", "--package", "ptc-codegen", "--features", "lab"];
 
 fn suite(context: &Context, target: &[&str]) -> Result<Finding> {
+    suite_with(context, target, None)
+}
+
+fn suite_with(context: &Context, target: &[&str], python: Option<&Path>) -> Result<Finding> {
     let mut cargo = Command::new("cargo");
     cargo.arg("test").args(target).current_dir(workspace());
+    cargo.envs(python.map(|python| ("PYTHON", python)));
     let output = succeed(cargo.env("CARGO_TARGET_DIR", context.target()))?;
     let printed = String::from_utf8_lossy(&output.stdout);
     let passed = printed.lines().filter_map(|line| line.strip_prefix("test result: ok. "));

@@ -20,7 +20,7 @@ pub(super) const LAYER: Layer = Layer {
     claim: "A campaign that is killed at any instant resumes to the bytes, verdict and exit code of \
             one run; one process at a time has it; every flipped bit of its files is reported; and a \
             full disk, a read-only folder, devices, links and colliding outputs lose no file. Every \
-            input ends in 2 s and 500 MB, with output or a message and a documented exit code. No text of \
+            input ends in 4 s and 500 MB, with output or a message and a documented exit code. No text of \
             a design is read as code in an emitted file, or as an element in a report.",
     tools: &[],
     run,

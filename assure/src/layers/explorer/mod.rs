@@ -68,7 +68,7 @@ fn run(context: &Context) -> Result<Finding> {
     let bytes = compressed(&page)?;
     let mut finding = Finding { failures: faults(&seen, bytes, &said), ..Finding::default() };
     let few: Vec<_> = all.iter().filter(|case| FEW.contains(&&*case.name)).collect();
-    for (defect, page) in seeds(&page, &folder)? {
+    for (defect, page) in context.in_turn(seeds(&page, &folder)?) {
         let caught = match look(&page, &few) {
             Ok(seen) => faults(&seen, compressed(&page)?, &said).into_iter().next(),
             Err(error) => Some(format!("{error:#}").lines().next().unwrap_or_default().to_owned()),

@@ -1,0 +1,192 @@
+//! Random designs of all keys together: what one feature leaves to another compiles in every language.
+
+mod draw;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::Result;
+use ptc_codegen::Accepted;
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::emit::Language;
+use ptc_codegen::request::Spec;
+
+use self::draw::{Keys, keys};
+use super::seeded::{Defect, put_in};
+use crate::context::Context;
+use crate::harness::cpp::STRICT_CPP;
+use crate::harness::random::Random;
+use crate::harness::selftest::{main_program, write_selftest};
+use crate::harness::specs::{legal, spec};
+use crate::harness::{STRICT, empty, in_pairs, rustc};
+use crate::layer::{Finding, Layer, Table};
+use crate::tool::{CLANG, GCC, GXX, PYTHON, RUSTC};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "mixed",
+    claim: "Random designs of all keys together compile in C, C++ and Rust without a warning, are read by Python, and \
+            pass their self-test.",
+    tools: &[GCC, GXX, CLANG, RUSTC, PYTHON],
+    run,
+};
+
+/// Designs that are drawn, of which about half are refused.
+const DESIGNS: usize = 280;
+
+fn run(context: &Context) -> Result<Finding> {
+    let folder = context.scratch("mixed");
+    let mut random = Random(context.seed);
+    let drawn: Vec<_> = (0..DESIGNS).map(|i| keys(&mut random, &format!("mixed{i}"))).collect();
+    let drawn = context.in_turn(drawn);
+    let told = in_pairs(&drawn, |keys| examined(&folder, keys));
+    let mut finding = Finding::default();
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for (keys, told) in drawn.iter().zip(told) {
+        let Some(told) = told? else { continue };
+        for (language, fault) in told {
+            *counts.entry(language).or_default() += 1;
+            let keys: Vec<_> = keys.iter().map(|(key, value)| format!("{key}={value}")).collect();
+            finding.failures.extend(fault.map(|fault| format!("{}\n{fault}", keys.join("; "))));
+        }
+    }
+    let accepted = counts.get(C).copied().unwrap_or_default();
+    finding.summary = format!(
+        "{} designs, {accepted} of them accepted, {} faults",
+        drawn.len(),
+        finding.failures.len()
+    );
+    finding.failures.truncate(8);
+    finding.tables.push(Table {
+        title: "Designs that a language expresses".to_owned(),
+        head: vec!["examined", "designs"],
+        rows: counts.iter().map(|(name, n)| vec![(*name).to_owned(), n.to_string()]).collect(),
+    });
+    seeded(&folder, &mut finding)?;
+    Ok(finding)
+}
+
+const C: &str = "C, by gcc and clang";
+const CPP: &str = "C++, by g++ and clang++";
+const RUST: &str = "Rust, by rustc";
+const READ_BY_PYTHON: &str = "Python, by its compiler";
+const SELFTEST: &str = "self-test, run";
+
+/// What is examined, by name, and the fault that was found.
+type Told = Vec<(&'static str, Option<String>)>;
+
+/// `None` where the design is refused.
+fn examined(folder: &Path, keys: &Keys) -> Result<Option<Told>> {
+    let Some(spec) = legal(keys) else { return Ok(None) };
+    let report = examine(&spec);
+    if Accepted::of(report.clone()).is_err() {
+        return Ok(None);
+    }
+    let spec = report.spec;
+    let folder = folder.join(spec.name());
+    let mut told = Vec::new();
+    for (name, language) in LANGUAGES {
+        let Some(files) = written(&folder, &spec, language)? else { continue };
+        told.push((name, compiled(language, &files)?));
+    }
+    // What calls a function of the user's, or has no start, has none.
+    if ptc_codegen::generate_selftest(&spec).is_ok() {
+        told.push((SELFTEST, tested(&folder, &spec)?));
+    }
+    Ok(Some(told))
+}
+
+const LANGUAGES: [(&str, Language); 4] = [
+    (C, Language::C),
+    (CPP, Language::Cpp),
+    (RUST, Language::Rust),
+    (READ_BY_PYTHON, Language::Python),
+];
+
+/// The files of a controller, in a folder of its own for each language; `None` where it refuses it.
+fn written(folder: &Path, spec: &Spec, language: Language) -> Result<Option<Vec<PathBuf>>> {
+    let Ok(files) = ptc_codegen::generate(spec, language) else { return Ok(None) };
+    let folder = empty(&folder.join(language.name()));
+    let mut paths = Vec::new();
+    for file in files {
+        let path = folder.join(file.name);
+        std::fs::write(&path, file.text)?;
+        paths.push(path);
+    }
+    Ok(Some(paths))
+}
+
+/// What the compilers of a language say of its files, if anything.
+fn compiled(language: Language, files: &[PathBuf]) -> Result<Option<String>> {
+    let with = |program: &str, flags: &[&str], end: &str| {
+        let mut command = Command::new(program);
+        command.args(flags).arg("-fsyntax-only");
+        command.args((end == "hpp").then_some("-xc++"));
+        command.args(files.iter().filter(|file| file.extension().is_some_and(|e| e == end)));
+        command
+    };
+    let mut commands: Vec<Command> = match language {
+        Language::C => ["gcc", "clang"].map(|program| with(program, &STRICT, "c")).into(),
+        Language::Cpp => ["g++", "clang++"].map(|program| with(program, &STRICT_CPP, "hpp")).into(),
+        Language::Rust => {
+            let mut command = rustc();
+            command.args(["--crate-type=lib", "--emit=metadata", "-o"]);
+            command.arg(files[0].with_extension("rmeta")).args(files);
+            vec![command]
+        }
+        _ => {
+            let mut command = Command::new("python3");
+            command.args(["-W", "error", "-m", "py_compile"]).args(files);
+            vec![command]
+        }
+    };
+    for command in &mut commands {
+        if let Some(fault) = fault(command)? {
+            return Ok(Some(fault));
+        }
+    }
+    Ok(None)
+}
+
+/// What the self-test of a controller says whose C is there.
+fn tested(folder: &Path, spec: &Spec) -> Result<Option<String>> {
+    let folder = folder.join(Language::C.name());
+    let sources = write_selftest(&folder, spec)?;
+    let program = folder.join("selftest");
+    let mut compile = Command::new("gcc");
+    compile.args(STRICT).arg("-o").arg(&program).args(sources);
+    compile.arg(main_program(&folder, spec)?).arg("-lm");
+    match fault(&mut compile)? {
+        Some(fault) => Ok(Some(fault)),
+        None => fault(&mut Command::new(program)),
+    }
+}
+
+/// What a command that fails says.
+fn fault(command: &mut Command) -> Result<Option<String>> {
+    let output = command.output()?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    Ok((!output.status.success()).then(|| format!("{command:?}: {}\n{text}", output.status)))
+}
+
+/// A defect in each language, which its compilers must see.
+const DEFECTS: [(Language, Defect); 4] = [
+    (Language::C, ("const double past = ", "const float past = ", "C: a time narrowed to float")),
+    (
+        Language::Cpp,
+        ("    Control<double> step(", "    Control<float> step(", "C++: u narrowed to float"),
+    ),
+    (Language::Rust, ("let past = ", "let past: f32 = ", "Rust: a time narrowed to f32")),
+    (Language::Python, ("    def step(", "    def step((", "Python: a bracket that is not closed")),
+];
+
+fn seeded(folder: &Path, finding: &mut Finding) -> Result<()> {
+    let example = spec(&[("n", "2"), ("mu", "exp_sum(2)"), ("name", "seeded")]);
+    for (language, defect) in DEFECTS {
+        let files = written(&folder.join("seeded"), &example, language)?.unwrap_or_default();
+        put_in(&files, defect)?;
+        let caught = compiled(language, &files)?;
+        finding.seed(defect.2, caught.and_then(|text| text.lines().nth(1).map(str::to_owned)));
+    }
+    Ok(())
+}
