@@ -74,7 +74,8 @@ pub fn write_with_proof(folder: &Path, spec: &Spec) -> Vec<PathBuf> {
     written(folder, ptc_codegen::generate_with_proof(spec).expect("a legal spec"))
 }
 
-fn written(folder: &Path, files: Vec<ptc_codegen::emit::File>) -> Vec<PathBuf> {
+/// Writes files to `folder` and returns their paths.
+pub fn written(folder: &Path, files: Vec<ptc_codegen::emit::File>) -> Vec<PathBuf> {
     let write = |file: ptc_codegen::emit::File| {
         let path = folder.join(file.name);
         fs::create_dir_all(path.parent().unwrap_or(folder)).expect("a folder");

@@ -1,6 +1,8 @@
 //! Specs, as a front end would read them.
 
 use super::random::Random;
+use ptc_codegen::Accepted;
+use ptc_codegen::check::examine::examine;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
@@ -27,6 +29,13 @@ pub fn legal(keys: &[(impl AsRef<str>, impl AsRef<str>)]) -> Option<Spec> {
         Some(Entry { key: key.to_owned(), place: Place(0), value })
     };
     read(&keys.iter().map(entry).collect::<Option<Vec<_>>>()?).ok()
+}
+
+/// The same as a design that can be emitted; `None` also where the checks refuse it, or a coefficient overflows.
+pub fn accepted(keys: &[(impl AsRef<str>, impl AsRef<str>)]) -> Option<(Spec, Accepted)> {
+    let report = examine(&legal(keys)?);
+    let spec = report.spec.clone();
+    Some((spec, Accepted::of(report).ok()?))
 }
 
 /// Every family.

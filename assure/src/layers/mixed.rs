@@ -7,19 +7,17 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::Result;
-use ptc_codegen::Accepted;
-use ptc_codegen::check::examine::examine;
 use ptc_codegen::emit::Language;
 use ptc_codegen::request::Spec;
 
 use self::draw::{Keys, keys};
-use super::seeded::{Defect, put_in};
+use super::seeded::{Defect, with_defect};
 use crate::context::Context;
 use crate::harness::cpp::STRICT_CPP;
 use crate::harness::random::Random;
-use crate::harness::selftest::{main_program, write_selftest};
-use crate::harness::specs::{legal, spec};
-use crate::harness::{STRICT, empty, in_pairs, rustc};
+use crate::harness::selftest::main_program;
+use crate::harness::specs::{accepted, spec};
+use crate::harness::{STRICT, empty, in_pairs, rustc, written};
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{CLANG, GCC, GXX, PYTHON, RUSTC};
 
@@ -77,21 +75,17 @@ type Told = Vec<(&'static str, Option<String>)>;
 
 /// `None` where the design is refused.
 fn examined(folder: &Path, keys: &Keys) -> Result<Option<Told>> {
-    let Some(spec) = legal(keys) else { return Ok(None) };
-    let report = examine(&spec);
-    if Accepted::of(report.clone()).is_err() {
-        return Ok(None);
-    }
-    let spec = report.spec;
-    let folder = folder.join(spec.name());
+    let Some((spec, accepted)) = accepted(keys) else { return Ok(None) };
+    let home = |language: Language| folder.join(spec.name()).join(language.name());
     let mut told = Vec::new();
     for (name, language) in LANGUAGES {
-        let Some(files) = written(&folder, &spec, language)? else { continue };
-        told.push((name, compiled(language, &files)?));
+        let Ok(files) = accepted.sources(language, &[]) else { continue };
+        told.push((name, compiled(language, &written(&empty(&home(language)), files))?));
     }
-    // What calls a function of the user's, or has no start, has none.
-    if ptc_codegen::generate_selftest(&spec).is_ok() {
-        told.push((SELFTEST, tested(&folder, &spec)?));
+    if let Ok(files) = accepted.selftest() {
+        let home = home(Language::C);
+        written(&home, files);
+        told.push((SELFTEST, tested(&home, &spec)?));
     }
     Ok(Some(told))
 }
@@ -102,19 +96,6 @@ const LANGUAGES: [(&str, Language); 4] = [
     (RUST, Language::Rust),
     (READ_BY_PYTHON, Language::Python),
 ];
-
-/// The files of a controller, in a folder of its own for each language; `None` where it refuses it.
-fn written(folder: &Path, spec: &Spec, language: Language) -> Result<Option<Vec<PathBuf>>> {
-    let Ok(files) = ptc_codegen::generate(spec, language) else { return Ok(None) };
-    let folder = empty(&folder.join(language.name()));
-    let mut paths = Vec::new();
-    for file in files {
-        let path = folder.join(file.name);
-        std::fs::write(&path, file.text)?;
-        paths.push(path);
-    }
-    Ok(Some(paths))
-}
 
 /// What the compilers of a language say of its files, if anything.
 fn compiled(language: Language, files: &[PathBuf]) -> Result<Option<String>> {
@@ -148,14 +129,13 @@ fn compiled(language: Language, files: &[PathBuf]) -> Result<Option<String>> {
     Ok(None)
 }
 
-/// What the self-test of a controller says whose C is there.
-fn tested(folder: &Path, spec: &Spec) -> Result<Option<String>> {
-    let folder = folder.join(Language::C.name());
-    let sources = write_selftest(&folder, spec)?;
-    let program = folder.join("selftest");
+/// What the self-test of a controller in `home` says, if anything.
+fn tested(home: &Path, spec: &Spec) -> Result<Option<String>> {
+    let (name, program) = (spec.name(), home.join("selftest"));
+    let sources = [format!("{name}.c"), format!("{name}_selftest.c")];
     let mut compile = Command::new("gcc");
-    compile.args(STRICT).arg("-o").arg(&program).args(sources);
-    compile.arg(main_program(&folder, spec)?).arg("-lm");
+    compile.args(STRICT).arg("-o").arg(&program).args(sources.map(|file| home.join(file)));
+    compile.arg(main_program(home, spec)?).arg("-lm");
     match fault(&mut compile)? {
         Some(fault) => Ok(Some(fault)),
         None => fault(&mut Command::new(program)),
@@ -183,8 +163,7 @@ const DEFECTS: [(Language, Defect); 4] = [
 fn seeded(folder: &Path, finding: &mut Finding) -> Result<()> {
     let example = spec(&[("n", "2"), ("mu", "exp_sum(2)"), ("name", "seeded")]);
     for (language, defect) in DEFECTS {
-        let files = written(&folder.join("seeded"), &example, language)?.unwrap_or_default();
-        put_in(&files, defect)?;
+        let files = with_defect(&folder.join("seeded"), &example, language, defect)?;
         let caught = compiled(language, &files)?;
         finding.seed(defect.2, caught.and_then(|text| text.lines().nth(1).map(str::to_owned)));
     }

@@ -19,7 +19,7 @@ struct Seen<'a> {
     parameters: BTreeSet<&'a str>,
     callbacks: BTreeSet<&'static str>,
     locals: BTreeSet<String>,
-    /// Whether the fields are those of the gains, which C++ names as it does locals.
+    /// Whether the fields are those of the gains, which a language may name without their owner.
     of_gains: bool,
     may_change: bool,
     changed: bool,

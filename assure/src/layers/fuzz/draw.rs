@@ -1,10 +1,9 @@
 //! Random designs, as keys and values of the command line.
 
-use ptc_codegen::check::examine::examine;
 use ptc_codegen::request::Spec;
 
 use crate::harness::random::Random;
-use crate::harness::specs::legal;
+use crate::harness::specs::accepted;
 
 /// Keys with their values.
 pub(super) type Keys = Vec<(String, String)>;
@@ -183,11 +182,7 @@ fn law(random: &mut Random, n: u64) -> String {
 
 /// The spec of some keys; `None` if it is refused.
 pub(super) fn spec(keys: &Keys) -> Option<Spec> {
-    let spec = legal(keys)?;
-    // What the checks refuse, and what overflows when it is generated, is no controller.
-    let report = examine(&spec);
-    ptc_codegen::Accepted::of(report.clone()).ok()?;
-    Some(report.spec)
+    accepted(keys).map(|(spec, _)| spec)
 }
 
 /// Designs with one choice less, the simplest first.

@@ -12,6 +12,7 @@ use ptc_codegen::parameter::Precision;
 use ptc_codegen::request::Spec;
 
 use super::native::{is_plant, lists, members, read, states, written};
+use super::support::sampled::{octave, python_with};
 use super::support::{run, write};
 use super::{Call, Given, LAW, is_extern, parameters};
 
@@ -82,9 +83,7 @@ pub(super) fn in_python(
     calls: &[Call],
     count: usize,
 ) -> Option<Vec<Given>> {
-    let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let found = Command::new(&python).args(["-c", "import numpy"]).output();
-    found.ok().filter(|output| output.status.success())?;
+    let python = python_with("import numpy")?;
     write(folder, spec, Language::Python);
     let (name, kind) = (spec.name(), spec.type_name());
     let integer = if spec.precision == Precision::F32 { "uint32" } else { "uint64" };
@@ -124,7 +123,7 @@ pub(super) fn in_octave(
     calls: &[Call],
     count: usize,
 ) -> Option<Vec<Given>> {
-    Command::new("octave-cli").arg("--version").output().ok()?;
+    let mut octave = octave()?;
     write(folder, spec, Language::Matlab);
     let name = spec.name();
     let mut text = format!("1;\naddpath('{}');\np = struct();\n", folder.display());
@@ -164,7 +163,5 @@ pub(super) fn in_octave(
     }
     let source = folder.join("driver.m");
     fs::write(&source, text).expect("Octave");
-    let mut octave = Command::new("octave-cli");
-    let options = ["-q", "--no-init-file", "--no-history"];
-    Some(read(spec, &run(octave.args(options).arg(source))))
+    Some(read(spec, &run(octave.arg(source))))
 }

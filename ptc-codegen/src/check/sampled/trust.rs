@@ -76,7 +76,7 @@ impl<'a> Inexact<'a> {
             Some(Trust::Fading(fading)) => {
                 let scale = &fading.scales[k + 1];
                 let step = sampled.step(k);
-                for (column, limit) in sampled.causes(step, 0.0) {
+                for (column, limit) in sampled.columns(step, 0.0) {
                     let reach = column.iter().zip(scale);
                     let reach =
                         reach.map(|((b, error), d)| (b.abs() + error) * d).fold(0.0, f64::max);
@@ -101,7 +101,7 @@ impl<'a> Inexact<'a> {
     }
 }
 
-/// sum_i |row_i| weight_i, by index as [`Sampled::earlier`].
+/// sum_i |row_i| weight_i, by index as the product of a row and a matrix in `worst`.
 #[allow(clippy::needless_range_loop)]
 fn size_of(row: &[f64], weights: &[f64]) -> f64 {
     let (weights, mut sum) = (&weights[..row.len()], 0.0);
@@ -121,7 +121,7 @@ fn unit(size: usize) -> f64 {
 impl Sampled {
     /// The columns of all that moves the loop in a sample, with their bounds; `gain` is that of what an input gain that is
     /// not known adds to the input.
-    fn causes<'a>(
+    fn columns<'a>(
         &'a self,
         step: &'a Step,
         gain: f64,
@@ -140,7 +140,7 @@ impl Sampled {
         sums.iter_mut().zip(&step.lost).for_each(|(sum, (own, _))| *sum += own);
         // A bound that is not known counts for nothing where it acts by nothing.
         let gain = if self.gain_error > 0.0 { self.gain_error * acting } else { 0.0 };
-        for (column, limit) in self.causes(step, gain).filter(|(_, limit)| *limit > 0.0) {
+        for (column, limit) in self.columns(step, gain).filter(|(_, limit)| *limit > 0.0) {
             let parts = column.iter().map(|(b, error)| (error + unit * b.abs()) * limit);
             sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
         }

@@ -81,6 +81,21 @@ pub(crate) fn in_python(folder: &Path, designs: &[Design]) -> Option<Vec<String>
     in_interpreter("import numpy", PYTHON, folder, designs)
 }
 
+/// The interpreter of the tests, where it has what is `needed`.
+pub(crate) fn python_with(needed: &str) -> Option<String> {
+    let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let found = Command::new(&python).args(["-c", needed]).output();
+    found.is_ok_and(|output| output.status.success()).then_some(python)
+}
+
+/// GNU Octave, where it is there.
+pub(crate) fn octave() -> Option<Command> {
+    Command::new("octave-cli").arg("--version").output().ok()?;
+    let mut octave = Command::new("octave-cli");
+    octave.args(["-q", "--no-init-file", "--no-history"]);
+    Some(octave)
+}
+
 /// What a driver in Python answers, where all that it imports is there.
 fn in_interpreter(
     needed: &str,
@@ -88,9 +103,7 @@ fn in_interpreter(
     folder: &Path,
     designs: &[Design],
 ) -> Option<Vec<String>> {
-    let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let found = Command::new(&python).args(["-c", needed]).output();
-    found.ok().filter(|output| output.status.success())?;
+    let python = python_with(needed)?;
     let mut table = String::new();
     for design in designs {
         let real = if design.code.precision == Precision::F32 { "float32" } else { "float64" };
@@ -275,7 +288,7 @@ end
 
 /// In GNU Octave, where it is there.
 pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
-    Command::new("octave-cli").arg("--version").output().ok()?;
+    let mut octave = octave()?;
     let mut table = String::new();
     for (i, design) in designs.iter().enumerate() {
         let names: Vec<_> = design.parameters().map(|(name, _)| format!("'{name}'")).collect();
@@ -307,6 +320,5 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
     let source = folder.join("driver.m");
     fs::write(&source, format!("1;\n{OCTAVE}\ndesigns = {{}};\n{table}drive(designs);\n"))
         .expect("Octave");
-    let mut octave = Command::new("octave-cli");
-    Some(answers(octave.args(["-q", "--no-init-file", "--no-history"]).arg(source), folder))
+    Some(answers(octave.arg(source), folder))
 }

@@ -21,7 +21,7 @@ mod interpreted;
 mod native;
 mod rust;
 
-pub(crate) use interpreted::{in_octave, in_python, in_structured_text};
+pub(crate) use interpreted::{in_octave, in_python, in_structured_text, octave, python_with};
 pub(crate) use native::{in_c, in_cpp};
 pub(crate) use rust::in_rust;
 

@@ -40,7 +40,7 @@ pub(super) fn centre(range: Range, error: f64) -> Near {
 /// A number and a bound of its distance from the true one.
 pub(super) type Near = (f64, f64);
 
-/// The sum of a row over a column, by index as [`Sampled::earlier`](super::worst::Sampled::earlier).
+/// The sum of a row over a column, by index as the product of a row and a matrix in `worst`.
 #[allow(clippy::needless_range_loop)]
 pub(super) fn along(row: &[f64], column: &[Near]) -> f64 {
     let (length, mut sum) = (row.len().min(column.len()), 0.0);

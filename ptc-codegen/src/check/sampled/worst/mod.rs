@@ -27,8 +27,6 @@ pub(super) struct Sampled {
     pub(super) chain: Chain,
     /// Sample 0, 1, ...; the last one stays.
     steps: Vec<Step>,
-    /// Their matrices by rows, one behind the other: sums over many samples wait for memory else.
-    matrices: Vec<f64>,
     /// Where the input that acts is kept; `None` for u itself.
     pub(super) acting: Option<usize>,
     /// Of each state its unit.
@@ -96,11 +94,6 @@ fn product<const SIZE: usize>(row: &[f64], matrix: &[f64], into: &mut [f64]) {
     into.copy_from_slice(&sums);
 }
 
-/// The matrices of steps, one behind the other.
-fn in_a_row(steps: &[Step]) -> Vec<f64> {
-    steps.iter().flat_map(|step| step.matrix.entries.iter().copied()).collect()
-}
-
 impl Sampled {
     /// The loop of a chain with one row of gains a sample, which nothing disturbs yet.
     pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
@@ -130,7 +123,6 @@ impl Sampled {
         let gains = map(units[..chain.n].iter().filter_map(gained));
         Self {
             chain,
-            matrices: in_a_row(&steps),
             steps,
             acting,
             units,
@@ -165,16 +157,15 @@ impl Sampled {
 
     /// Takes a row over the states of sample `k` + 1 to the one over those of sample `k`, p M_k; `room` is as long.
     pub(super) fn earlier(&self, k: usize, row: &mut Vec<f64>, room: &mut Vec<f64>) {
-        let (size, k) = (self.size(), k.min(self.steps.len() - 1));
-        let matrix = &self.matrices[k * size * size..][..size * size];
-        match size {
+        let matrix = self.step(k).matrix.entries.as_slice();
+        match self.size() {
             1 => product::<1>(row, matrix, room),
             2 => product::<2>(row, matrix, room),
             3 => product::<3>(row, matrix, room),
             4 => product::<4>(row, matrix, room),
             5 => product::<5>(row, matrix, room),
             6 => product::<6>(row, matrix, room),
-            _ => {
+            size => {
                 room.fill(0.0);
                 for (factor, own) in row.iter().zip(matrix.chunks_exact(size)) {
                     room.iter_mut().zip(own).for_each(|(sum, entry)| *sum += factor * entry);
@@ -211,8 +202,8 @@ impl Sampled {
 
     /// The loop with its last sample repeated, from states within other bounds.
     pub(super) fn last(&self, x0: Vec<f64>) -> Self {
-        let steps: Vec<_> = self.steps.last().cloned().into_iter().collect();
-        Self { matrices: in_a_row(&steps), steps, x0, gains: BTreeMap::new(), ..self.clone() }
+        let steps = self.steps.last().cloned().into_iter().collect();
+        Self { steps, x0, gains: BTreeMap::new(), ..self.clone() }
     }
 
     /// The row of an output on s_K, with u_K written out.

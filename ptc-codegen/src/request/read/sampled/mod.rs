@@ -146,14 +146,14 @@ impl Reader<'_> {
         let place = self.keys.get("tau").map(|node| node.place);
         if off > BigRational::new(1.into(), 1_000_000_000.into()) || nearest.is_zero() {
             // In so many digits that it is seen to be no whole number.
-            let digits = format!("{:.11e}", decimal(&ratio));
+            let digits = format!("{:.11e}", double(&ratio));
             let periods: f64 = digits.parse().unwrap_or(f64::NAN);
-            let near = |count: BigRational| decimal(&(count.max(integer(1)) * h));
+            let near = |count: BigRational| double(&(count.max(integer(1)) * h));
             let message = format!(
                 "tau = {} is {} of {}",
-                decimal(tau),
+                double(tau),
                 counted(&periods.to_string(), "sample period"),
-                decimal(h)
+                double(h)
             );
             let (below, above) = (near(ratio.floor()), near(ratio.ceil()));
             let help =
@@ -242,7 +242,7 @@ impl Reader<'_> {
     }
 }
 
-/// The double that is nearest, which reads back as it: exact fractions may be long.
-fn decimal(number: &BigRational) -> f64 {
+/// The nearest double, which is short where the exact fraction is long.
+fn double(number: &BigRational) -> f64 {
     number.to_f64().unwrap_or(f64::NAN)
 }
