@@ -147,17 +147,27 @@ pub(crate) fn shorten(text: &str) -> String {
 /// that it begins or that begins it. A single letter is no typo of another.
 pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let given = given.to_lowercase();
-    let rank = |name: &str| {
-        // No typo of a name is three times as long; the distance is computed in the product of both.
-        let comparable = given.len() <= 3 * name.len().max(3);
-        let distance =
-            if comparable { strsim::damerau_levenshtein(&given, name) } else { given.len() };
-        let typo = given.len() > 1 && 3 * distance <= given.len().max(3);
-        let prefix = given.len() >= 2 && (given.starts_with(name) || name.starts_with(&given));
-        (typo || prefix).then(|| (!typo, distance, given.len().abs_diff(name.len())))
-    };
-    let ranked = legal.into_iter().filter_map(|name| Some((rank(name)?, name)));
-    ranked.min().map(|(_, name)| name)
+    let mut best = None;
+    for name in legal {
+        if let Some(rank) = rank(&given, name)
+            && best.is_none_or(|least| (rank, name) < least)
+        {
+            best = Some((rank, name));
+        }
+    }
+    best.map(|(_, name)| name)
+}
+
+/// How far a legal name is from what was given: no typo, the distance, the difference in length.
+type Rank = (bool, usize, usize);
+
+fn rank(given: &str, name: &str) -> Option<Rank> {
+    // No typo of a name is three times as long; the distance is computed in the product of both.
+    let comparable = given.len() <= 3 * name.len().max(3);
+    let distance = if comparable { strsim::damerau_levenshtein(given, name) } else { given.len() };
+    let typo = given.len() > 1 && 3 * distance <= given.len().max(3);
+    let prefix = given.len() >= 2 && (given.starts_with(name) || name.starts_with(given));
+    (typo || prefix).then(|| (!typo, distance, given.len().abs_diff(name.len())))
 }
 
 /// So many of what `one` names: `1 output`, `2 outputs`.

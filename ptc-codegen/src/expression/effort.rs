@@ -13,6 +13,16 @@ thread_local! {
 /// Sets the effort back where the work ends, however it ends.
 struct Outermost;
 
+impl Outermost {
+    /// Sets the effort, unless work goes on that has one.
+    fn of_work() -> Option<Self> {
+        LEFT.get().is_none().then(|| {
+            LEFT.set(Some(EFFORT.size()));
+            Self
+        })
+    }
+}
+
 impl Drop for Outermost {
     fn drop(&mut self) {
         LEFT.set(None);
@@ -26,10 +36,7 @@ pub(crate) fn bounded<T>(work: impl FnOnce() -> T) -> T {
 
 /// The same, and whether the effort was enough.
 pub(crate) fn completed<T>(work: impl FnOnce() -> T) -> (T, bool) {
-    let _outermost = LEFT.get().is_none().then(|| {
-        LEFT.set(Some(EFFORT.size()));
-        Outermost
-    });
+    let _outermost = Outermost::of_work();
     let result = work();
     (result, LEFT.get() != Some(0))
 }

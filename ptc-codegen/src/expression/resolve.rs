@@ -294,7 +294,14 @@ impl Resolver<'_, '_> {
 /// The names of all functions. An objective has integrals over the run too, which are names before it is read.
 fn functions(subject: Subject) -> impl Iterator<Item = &'static str> + Clone {
     let own = (subject == Subject::Objective).then_some(INTEGRAL);
-    Function::ALL.iter().map(|(name, _)| *name).chain(["min", "max", "mean"]).chain(own)
+    // A list: its callers would each compile the walk.
+    let all: Vec<_> = Function::ALL
+        .iter()
+        .map(|(name, _)| *name)
+        .chain(["min", "max", "mean"])
+        .chain(own)
+        .collect();
+    all.into_iter()
 }
 
 fn named(key: &str) -> Option<Parameter> {

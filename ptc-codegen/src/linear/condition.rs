@@ -279,13 +279,13 @@ fn mode(
         let z = value.exp_m1();
         let row = |i: usize, imaginary: bool| {
             let diagonal = |j: usize, entry: f64| if i == j { entry / size } else { 0.0 };
-            let real = (0..n).map(|j| step(i, j) / size - diagonal(j, z.re));
-            let turned = (0..n).map(|j| -diagonal(j, z.im));
-            let shown = ports.iter().map(|port| port[i]);
-            let none = ports.iter().map(|_| 0.0);
+            let real = (0..n).map(|j| step(i, j) / size - diagonal(j, z.re)).collect();
+            let turned = |sign: f64| (0..n).map(|j| sign * diagonal(j, z.im)).collect::<Vec<_>>();
+            let shown = ports.iter().map(|port| port[i]).collect();
+            let none = vec![0.0; ports.len()];
             match imaginary {
-                false => real.chain(shown).chain(turned.map(|x| -x)).chain(none).collect(),
-                true => turned.chain(none).chain(real).chain(shown).collect::<Vec<f64>>(),
+                false => [real, shown, turned(1.0), none].concat(),
+                true => [turned(-1.0), none, real, shown].concat(),
             }
         };
         least((0..n).flat_map(|i| [row(i, false), row(i, true)]).collect())

@@ -31,6 +31,15 @@ impl Matrix {
         columns: usize,
         mut entry: impl FnMut(usize, usize) -> BigRational,
     ) -> Self {
+        Self::filled(rows, columns, &mut entry)
+    }
+
+    /// The same, compiled once for all kinds of entries.
+    fn filled(
+        rows: usize,
+        columns: usize,
+        entry: &mut dyn FnMut(usize, usize) -> BigRational,
+    ) -> Self {
         Self((0..rows).map(|i| (0..columns).map(|j| entry(i, j)).collect()).collect())
     }
 
@@ -160,9 +169,18 @@ pub(crate) fn dot<'a>(
     pairs: impl Iterator<Item = (&'a BigRational, &'a BigRational)>,
 ) -> BigRational {
     // Products that are not reduced: common factors of long numbers take most of the time.
-    let product =
-        |(a, b): (&BigRational, &BigRational)| (a.numer() * b.numer(), a.denom() * b.denom());
-    let terms: Vec<_> = pairs.map(product).filter(|(numer, _)| !numer.is_zero()).collect();
+    let mut terms = Vec::new();
+    for (a, b) in pairs {
+        let numer = a.numer() * b.numer();
+        if !numer.is_zero() {
+            terms.push((numer, a.denom() * b.denom()));
+        }
+    }
+    sum(terms)
+}
+
+/// The sum of numerators over their denominators.
+fn sum(terms: Vec<(BigInt, BigInt)>) -> BigRational {
     let common = terms.iter().fold(BigInt::one(), |common, (_, own)| multiple(common, own));
     let (mut sum, mut size) = (BigInt::zero(), BigInt::zero());
     for (numer, denom) in terms {

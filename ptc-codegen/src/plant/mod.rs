@@ -106,7 +106,9 @@ pub struct Mechanics {
 impl Mechanics {
     /// M, row by row, and the bias.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
-        self.inertia.iter().flatten().chain(&self.bias)
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> = self.inertia.iter().flatten().chain(&self.bias).collect();
+        all.into_iter()
     }
 }
 
@@ -154,7 +156,9 @@ impl Plant {
 
     /// What moves it, as it was written.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
-        self.keyed().map(|(_, expression)| expression)
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> = self.keyed().map(|(_, expression)| expression).collect();
+        all.into_iter()
     }
 
     /// The same, each with its key.
@@ -167,7 +171,10 @@ impl Plant {
         let bias = self.mechanics.iter().flat_map(|own| &own.bias);
         let mechanics =
             inertia.map(|e| ("plant.inertia", e)).chain(bias.map(|e| ("plant.bias", e)));
-        of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics)
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> =
+            of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics).collect();
+        all.into_iter()
     }
 
     /// The same with `to` in place of the leaves for which it gives something.

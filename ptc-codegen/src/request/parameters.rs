@@ -32,11 +32,16 @@ impl Spec {
     /// The user's parameters that occur in its expressions.
     fn named_parameters(&self) -> impl Iterator<Item = Parameter> {
         let named = set(self.expressions().flat_map(Expression::parameters));
-        named.into_iter().filter(|p| matches!(p, Parameter::Named(_)))
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> = named.into_iter().filter(|p| matches!(p, Parameter::Named(_))).collect();
+        all.into_iter()
     }
 
     /// The parameters that are left to run time.
     pub fn run_time_parameters(&self) -> impl Iterator<Item = Parameter> {
-        self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p))
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> =
+            self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p)).collect();
+        all.into_iter()
     }
 }

@@ -47,7 +47,9 @@ impl Spec {
     pub fn coordinates(&self) -> impl Iterator<Item = &Expression> {
         let coupled = self.coupled.iter().flat_map(|coupled| &coupled.outputs);
         let own = self.model.iter().flat_map(|model| &model.coordinates);
-        own.chain(coupled.flat_map(|output| &output.coordinates))
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> = own.chain(coupled.flat_map(|output| &output.coordinates)).collect();
+        all.into_iter()
     }
 
     /// The tracking error of each chain, its coordinates less the reference and its derivatives, one output

@@ -43,7 +43,9 @@ impl Spec {
             }
             _ => None,
         };
-        own.chain(one)
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> = own.chain(one).collect();
+        all.into_iter()
     }
 
     /// How many numbers a call is given beside time: the state, and behind it the reference, or that of each

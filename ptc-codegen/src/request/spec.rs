@@ -147,7 +147,10 @@ impl Spec {
             (Feedback::Expression(law), None) => Some(law),
             _ => None,
         };
-        one.into_iter().chain(self.axes.iter().flat_map(|axes| &axes.laws))
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> =
+            one.into_iter().chain(self.axes.iter().flat_map(|axes| &axes.laws)).collect();
+        all.into_iter()
     }
 
     /// Every expression that a controller is computed from.
@@ -159,7 +162,16 @@ impl Spec {
         let of_plant = model.chain(&self.drift).chain(&self.input_gain);
         let of_axes = self.axes.iter().flat_map(|axes| &axes.input_gains);
         let coupled = self.coupled.iter().flat_map(|coupled| coupled.expressions());
-        given.into_iter().chain(law).chain(of_plant).chain(of_axes).chain(coupled).chain(reference)
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> = given
+            .into_iter()
+            .chain(law)
+            .chain(of_plant)
+            .chain(of_axes)
+            .chain(coupled)
+            .chain(reference)
+            .collect();
+        all.into_iter()
     }
 
     /// Whether states are latched at the start.

@@ -204,7 +204,9 @@ impl Coupled {
             Inverse::Elimination { matrix, .. } => (matrix, [].as_slice()),
             Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
         };
-        chains.chain(matrix.iter().flatten()).chain(others)
+        // A list: its callers would each compile the walk.
+        let all: Vec<_> = chains.chain(matrix.iter().flatten()).chain(others).collect();
+        all.into_iter()
     }
 
     /// The determinant of the decoupling matrix, where the law divides by it and it is short enough.

@@ -38,7 +38,7 @@ pub(super) fn run(program: Program) -> Program {
     let polynomials = polynomials(&program);
     let mut map: Vec<Value> = Vec::with_capacity(program.values.len());
     let mut index = 0;
-    rebuild(&program, |new, definition| {
+    rebuild(&program, &mut |new, definition| {
         let polynomial = polynomials.get(&index);
         index += 1;
         let Definition { op, name, .. } = definition;

@@ -6,7 +6,7 @@ use crate::program::{Op, Program, Value};
 /// a^k by its binary digits, squares first: the chain that the interpreter uses for a power, so
 /// no bit changes. Equal squares of several powers are shared by the pass `share`.
 pub(super) fn run(program: Program) -> Program {
-    rebuild(&program, |new, definition| match definition.op {
+    rebuild(&program, &mut |new, definition| match definition.op {
         Op::Power(base, exponent) => chain(new, base, exponent, definition.name),
         op => append(new, op, definition.name),
     })

@@ -12,7 +12,7 @@ use crate::program::{self, Definition, Op, Program, Value, number};
 /// time, where they are reported; transcendental functions are left too, since the target's
 /// library may round them otherwise.
 pub(super) fn run(program: Program) -> Program {
-    rebuild(&program, fold)
+    rebuild(&program, &mut fold)
 }
 
 fn fold(new: &mut Program, definition: Definition) -> Value {

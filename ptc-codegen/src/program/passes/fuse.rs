@@ -15,7 +15,7 @@ pub(super) fn run(program: Program) -> Program {
     }
     let uses = uses(&program);
     let mut index = 0;
-    rebuild(&program, |new, definition| {
+    rebuild(&program, &mut |new, definition| {
         let old = &program.values[index];
         index += 1;
         let free = |v: Value| {

@@ -50,7 +50,7 @@ pub fn optimise(mut program: Program, watch: &mut dyn FnMut(&Pass, &Program)) ->
 /// mapped, and returns the value that stands for it.
 fn rebuild(
     program: &Program,
-    mut rewrite: impl FnMut(&mut Program, Definition) -> Value,
+    rewrite: &mut dyn FnMut(&mut Program, Definition) -> Value,
 ) -> Program {
     let mut new = Program { values: Vec::with_capacity(program.values.len()), ..program.clone() };
     let mut map: Vec<Value> = Vec::with_capacity(program.values.len());

@@ -10,7 +10,7 @@ pub(super) fn run(program: Program) -> Program {
         used[value.0] = true;
     }
     let mut index = 0;
-    rebuild(&program, |new, definition| {
+    rebuild(&program, &mut |new, definition| {
         index += 1;
         // A dropped value is never looked up again, so any index stands for it.
         if used[index - 1] { append(new, definition.op, definition.name) } else { Value(0) }

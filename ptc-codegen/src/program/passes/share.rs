@@ -10,7 +10,7 @@ use crate::program::{Op, Program, Value};
 /// iterated: the order of the map decides nothing.
 pub(super) fn run(program: Program) -> Program {
     let mut known: HashMap<Op, Value> = HashMap::new();
-    rebuild(&program, |new, definition| {
+    rebuild(&program, &mut |new, definition| {
         if definition.op == Op::Unknown {
             return append(new, definition.op, definition.name);
         }
