@@ -10,6 +10,7 @@ use clap::Args;
 use serde_json::json;
 
 use super::flags::{Design, EngineFlag, ListFormat, SpecFlags};
+use super::progress::checking;
 use super::report::Failure;
 use super::write;
 
@@ -51,9 +52,10 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let given = source.parse();
     let mut spec = given.read()?;
     let expanded = request.engine.engine.prepare(&mut spec)?;
-    let report = examine_expanded(&spec, expanded);
+    let report = checking(|| examine_expanded(&spec, expanded));
     let refused = report.refusals().next().is_some();
-    let margins = request.margins.then(|| margins(&report.spec, report.expanded.as_ref()));
+    let margins =
+        request.margins.then(|| checking(|| margins(&report.spec, report.expanded.as_ref())));
     write::to_stdout(&match request.format {
         ListFormat::Text => text(&report, margins.as_ref(), refused),
         ListFormat::Json => json(&report, margins.as_ref(), refused),

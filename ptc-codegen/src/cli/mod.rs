@@ -27,6 +27,7 @@ mod new;
 mod output;
 #[cfg(feature = "lab")]
 mod page;
+mod progress;
 mod project;
 mod read;
 mod report;

@@ -11,9 +11,9 @@ use crate::verify::{Trial, possible};
 pub(crate) use args::{EXAMPLES, Request};
 
 use super::output::{self, Outputs};
+use super::progress::progress;
 use super::report::Failure;
 use super::source::Source;
-use super::verify::progress;
 use super::write;
 
 /// Runs `design`.

@@ -17,6 +17,7 @@ pub(crate) use args::{EXAMPLES, Emit};
 use super::compare::compare;
 use super::fmu;
 use super::output::{self, Outputs};
+use super::progress::checking;
 use super::project as folder;
 use super::read;
 use super::report::Failure;
@@ -88,7 +89,7 @@ fn project(
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
     // What cannot stand alone is not checked first.
     kind.accepts(spec)?;
-    Accepted::of(examine_expanded(spec, expanded))?.project(kind)
+    Accepted::of(checking(|| examine_expanded(spec, expanded)))?.project(kind)
 }
 
 /// The files of a language, and what goes with them by flags.
@@ -98,7 +99,7 @@ fn sources(
     language: Language,
     measured: &[Measured],
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let accepted = Accepted::of(examine_expanded(spec, expanded))?;
+    let accepted = Accepted::of(checking(|| examine_expanded(spec, expanded)))?;
     let mut files = match request.acsl {
         true => accepted.files_with_proof()?,
         false => accepted.files(language, measured)?,

@@ -11,6 +11,7 @@ use super::merit;
 use super::picture::figure;
 use super::run::Run;
 use crate::cli::page::{self, Content, Section, Svg, Table, command, reporting, short};
+use crate::cli::progress::checking;
 use crate::cli::report::Failure;
 use crate::cli::source::Source;
 
@@ -27,13 +28,13 @@ pub(super) fn text(
     let mut spec = spec.clone();
     let report = match runs {
         [Run { report: Some(report), .. }] => report.clone(),
-        [_] => examine(&spec),
+        [_] => checking(|| examine(&spec)),
         _ => {
             if runs.windows(2).any(|pair| pair[0].tau.to_bits() != pair[1].tau.to_bits()) {
                 // One controller made all of them: the one that takes tau at run time.
                 spec.fixed.remove(&Parameter::Tau);
             }
-            examine(&spec)
+            checking(|| examine(&spec))
         }
     };
     let seed = (request.seed != 0).then(|| request.seed.to_string());

@@ -8,6 +8,7 @@ use crate::request::Spec;
 use crate::simulate::record::{self, Asked, Row};
 use crate::simulate::{Cause, Failure as Ended, Loop, Values, tracking_error};
 
+use crate::cli::progress::checking;
 use crate::cli::report::{self, Failure, Notice};
 
 /// A run.
@@ -110,7 +111,7 @@ pub(super) fn sampled(
 /// The checks of the emitted controller, which set eps where a sample period or an error is promised;
 /// warns of what they refuse.
 fn examined(spec: &Spec) -> Report {
-    let report = examine(spec);
+    let report = checking(|| examine(spec));
     let warned: Vec<_> = report
         .refusals()
         .map(|outcome| Notice {

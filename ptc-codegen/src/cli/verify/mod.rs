@@ -5,7 +5,6 @@ mod draws;
 mod journal;
 mod page;
 mod parts;
-mod progress;
 
 use std::ops::Range;
 
@@ -15,10 +14,10 @@ use crate::verify::{self, Campaign, End, Known, Trial, csv, possible, summary};
 pub(crate) use args::{EXAMPLES, Verify};
 use journal::Journal;
 use parts::Rows;
-pub(crate) use progress::progress;
 
 use super::output::{self, Outputs};
 use super::page as html;
+use super::progress::{checking, progress};
 use super::report::Failure;
 use super::source::Source;
 use super::write;
@@ -35,7 +34,7 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let campaign = campaign(request, &source)?;
-    let mut trial = Trial::new(&campaign)?;
+    let mut trial = checking(|| Trial::new(&campaign))?;
     possible(&campaign, &mut trial)?;
     if let Some(text) = &request.scenario {
         return replay(&campaign, &mut trial, text);

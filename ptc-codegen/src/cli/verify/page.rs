@@ -15,6 +15,7 @@ use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, operator, product, relation, row, sub, words,
 };
 use crate::cli::page::{self, Content, Section, Svg, Table, command, reporting, short};
+use crate::cli::progress::checking;
 use crate::cli::report::Failure;
 use crate::cli::source::Source;
 
@@ -32,7 +33,7 @@ pub(super) fn text(
     let parts = draws::parts((campaign, trial), drawn, summary.trajectory.as_ref(), &replayed)?;
     let content = Content {
         spec,
-        report: &examine(spec),
+        report: &checking(|| examine(spec)),
         plant: &campaign.plant,
         source,
         section: Section { parts, ..section((campaign, trial), summary)? },

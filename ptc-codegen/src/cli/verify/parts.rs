@@ -11,8 +11,9 @@ use crate::verify::record::{self, Row, Writer};
 use crate::verify::{Campaign, Drawn, Trial, chunks, sample};
 
 use super::journal::{Journal, SUFFIX};
-use super::progress::progress;
+
 use crate::cli::output::{Kind, Outputs, Place, commit, open_beside, through, with_suffix};
+use crate::cli::progress::progress;
 use crate::cli::report::{Failure, Notice};
 
 /// Where the rows go.
