@@ -257,7 +257,7 @@ ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const doubl
             const double v1 = one_plus_y2 * one_plus_y2;
             const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
             const double sec = sqrt(one_plus_y2);
-            const double y = ((late * self->inv_tau) + 1.0) * sec;
+            const double y = (self->tau + late) * self->inv_tau * sec;
             const double y_squared = one_plus_y2 - 1.0;
             const double s2 = ((self->c2_8 * y_squared) + self->c2_6) * y_squared;
             const double s3 = (((s2 + self->c2_4) * y_squared) + self->c2_2) * y_squared;
@@ -316,7 +316,7 @@ ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebra
             const double v1 = one_plus_y2 * one_plus_y2;
             const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
             const double sec = sqrt(one_plus_y2);
-            const double y = ((late * self->inv_tau) + 1.0) * sec;
+            const double y = (self->tau + late) * self->inv_tau * sec;
             const double y_squared = one_plus_y2 - 1.0;
             const double s2 = ((self->c2_8 * y_squared) + self->c2_6) * y_squared;
             const double s3 = (((s2 + self->c2_4) * y_squared) + self->c2_2) * y_squared;

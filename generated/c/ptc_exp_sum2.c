@@ -147,12 +147,12 @@ ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (v10 > 0.0) {
+                if (0.0 < v10) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
@@ -232,12 +232,12 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (v10 > 0.0) {
+                if (0.0 < v10) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);

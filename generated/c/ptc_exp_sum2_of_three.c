@@ -170,12 +170,12 @@ ptc_status ptc_exp_sum2_of_three_step(
                 const double v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
                 const double y_next = y + v15;
                 const double y_size = fabs(v15);
-                if (v12 > 0.0) {
+                if (0.0 < v12) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
@@ -266,12 +266,12 @@ ptc_status ptc_exp_sum2_of_three_tick(
                 const double v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
                 const double y_next = y + v15;
                 const double y_size = fabs(v15);
-                if (v12 > 0.0) {
+                if (0.0 < v12) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);

@@ -231,6 +231,106 @@ ptc_status ptc_exp_sum9_in_loops_init(
     return status;
 }
 
+/*
+ * Loops over the powers of the Taylor series of mu, for the gains of all states at once; q is p^2.
+ */
+static void ptc_exp_sum9_in_loops_row_sums(double row[9], const double p[8])
+{
+    double q[8];
+    q[0] = p[0] + p[0];
+    q[1] = p[1] + p[1];
+    q[1] = q[1] + (p[0] * p[0]);
+    q[2] = p[2] + p[2];
+    q[2] = q[2] + (p[0] * p[1]);
+    q[2] = q[2] + (p[1] * p[0]);
+    q[3] = p[3] + p[3];
+    q[3] = q[3] + (p[0] * p[2]);
+    q[3] = q[3] + (p[1] * p[1]);
+    q[3] = q[3] + (p[2] * p[0]);
+    q[4] = p[4] + p[4];
+    q[4] = q[4] + (p[0] * p[3]);
+    q[4] = q[4] + (p[1] * p[2]);
+    q[4] = q[4] + (p[2] * p[1]);
+    q[4] = q[4] + (p[3] * p[0]);
+    q[5] = p[5] + p[5];
+    q[5] = q[5] + (p[0] * p[4]);
+    q[5] = q[5] + (p[1] * p[3]);
+    q[5] = q[5] + (p[2] * p[2]);
+    q[5] = q[5] + (p[3] * p[1]);
+    q[5] = q[5] + (p[4] * p[0]);
+    q[6] = p[6] + p[6];
+    q[6] = q[6] + (p[0] * p[5]);
+    q[6] = q[6] + (p[1] * p[4]);
+    q[6] = q[6] + (p[2] * p[3]);
+    q[6] = q[6] + (p[3] * p[2]);
+    q[6] = q[6] + (p[4] * p[1]);
+    q[6] = q[6] + (p[5] * p[0]);
+    for (uint32_t round = 0U; round < 8U; round += 2U) {
+        const double *f = p;
+        if (round == 0U) {
+            double v = row[0];
+            v = v + (f[0] * row[1]);
+            v = v + (f[1] * row[2]);
+            v = v + (f[2] * row[3]);
+            v = v + (f[3] * row[4]);
+            v = v + (f[4] * row[5]);
+            v = v + (f[5] * row[6]);
+            v = v + (f[6] * row[7]);
+            v = v + (f[7] * row[8]);
+            row[0] = v;
+            double w = row[1];
+            w = w + (q[0] * row[2]);
+            w = w + (q[1] * row[3]);
+            w = w + (q[2] * row[4]);
+            w = w + (q[3] * row[5]);
+            w = w + (q[4] * row[6]);
+            w = w + (q[5] * row[7]);
+            w = w + (q[6] * row[8]);
+            row[1] = w;
+            f = q;
+        }
+        if (round < 4U) {
+            double v = row[2];
+            v = v + (f[0] * row[3]);
+            v = v + (f[1] * row[4]);
+            v = v + (f[2] * row[5]);
+            v = v + (f[3] * row[6]);
+            v = v + (f[4] * row[7]);
+            v = v + (f[5] * row[8]);
+            row[2] = v;
+            double w = row[3];
+            w = w + (q[0] * row[4]);
+            w = w + (q[1] * row[5]);
+            w = w + (q[2] * row[6]);
+            w = w + (q[3] * row[7]);
+            w = w + (q[4] * row[8]);
+            row[3] = w;
+            f = q;
+        }
+        if (round < 6U) {
+            double v = row[4];
+            v = v + (f[0] * row[5]);
+            v = v + (f[1] * row[6]);
+            v = v + (f[2] * row[7]);
+            v = v + (f[3] * row[8]);
+            row[4] = v;
+            double w = row[5];
+            w = w + (q[0] * row[6]);
+            w = w + (q[1] * row[7]);
+            w = w + (q[2] * row[8]);
+            row[5] = w;
+            f = q;
+        }
+        double v = row[6];
+        v = v + (f[0] * row[7]);
+        v = v + (f[1] * row[8]);
+        row[6] = v;
+        double w = row[7];
+        w = w + (q[0] * row[8]);
+        row[7] = w;
+    }
+}
+
 ptc_status ptc_exp_sum9_in_loops_arm(ptc_exp_sum9_in_loops *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
@@ -249,109 +349,6 @@ ptc_status ptc_exp_sum9_in_loops_arm(ptc_exp_sum9_in_loops *self, double t0)
         }
     }
     return status;
-}
-
-/* Loops over the powers of the Taylor series of mu, for the gains of all states at once. */
-static void ptc_exp_sum9_in_loops_rows(double row[9], const double p[8])
-{
-    double q[7]; /* p^2 */
-
-    q[0] = p[0] + p[0];
-    q[1] = p[1] + p[1];
-    q[1] += p[0] * p[0];
-    q[2] = p[2] + p[2];
-    q[2] += p[0] * p[1];
-    q[2] += p[1] * p[0];
-    q[3] = p[3] + p[3];
-    q[3] += p[0] * p[2];
-    q[3] += p[1] * p[1];
-    q[3] += p[2] * p[0];
-    q[4] = p[4] + p[4];
-    q[4] += p[0] * p[3];
-    q[4] += p[1] * p[2];
-    q[4] += p[2] * p[1];
-    q[4] += p[3] * p[0];
-    q[5] = p[5] + p[5];
-    q[5] += p[0] * p[4];
-    q[5] += p[1] * p[3];
-    q[5] += p[2] * p[2];
-    q[5] += p[3] * p[1];
-    q[5] += p[4] * p[0];
-    q[6] = p[6] + p[6];
-    q[6] += p[0] * p[5];
-    q[6] += p[1] * p[4];
-    q[6] += p[2] * p[3];
-    q[6] += p[3] * p[2];
-    q[6] += p[4] * p[1];
-    q[6] += p[5] * p[0];
-    for (uint32_t round = 0U; round < 8U; round += 2U) {
-        const double *f = p;
-
-        if (round == 0U) {
-            double v = row[0];
-            v += f[0] * row[1];
-            v += f[1] * row[2];
-            v += f[2] * row[3];
-            v += f[3] * row[4];
-            v += f[4] * row[5];
-            v += f[5] * row[6];
-            v += f[6] * row[7];
-            v += f[7] * row[8];
-            row[0] = v;
-            double w = row[1];
-            w += q[0] * row[2];
-            w += q[1] * row[3];
-            w += q[2] * row[4];
-            w += q[3] * row[5];
-            w += q[4] * row[6];
-            w += q[5] * row[7];
-            w += q[6] * row[8];
-            row[1] = w;
-            f = q;
-        }
-
-        if (round <= 2U) {
-            double v = row[2];
-            v += f[0] * row[3];
-            v += f[1] * row[4];
-            v += f[2] * row[5];
-            v += f[3] * row[6];
-            v += f[4] * row[7];
-            v += f[5] * row[8];
-            row[2] = v;
-            double w = row[3];
-            w += q[0] * row[4];
-            w += q[1] * row[5];
-            w += q[2] * row[6];
-            w += q[3] * row[7];
-            w += q[4] * row[8];
-            row[3] = w;
-            f = q;
-        }
-
-        if (round <= 4U) {
-            double v = row[4];
-            v += f[0] * row[5];
-            v += f[1] * row[6];
-            v += f[2] * row[7];
-            v += f[3] * row[8];
-            row[4] = v;
-            double w = row[5];
-            w += q[0] * row[6];
-            w += q[1] * row[7];
-            w += q[2] * row[8];
-            row[5] = w;
-            f = q;
-        }
-
-        double v = row[6];
-        v += f[0] * row[7];
-        v += f[1] * row[8];
-        row[6] = v;
-        double w = row[7];
-        w += q[0] * row[8];
-        row[7] = w;
-    }
 }
 
 ptc_status ptc_exp_sum9_in_loops_step(
@@ -391,12 +388,12 @@ ptc_status ptc_exp_sum9_in_loops_step(
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (v10 > 0.0) {
+                if (0.0 < v10) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
@@ -438,7 +435,7 @@ ptc_status ptc_exp_sum9_in_loops_step(
                 -362880.0,
             };
             const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
-            ptc_exp_sum9_in_loops_rows(row, p);
+            ptc_exp_sum9_in_loops_row_sums(row, p);
             const double row3 = row[1] * 0.5;
             const double row4 = row[2] * 0.16666666666666666;
             const double row5 = row[3] * 0.041666666666666664;
@@ -518,12 +515,12 @@ ptc_status ptc_exp_sum9_in_loops_tick(
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (v10 > 0.0) {
+                if (0.0 < v10) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
@@ -565,7 +562,7 @@ ptc_status ptc_exp_sum9_in_loops_tick(
                 -362880.0,
             };
             const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
-            ptc_exp_sum9_in_loops_rows(row, p);
+            ptc_exp_sum9_in_loops_row_sums(row, p);
             const double row3 = row[1] * 0.5;
             const double row4 = row[2] * 0.16666666666666666;
             const double row5 = row[3] * 0.041666666666666664;

@@ -96,18 +96,21 @@ ptc_status ptc_own_mu1_bisected_step(
                 const double s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
                 const double y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
                 const double y_size = fabs(v5);
-                if (v5 > 0.0) {
+                if (0.0 < v5) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
                 }
                 if (y_size <= 1e-9) {
                     break;
+                }
+                if (39U < attempt) {
+                    y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
             const double v6 = 1.0 + (y * y);
@@ -164,18 +167,21 @@ ptc_status ptc_own_mu1_bisected_tick(
                 const double s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
                 const double y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
                 const double y_size = fabs(v5);
-                if (v5 > 0.0) {
+                if (0.0 < v5) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
                 }
                 if (y_size <= 1e-9) {
                     break;
+                }
+                if (39U < attempt) {
+                    y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
             const double v6 = 1.0 + (y * y);

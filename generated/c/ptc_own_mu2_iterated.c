@@ -117,18 +117,21 @@ ptc_status ptc_own_mu2_iterated_step(
                 const double s1 = v5 * ((-(v3 * self->f29 * (1.0 / v4))) + self->f29);
                 const double y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
                 const double y_size = fabs(v7);
-                if (v7 > 0.0) {
+                if (0.0 < v7) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
                 }
                 if (y_size <= 1e-9) {
                     break;
+                }
+                if (39U < attempt) {
+                    y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
             const double v8 = (y + 1.0) * 2.0;
@@ -198,18 +201,21 @@ ptc_status ptc_own_mu2_iterated_tick(
                 const double s1 = v5 * ((-(v3 * self->f29 * (1.0 / v4))) + self->f29);
                 const double y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
                 const double y_size = fabs(v7);
-                if (v7 > 0.0) {
+                if (0.0 < v7) {
                     y_low = y;
                 } else {
                     y_high = y;
                 }
-                if ((y_next >= y_low) && (y_next <= y_high)) {
+                if ((y_low <= y_next) && (y_next <= y_high)) {
                     y = y_next;
                 } else {
                     y = 0.5 * (y_low + y_high);
                 }
                 if (y_size <= 1e-9) {
                     break;
+                }
+                if (39U < attempt) {
+                    y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
             const double v8 = (y + 1.0) * 2.0;

@@ -113,10 +113,10 @@ if ~(0.0 < u_max)
     error('ptc_exp_sum2:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~(isfinite(a1) && (1e-150 <= a1) && (a1 <= 1e150))
-    error('ptc_exp_sum2:param', 'params.rates(1) is %g; legal: >= 1e-150, >= a1', params.rates(1));
+    error('ptc_exp_sum2:param', 'params.rates(1) is %g; legal: from 1e-150 to 1e150', params.rates(1));
 end
 if ~(isfinite(a2) && (1e-150 <= a2) && (a2 <= 1e150))
-    error('ptc_exp_sum2:param', 'params.rates(2) is %g; legal: >= 1e-150, >= a2', params.rates(2));
+    error('ptc_exp_sum2:param', 'params.rates(2) is %g; legal: from 1e-150 to 1e150', params.rates(2));
 end
 if ~isfinite(k1)
     error('ptc_exp_sum2:param', 'params.k(1) is %g; legal: finite', params.k(1));

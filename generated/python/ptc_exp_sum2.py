@@ -195,9 +195,9 @@ class PtcExpSum2:
             if not (0.0 < u_max):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (np.isfinite(a1) and (1e-150 <= a1 <= 1e150)):
-                raise ValueError(f"params.rates[0] is {params.rates[0]}; legal: >= 1e-150, >= a1")
+                raise ValueError(f"params.rates[0] is {params.rates[0]}; legal: from 1e-150 to 1e150")
             if not (np.isfinite(a2) and (1e-150 <= a2 <= 1e150)):
-                raise ValueError(f"params.rates[1] is {params.rates[1]}; legal: >= 1e-150, >= a2")
+                raise ValueError(f"params.rates[1] is {params.rates[1]}; legal: from 1e-150 to 1e150")
             if not np.isfinite(k1):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(k2):
@@ -311,12 +311,11 @@ class PtcExpSum2:
                 v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1))
                 y_next = y + v13
                 y_size = np.abs(v13)
-                right = v10 > 0.0
-                y_low = np.where(right, y, y_low)
-                y_high = np.where(right, y_high, y)
-                inside = (y_next >= y_low) & (y_next <= y_high)
-                y_next = np.where(inside, y_next, 0.5 * (y_low + y_high))
-                y = np.where(done, y, y_next)
+                holds = np.asarray(0.0 < v10)
+                y_low = np.where(holds & ~done, y, y_low)
+                y_high = np.where(~holds & ~done, y, y_high)
+                chosen = np.where((y_low <= y_next) & (y_next <= y_high), y_next, 0.5 * (y_low + y_high))
+                y = np.where(~done, chosen, y)
                 done = done | (y_size <= self._tolerance)
                 if done.all():
                     break
@@ -377,12 +376,11 @@ class PtcExpSum2:
                 v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1))
                 y_next = y + v13
                 y_size = np.abs(v13)
-                right = v10 > 0.0
-                y_low = np.where(right, y, y_low)
-                y_high = np.where(right, y_high, y)
-                inside = (y_next >= y_low) & (y_next <= y_high)
-                y_next = np.where(inside, y_next, 0.5 * (y_low + y_high))
-                y = np.where(done, y, y_next)
+                holds = np.asarray(0.0 < v10)
+                y_low = np.where(holds & ~done, y, y_low)
+                y_high = np.where(~holds & ~done, y, y_high)
+                chosen = np.where((y_low <= y_next) & (y_next <= y_high), y_next, 0.5 * (y_low + y_high))
+                y = np.where(~done, chosen, y)
                 done = done | (y_size <= self._tolerance)
                 if done.all():
                     break

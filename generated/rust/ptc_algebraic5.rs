@@ -544,7 +544,7 @@ impl PtcAlgebraic5 {
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
+        let y = (self.tau + late) * self.inv_tau * sec;
         let y_squared = one_plus_y2 - 1.0;
         let s2 = ((self.c2_8 * y_squared) + self.c2_6) * y_squared;
         let s3 = (((s2 + self.c2_4) * y_squared) + self.c2_2) * y_squared;
@@ -605,7 +605,7 @@ impl PtcAlgebraic5 {
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
-        let y = ((late * self.inv_tau) + 1.0) * sec;
+        let y = (self.tau + late) * self.inv_tau * sec;
         let y_squared = one_plus_y2 - 1.0;
         let s2 = ((self.c2_8 * y_squared) + self.c2_6) * y_squared;
         let s3 = (((s2 + self.c2_4) * y_squared) + self.c2_2) * y_squared;

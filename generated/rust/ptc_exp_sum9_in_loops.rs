@@ -627,11 +627,11 @@ impl PtcExpSum9InLoops {
         let p7 = ((self.b7_1 * v22) + (self.b7_2 * v24)) * inv_r1;
         let p8 = ((self.b8_1 * v22) + (self.b8_2 * v24)) * inv_r1;
         let p9 = ((self.b9_1 * v22) + (self.b9_2 * v24)) * inv_r1;
-        let weights = [
+        let row = [
             self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0,
         ];
-        let tail = [p2, p3, p4, p5, p6, p7, p8, p9];
-        let row = Self::rows(weights, &tail);
+        let p = [p2, p3, p4, p5, p6, p7, p8, p9];
+        let row = Self::row_sums(row, p);
         let row3 = row[1] * 0.5;
         let row4 = row[2] * 0.16666666666666666;
         let row5 = row[3] * 0.041666666666666664;
@@ -745,11 +745,11 @@ impl PtcExpSum9InLoops {
         let p7 = ((self.b7_1 * v22) + (self.b7_2 * v24)) * inv_r1;
         let p8 = ((self.b8_1 * v22) + (self.b8_2 * v24)) * inv_r1;
         let p9 = ((self.b9_1 * v22) + (self.b9_2 * v24)) * inv_r1;
-        let weights = [
+        let row = [
             self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0,
         ];
-        let tail = [p2, p3, p4, p5, p6, p7, p8, p9];
-        let row = Self::rows(weights, &tail);
+        let p = [p2, p3, p4, p5, p6, p7, p8, p9];
+        let row = Self::row_sums(row, p);
         let row3 = row[1] * 0.5;
         let row4 = row[2] * 0.16666666666666666;
         let row5 = row[3] * 0.041666666666666664;
@@ -782,29 +782,103 @@ impl PtcExpSum9InLoops {
         })
     }
 
-    /// Loops over the powers of the Taylor series of mu, for the gains of all states at once.
-    fn rows(mut rows: [f64; 9], tail: &[f64; 8]) -> [f64; 9] {
-        let mut square = [0.0; 7];
-        for (d, (sum, own)) in square.iter_mut().zip(tail).enumerate() {
-            *sum = *own + *own;
-            for (a, b) in tail.iter().take(d).zip(tail.iter().take(d).rev()) {
-                *sum += *a * *b;
+    /// Loops over the powers of the Taylor series of mu, for the gains of all states at once; q is
+    /// p^2.
+    fn row_sums(mut row: [f64; 9], p: [f64; 8]) -> [f64; 9] {
+        let mut q = [0.0; 8];
+        q[0] = p[0] + p[0];
+        q[1] = p[1] + p[1];
+        q[1] = q[1] + (p[0] * p[0]);
+        q[2] = p[2] + p[2];
+        q[2] = q[2] + (p[0] * p[1]);
+        q[2] = q[2] + (p[1] * p[0]);
+        q[3] = p[3] + p[3];
+        q[3] = q[3] + (p[0] * p[2]);
+        q[3] = q[3] + (p[1] * p[1]);
+        q[3] = q[3] + (p[2] * p[0]);
+        q[4] = p[4] + p[4];
+        q[4] = q[4] + (p[0] * p[3]);
+        q[4] = q[4] + (p[1] * p[2]);
+        q[4] = q[4] + (p[2] * p[1]);
+        q[4] = q[4] + (p[3] * p[0]);
+        q[5] = p[5] + p[5];
+        q[5] = q[5] + (p[0] * p[4]);
+        q[5] = q[5] + (p[1] * p[3]);
+        q[5] = q[5] + (p[2] * p[2]);
+        q[5] = q[5] + (p[3] * p[1]);
+        q[5] = q[5] + (p[4] * p[0]);
+        q[6] = p[6] + p[6];
+        q[6] = q[6] + (p[0] * p[5]);
+        q[6] = q[6] + (p[1] * p[4]);
+        q[6] = q[6] + (p[2] * p[3]);
+        q[6] = q[6] + (p[3] * p[2]);
+        q[6] = q[6] + (p[4] * p[1]);
+        q[6] = q[6] + (p[5] * p[0]);
+        for round in (0..8).step_by(2) {
+            let mut f = &p;
+            if round == 0 {
+                let mut v = row[0];
+                v = v + (f[0] * row[1]);
+                v = v + (f[1] * row[2]);
+                v = v + (f[2] * row[3]);
+                v = v + (f[3] * row[4]);
+                v = v + (f[4] * row[5]);
+                v = v + (f[5] * row[6]);
+                v = v + (f[6] * row[7]);
+                v = v + (f[7] * row[8]);
+                row[0] = v;
+                let mut w = row[1];
+                w = w + (q[0] * row[2]);
+                w = w + (q[1] * row[3]);
+                w = w + (q[2] * row[4]);
+                w = w + (q[3] * row[5]);
+                w = w + (q[4] * row[6]);
+                w = w + (q[5] * row[7]);
+                w = w + (q[6] * row[8]);
+                row[1] = w;
+                f = &q;
             }
-        }
-        let mut round: &mut [_] = &mut rows;
-        while !round.is_empty() {
-            let mut power: &[_] = tail;
-            let mut part = &mut *round;
-            while let Some((sum, later)) = part.split_first_mut() {
-                for (coefficient, row) in power.iter().zip(later.iter()) {
-                    *sum += *coefficient * *row;
-                }
-                power = &square;
-                part = later;
+            if round < 4 {
+                let mut v = row[2];
+                v = v + (f[0] * row[3]);
+                v = v + (f[1] * row[4]);
+                v = v + (f[2] * row[5]);
+                v = v + (f[3] * row[6]);
+                v = v + (f[4] * row[7]);
+                v = v + (f[5] * row[8]);
+                row[2] = v;
+                let mut w = row[3];
+                w = w + (q[0] * row[4]);
+                w = w + (q[1] * row[5]);
+                w = w + (q[2] * row[6]);
+                w = w + (q[3] * row[7]);
+                w = w + (q[4] * row[8]);
+                row[3] = w;
+                f = &q;
             }
-            round = round.get_mut(2..).unwrap_or_default();
+            if round < 6 {
+                let mut v = row[4];
+                v = v + (f[0] * row[5]);
+                v = v + (f[1] * row[6]);
+                v = v + (f[2] * row[7]);
+                v = v + (f[3] * row[8]);
+                row[4] = v;
+                let mut w = row[5];
+                w = w + (q[0] * row[6]);
+                w = w + (q[1] * row[7]);
+                w = w + (q[2] * row[8]);
+                row[5] = w;
+                f = &q;
+            }
+            let mut v = row[6];
+            v = v + (f[0] * row[7]);
+            v = v + (f[1] * row[8]);
+            row[6] = v;
+            let mut w = row[7];
+            w = w + (q[0] * row[8]);
+            row[7] = w;
         }
-        rows
+        row
     }
 }
 

@@ -242,7 +242,7 @@ fn plain(context: &Context) -> (usize, BTreeMap<i32, usize>) {
     });
     for spec in &looped {
         let files = ptc_codegen::generate(spec, Language::C).expect("a legal spec");
-        assert!(!calls_a_library(spec) && files[1].text.contains("_rows("), "{spec:?}");
+        assert!(!calls_a_library(spec) && files[1].text.contains("_row_sums("), "{spec:?}");
     }
     let following = ["f64", "f32"].map(|precision| {
         spec(&[("n", "3"), ("mu", "rational"), ("reference", "input"), ("precision", precision)])

@@ -34,19 +34,20 @@ fn wanted(time_to_go: f64, x: f64) -> f64 {
     -3.0 * x / rate
 }
 
+/// A call at a time-to-go.
+fn at(time_to_go: f64, precision: Precision) -> Record {
+    let t = support::specs::rounded(-time_to_go, precision);
+    Record { parameters: vec![], x0: vec![], t, x: vec![0.5] }
+}
+
 #[test]
 fn a_slow_mapping_is_inverted() {
     // Where t^2 leaves the range, the expression has no value: docs/limits.md.
     for (precision, type_, least) in [("f64", Precision::F64, 1e-3), ("f32", Precision::F32, 0.5)] {
         let spec = slow(precision);
         let steps = 0..60;
-        let records: Vec<_> = steps
-            .map(|step| {
-                let time_to_go = (f64::from(step) / 59.0 * f64::ln(least)).exp();
-                let t = support::specs::rounded(-time_to_go, type_);
-                Record { parameters: vec![], x0: vec![], t, x: vec![0.5] }
-            })
-            .collect();
+        let records: Vec<_> =
+            steps.map(|step| at((f64::from(step) / 59.0 * f64::ln(least)).exp(), type_)).collect();
         let home = folder(&format!("bisection_{precision}"));
         let specs = [spec];
         for program in [in_c(&home, &specs).remove(0), in_rust(&home, &specs).remove(0)] {
@@ -58,5 +59,20 @@ fn a_slow_mapping_is_inverted() {
                 assert!(error <= tolerance::slow(type_), "{record:?}: {u:e} {wanted:e} {error:e}");
             }
         }
+    }
+}
+
+/// There Newton's method does not end within its rounds, so that those of bisection decide u and its status.
+#[test]
+fn languages_agree_where_the_root_leaves_the_range() {
+    let home = folder("bisection_beyond");
+    let specs = [slow("f64")];
+    let records: Vec<_> =
+        (0..60).map(|step| at(1e-3 * 0.76_f64.powi(step), Precision::F64)).collect();
+    let [in_c, in_rust] =
+        [in_c(&home, &specs), in_rust(&home, &specs)].map(|all| all[0].run(&records));
+    for ((record, c), rust) in records.iter().zip(in_c).zip(in_rust) {
+        let bits = |(status, u): (i32, f64)| (status, u.to_bits());
+        assert_eq!(bits(c.step), bits(rust.step), "{record:?}");
     }
 }

@@ -57,8 +57,8 @@ Guard `full`, the default, costs some 20 instructions at any order: four tests, 
 and of the hold, and three of pointers in C. The calls that are counted track within u_max.
 
 From n = 9 on the gains of exp_sum, which come from the Taylor series of mu, are computed by loops over
-the powers of the series. In C and C++ sums of up to 8 products are written out in them, so that the
-code grows with n and not with n^3; in Rust they are not, and rustc unrolls some at opt-level 3.";
+the powers of the series, in which sums of up to 8 products are written out, so that the code grows with
+n and not with n^3.";
 
 pub(super) fn counts(text: &mut String, counts: &[Count]) {
     section(text, "Instructions, code and stack", "counts", COUNTS);

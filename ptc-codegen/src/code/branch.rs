@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Code, Expr, Finish, Statement, Test};
+use super::{Code, Expr, Finish, Kind, Statement, Test};
 
 /// The branches that calls took; a condition is known by its place in the program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -21,16 +21,6 @@ pub(super) enum Asked {
     Positive,
     /// Whether no pivot is 0.
     Regular,
-    /// Whether one of several inputs is finite, until one is not.
-    Finite,
-    /// Whether it is finite where one is not, for its status.
-    Beside,
-    /// Whether it is above its bound.
-    Above,
-    /// Whether it is below it.
-    Below,
-    /// Whether it is the first that was clipped.
-    Saturated,
 }
 
 /// Where a condition is: at this very part of the program.
@@ -50,8 +40,6 @@ pub enum Condition {
     Positive(Expr),
     /// Whether no pivot of a system of so many unknowns is 0.
     Regular(usize),
-    /// Whether an input, from 0, is the first of several that was clipped.
-    Saturated(usize),
 }
 
 /// One way out of a condition.
@@ -112,13 +100,10 @@ fn statements(function: &'static str, all: &[Statement], found: &mut Vec<Branch>
             }
             Statement::Require(condition, _) => test(function, condition, found),
             other => {
-                if let Statement::Elimination { right, .. } = other {
-                    both(
-                        function,
-                        Condition::Regular(right.len()),
-                        at(other, Asked::Regular),
-                        found,
-                    );
+                if let Statement::Apply { routine, .. } = other
+                    && let Kind::Elimination(m) = routine.kind
+                {
+                    both(function, Condition::Regular(m), at(other, Asked::Regular), found);
                 }
                 other.visit(&mut |value| expression(function, value, found));
             }
@@ -132,23 +117,6 @@ fn finish(function: &'static str, end: &Finish, found: &mut Vec<Branch>) {
         finish(function, yes, found);
         finish(function, no, found);
     } else {
-        if let Finish::Inputs(inputs) = end {
-            test(function, &inputs.tracks, found);
-            let indices = || 0..inputs.values.len();
-            let mut one =
-                |test: &Test, place| both(function, Condition::Test(test.clone()), place, found);
-            indices().for_each(|i| one(&inputs.is_finite(i), inputs.place(i, Asked::Finite)));
-            for i in indices() {
-                let clips = inputs.clips(i);
-                let asked = clips.iter().zip([Asked::Above, Asked::Below]);
-                asked.for_each(|((test, _), asked)| one(test, inputs.place(i, asked)));
-            }
-            indices().for_each(|i| one(&inputs.is_finite(i), inputs.place(i, Asked::Beside)));
-            for i in indices().filter(|i| inputs.limits[*i].is_some()) {
-                let place = inputs.place(i, Asked::Saturated);
-                both(function, Condition::Saturated(i), place, found);
-            }
-        }
         end.visit(&mut |value| expression(function, value, found));
     }
 }

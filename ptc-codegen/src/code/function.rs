@@ -1,6 +1,5 @@
 //! A function of the controller: what it is given, does and gives.
 
-use super::branch::{Asked, At, at};
 use super::{Expr, Statement, Status, Test, Variable};
 use crate::internal::fault;
 
@@ -77,9 +76,8 @@ pub enum Finish {
     /// status of the call is that of the first axis that fails, and then every u is 0; else that u was
     /// clipped, where one was; else that of the gains.
     Axes(Box<Axes>),
-    /// The inputs of one plant, each within its bound, and the status of each. Where one of them is no
-    /// finite number, every u is 0, and the status of the call is that of range.
-    Inputs(Box<Inputs>),
+    /// The results and the status are what statements have set.
+    Stands,
 }
 
 /// What `axis` does, for several axes at once: what it computes, without a branch but those of a quotient, and
@@ -100,52 +98,6 @@ pub struct Axes {
     pub legal: Test,
     /// What is given where it is not.
     pub otherwise: Finish,
-}
-
-/// The inputs of one plant.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Inputs {
-    /// Each before it is clipped: a local value.
-    pub values: Vec<Expr>,
-    /// The bound of its size, if there is one.
-    pub limits: Vec<Option<Expr>>,
-    /// Whether the call tracks; else the gains are held.
-    pub tracks: Test,
-}
-
-impl Inputs {
-    /// How such a call ends, in words.
-    pub const ENDS: &'static str = "Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.";
-
-    /// That every u is finite.
-    pub fn finite(&self) -> Test {
-        Test::All((0..self.values.len()).map(|index| self.is_finite(index)).collect())
-    }
-
-    /// The ways in which an input, from 0, is clipped: the test, and what it is then.
-    pub fn clips(&self, index: usize) -> Vec<(Test, Expr)> {
-        let Some(limit) = &self.limits[index] else { return Vec::new() };
-        let (v, least) = (self.values[index].clone(), Expr::Neg(Box::new(limit.clone())));
-        vec![
-            (Test::Less(limit.clone(), v.clone()), limit.clone()),
-            (Test::Less(v, least.clone()), least),
-        ]
-    }
-
-    /// That one u, from 0, is finite.
-    pub(super) fn is_finite(&self, index: usize) -> Test {
-        Test::Finite(self.values[index].clone())
-    }
-
-    /// The place of what is asked of an input, from 0.
-    pub(super) fn place(&self, index: usize, asked: Asked) -> At {
-        at(&self.values[index], asked)
-    }
-
-    /// Whether one can be clipped.
-    pub fn are_limited(&self) -> bool {
-        self.limits.iter().any(Option::is_some)
-    }
 }
 
 /// The status of a call that does not fail.
@@ -198,7 +150,7 @@ impl Finish {
                 no.give_all(results);
             }
             Self::Give(values, _) => *values = results.to_vec(),
-            Self::Fail(_) | Self::Axes(_) | Self::Inputs(_) => {}
+            Self::Fail(_) | Self::Axes(_) | Self::Stands => {}
         }
     }
 

@@ -9,19 +9,27 @@ mod branch;
 mod check;
 mod expression;
 mod function;
+mod index;
+mod inputs;
 #[cfg(feature = "files")]
 mod interpret;
 mod operation;
+mod routine;
+mod search;
 mod statement;
 mod status;
 mod visit;
 
 pub use branch::{Branch, Condition, Taken};
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
-pub use function::{Access, Axes, Callback, Ending, Finish, Function, Inputs, Owner};
+pub use function::{Access, Axes, Callback, Ending, Finish, Function, Owner};
+pub use index::Index;
+pub use inputs::{Inputs, Whose};
 #[cfg(feature = "files")]
 pub use interpret::{Argument, Called, Instance, Outcome};
-pub use statement::{Place, Solve, Statement};
+pub use routine::{Given, Kind, Routine};
+pub use search::Search;
+pub use statement::{For, Place, Statement};
 pub use status::Status;
 
 use crate::parameter::{Parameter, Precision};
@@ -124,16 +132,17 @@ impl Code {
 
     /// The number of its axes, or of the inputs of its plant, where `step` is that of several.
     pub fn axes(&self) -> Option<usize> {
-        match &self.function("step")?.finish {
+        let step = self.function("step")?;
+        match &step.finish {
             Finish::Axes(axes) => Some(axes.count),
-            Finish::Inputs(inputs) => Some(inputs.values.len()),
+            Finish::Stands => step.results.first()?.shape.length(),
             _ => None,
         }
     }
 
     /// Whether its axes are the inputs of one plant, which `step` computes together.
     pub fn has_inputs(&self) -> bool {
-        self.function("step").is_some_and(|step| matches!(step.finish, Finish::Inputs(_)))
+        self.function("step").is_some_and(|step| step.finish == Finish::Stands)
     }
 
     /// Whether `axis` is given the number of its axis, which has gains, limits or g of its own.

@@ -1,15 +1,16 @@
-//! The statements of a function, of which one is an iteration for a root.
+//! The statements of a function.
 
-use super::{Expr, Operator, Shape, Status, Test};
-use crate::expression::Function as Call;
-use crate::parameter::Precision;
-use crate::program::{Root, number};
+use super::{Expr, Index, Routine, Shape, Status, Test, Whose};
 
 /// A place to which a function assigns.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
     /// A local variable.
     Local(String),
+    /// An element of a local array.
+    Element(String, Index),
+    /// An element of a result, from 0.
+    Result(String, usize),
     /// A field of the controller.
     Field(String),
 }
@@ -19,37 +20,41 @@ pub enum Place {
 pub enum Statement {
     /// A local value that does not change.
     Let(String, Shape, Expr),
-    /// A local variable that changes; the statements behind it set it on every way.
+    /// A local variable, or an array, that changes; the statements behind it set it on every way.
     Variable(String, Shape),
+    /// A local variable that changes, with its first value.
+    Begin(String, Shape, Expr),
     /// An assignment.
     Set(Place, Expr),
+    /// A status, that of an input being the call's where none is given.
+    Settle(Whose, Option<Status>),
     /// Statements for either outcome of a test; the second may be empty.
     If(Test, Vec<Statement>, Vec<Statement>),
+    /// Statements for each index.
+    For(For),
+    /// Ends the loop that it is in.
+    Leave,
     /// The call ends with a negative status, nothing being changed, unless the test holds.
     Require(Test, Status),
     /// A local array that does not change.
     Array(String, Vec<Expr>),
-    /// A local value: the root of a residual.
-    Solve(Box<Solve>),
-    /// A local array: the rows that [`program::rows`](crate::program::rows) forms by loops.
-    Rows {
-        /// Its name.
+    /// A name by which a routine reads one of its arrays, and from then on another one of the same length.
+    View {
+        /// The name.
         name: String,
-        /// Coefficients of z^2, z^3, ...
-        tail: Vec<Expr>,
-        /// Weights of z, z^2, ...
-        weights: Vec<Expr>,
-        /// Whether each product and its sum are rounded once.
-        fused: bool,
+        /// The array.
+        array: String,
+        /// Whether the name is a new one.
+        first: bool,
     },
-    /// A local array: the solution of a x = b that [`program::elimination`](crate::program::elimination) gives.
-    Elimination {
+    /// A local array: what a routine gives.
+    Apply {
         /// Its name.
         name: String,
-        /// a, row by row.
-        matrix: Vec<Expr>,
-        /// b.
-        right: Vec<Expr>,
+        /// The routine.
+        routine: Box<Routine>,
+        /// The array that it changes and gives, and the other one.
+        given: [Vec<Expr>; 2],
     },
     /// A local array: what a function of the user's gives for an array, a time and kappa'.
     Call {
@@ -66,52 +71,39 @@ pub enum Statement {
     },
     /// Says why the next statements are here.
     Note(String),
+    /// Says that a loop has left a root in a local variable, which is not 0 unless the tolerance is.
+    Root(String, Expr),
 }
 
-/// A bracketed iteration for a root, as [`program::Root`](crate::program::Root) says.
+/// A loop over the indices `from`, `from + step`, ... below `to`, or the same from the last one down.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Solve {
-    /// The unknown, and then the root.
-    pub unknown: String,
-    /// Where it starts.
-    pub start: Expr,
-    /// Lower end of the bracket.
-    pub low: Expr,
-    /// Upper end of the bracket.
-    pub high: Expr,
-    /// What a round computes first.
+pub struct For {
+    /// The index.
+    pub index: String,
+    /// The first one.
+    pub from: Index,
+    /// The first that is too large.
+    pub to: Index,
+    /// From one to the next.
+    pub step: u32,
+    /// Whether the last one, `to - 1`, is the first; the step is then 1.
+    pub down: bool,
+    /// What is done.
     pub body: Vec<Statement>,
-    /// The residual: positive where the root lies right of the unknown.
-    pub residual: Expr,
-    /// Proposed next unknown.
-    pub next: Expr,
-    /// Size of the proposed step.
-    pub size: Expr,
-    /// Size at which the iteration ends.
-    pub tolerance: Expr,
-    /// Rounds in which `next` counts; those after it take the geometric middle.
-    pub proposals: u32,
-    /// Bound on the number of rounds.
-    pub rounds: u32,
 }
 
-impl Solve {
-    /// The local values of an iteration beside the unknown, by the suffixes of their names.
-    pub const LOCALS: [&'static str; 4] = ["low", "high", "next", "size"];
+impl For {
+    /// A loop that counts up by one.
+    pub fn each(index: &str, from: Index, to: Index, body: Vec<Statement>) -> Self {
+        Self { index: index.to_owned(), from, to, step: 1, down: false, body }
+    }
 
-    /// The number of a round, from 0.
-    pub const ROUND: &'static str = "attempt";
-
-    /// The geometric middle of the bracket, as [`program::Root::middle`](crate::program::Root::middle)
-    /// computes it, and the test that holds in the rounds that take it; `None` without such rounds.
-    pub fn bisection(&self, precision: Precision) -> Option<(Test, Expr)> {
-        let last = self.proposals.checked_sub(1).filter(|_| self.proposals < self.rounds)?;
-        let [low, high] = ["low", "high"].map(|end| Expr::local(format!("{}_{end}", self.unknown)));
-        let [lower, _] = Root::range(precision);
-        let lower = Expr::Number(number::finite(lower));
-        let above = Expr::binary(Operator::Add, low, lower);
-        let root = |value| Expr::Call(Call::Sqrt, Box::new(value));
-        let middle = Expr::binary(Operator::Mul, root(above), root(high));
-        Some((Test::CountLess(Expr::Count(last), Expr::local(Self::ROUND)), middle))
+    /// Its index, or `_` where nothing reads it.
+    pub fn named(&self) -> &str {
+        if self.body.iter().any(|statement| statement.reads(&self.index)) {
+            &self.index
+        } else {
+            "_"
+        }
     }
 }

@@ -1,36 +1,53 @@
 //! Walks over statements and ends.
 
-use super::{Code, Expr, Finish, Statement};
+use super::{Code, Expr, Finish, Index, Place, Routine, Statement};
 
 impl Statement {
     /// Calls `look` on every expression of the statement, those in it included.
     pub fn visit(&self, look: &mut dyn FnMut(&Expr)) {
         match self {
-            Self::Let(_, _, value) | Self::Set(_, value) => value.visit(look),
+            Self::Let(_, _, value)
+            | Self::Begin(_, _, value)
+            | Self::Set(_, value)
+            | Self::Root(_, value) => value.visit(look),
             Self::Require(test, _) => test.visit(look),
             Self::If(test, yes, no) => {
                 test.visit(look);
                 yes.iter().chain(no).for_each(|statement| statement.visit(look));
             }
             Self::Array(_, values) => values.iter().for_each(|value| value.visit(look)),
-            Self::Rows { tail, weights, .. } => {
-                tail.iter().chain(weights).for_each(|value| value.visit(look));
-            }
-            Self::Elimination { matrix, right, .. } => {
-                matrix.iter().chain(right).for_each(|value| value.visit(look));
-            }
-            Self::Solve(solve) => {
-                for value in [&solve.start, &solve.low, &solve.high, &solve.residual] {
-                    value.visit(look);
-                }
-                for value in [&solve.next, &solve.size, &solve.tolerance] {
-                    value.visit(look);
-                }
-                solve.body.iter().for_each(|statement| statement.visit(look));
-            }
+            Self::For(each) => each.body.iter().for_each(|statement| statement.visit(look)),
+            Self::Apply { given, .. } => given.iter().flatten().for_each(|value| value.visit(look)),
             Self::Call { times, .. } => times.iter().for_each(|value| value.visit(look)),
-            Self::Variable(..) | Self::Note(_) => {}
+            Self::Leave
+            | Self::Note(_)
+            | Self::Settle(..)
+            | Self::Variable(..)
+            | Self::View { .. } => {}
         }
+    }
+}
+
+impl Statement {
+    /// Whether it reads a local value that is the index of a loop around it.
+    pub fn reads(&self, index: &str) -> bool {
+        let has = |place: &Index| place.terms.iter().any(|(_, name)| name == index);
+        let mut found = false;
+        self.visit(&mut |value| {
+            found |= match value {
+                Expr::Local(name) => name == index,
+                Expr::At(_, place) => has(place),
+                _ => false,
+            };
+        });
+        let within = |all: &[Self]| all.iter().any(|statement| statement.reads(index));
+        found
+            || match self {
+                Self::Set(Place::Element(_, place), _) => has(place),
+                Self::If(_, yes, no) => within(yes) || within(no),
+                Self::For(each) => has(&each.from) || has(&each.to) || within(&each.body),
+                _ => false,
+            }
     }
 }
 
@@ -44,13 +61,8 @@ impl Finish {
                 no.visit(look);
             }
             Self::Give(values, _) => values.iter().for_each(|value| value.visit(look)),
-            Self::Inputs(inputs) => {
-                inputs.values.iter().for_each(|value| value.visit(look));
-                inputs.limits.iter().flatten().for_each(|limit| limit.visit(look));
-                inputs.tracks.visit(look);
-            }
-            // What they compute is that of `axis`.
-            Self::Fail(_) | Self::Axes(_) => {}
+            // What axes compute is that of `axis`.
+            Self::Fail(_) | Self::Axes(_) | Self::Stands => {}
         }
     }
 }
@@ -67,39 +79,31 @@ impl super::Function {
         self.body.iter().any(is)
     }
 
-    /// How many rows of a series it forms by loops, and whether these are fused.
-    pub fn rows(&self) -> Option<(usize, bool)> {
-        self.body.iter().find_map(|statement| match statement {
-            Statement::Rows { weights, fused, .. } => Some((weights.len(), *fused)),
-            _ => None,
-        })
-    }
-
-    /// The unknowns of the equations that it solves by elimination.
-    pub fn unknowns(&self) -> Option<usize> {
-        self.body.iter().find_map(|statement| match statement {
-            Statement::Elimination { right, .. } => Some(right.len()),
+    /// The routines that it applies.
+    pub fn routines(&self) -> impl Iterator<Item = &Routine> {
+        self.body.iter().filter_map(|statement| match statement {
+            Statement::Apply { routine, .. } => Some(routine.as_ref()),
             _ => None,
         })
     }
 }
 
 impl Code {
-    /// [`Function::rows`](super::Function::rows) of the function that has the most.
-    pub fn rows(&self) -> Option<(usize, bool)> {
-        self.functions.iter().filter_map(super::Function::rows).max()
-    }
-
-    /// [`Function::unknowns`](super::Function::unknowns) of the function that has some.
-    pub fn unknowns(&self) -> Option<usize> {
-        self.functions.iter().find_map(super::Function::unknowns)
+    /// The routines that its functions apply, each once.
+    pub fn routines(&self) -> Vec<&Routine> {
+        let mut all: Vec<&Routine> = Vec::new();
+        for routine in self.functions.iter().flat_map(super::Function::routines) {
+            if !all.iter().any(|known| known.kind == routine.kind) {
+                all.push(routine);
+            }
+        }
+        all
     }
 
     /// Whether a function counts the rounds of a loop.
     pub fn counts(&self) -> bool {
-        let solves = |statement: &Statement| matches!(statement, Statement::Solve(_));
-        let iterates = self.functions.iter().any(|function| function.has(solves));
-        iterates || self.rows().is_some() || self.unknowns().is_some()
+        let loops = |statement: &Statement| matches!(statement, Statement::For(_));
+        self.functions.iter().any(|function| function.has(loops)) || !self.routines().is_empty()
     }
 
     /// Calls `look` on every expression.

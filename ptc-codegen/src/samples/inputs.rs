@@ -28,6 +28,7 @@ impl Builder<'_> {
             None => Test::CountLess(Expr::local("elapsed"), samples.clone()),
         };
         let limits = (0..m).map(|index| self.limit_of(index)).collect();
+        body.extend(Inputs { values, limits, tracks }.statements());
         let [about, x, u] = self.about();
         let shape = match self.spec.decoupled() {
             Some(_) => Shape::Reals(self.sampled.measured),
@@ -52,7 +53,7 @@ impl Builder<'_> {
                 false => vec![Status::Range],
             },
             body,
-            finish: Finish::Inputs(Box::new(Inputs { values, limits, tracks })),
+            finish: Finish::Stands,
             guarded: self.guarded(),
         }
     }

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::controller::Builder;
-use crate::code::{Expr, Shape, Statement, parameter_name};
+use crate::code::{Expr, Kind, Routine, Shape, Statement, parameter_name};
 use crate::internal::fault;
 use crate::program::{Input, Op, Program, Stage, Value, passes};
 
@@ -144,11 +144,12 @@ impl Staged {
 
     /// The local array that solves a system.
     fn eliminated(&mut self, matrix: &[Value], right: &[Value], body: &mut Vec<Statement>) -> Expr {
-        let [matrix, right] =
+        let [matrix, right]: [Vec<Expr>; 2] =
             [matrix, right].map(|all| all.iter().map(|value| self.expression(*value)).collect());
         self.named += 1;
         let name = format!("{}{}", self.names.letters[1], self.named);
-        body.push(Statement::Elimination { name: name.clone(), matrix, right });
+        let routine = Box::new(Routine::new(Kind::Elimination(right.len())));
+        body.push(Statement::Apply { name: name.clone(), routine, given: [right, matrix] });
         Expr::local(name)
     }
 }

@@ -1,20 +1,13 @@
 //! The branches of the program: calls that take those that no other call took, and which are left.
 
-use std::collections::BTreeSet;
-
 use super::maker::Maker;
 use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable, Wanted};
-use crate::code::Solve;
+use crate::code::Search;
 use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::program::{Input, Op, Value};
 use crate::reference::Status;
 use crate::request::Guard;
-
-/// The first input beyond its bound.
-fn first_saturated(inputs: &[Wanted]) -> Option<usize> {
-    inputs.iter().position(|input| input.status == Status::Saturated)
-}
 
 /// As many where an iteration has branches that few numbers take.
 const ITERATED: usize = 4000;
@@ -23,12 +16,6 @@ impl Maker<'_> {
     /// Number of inputs that follow from all outputs; 0 where each is of its own chain.
     fn decoupled(&self) -> usize {
         self.spec().decoupled().map_or(0, |coupled| coupled.outputs.len())
-    }
-
-    /// Whether an input has a bound.
-    fn is_bounded(&self) -> bool {
-        let own = self.spec().axes.as_ref().is_some_and(|axes| !axes.limits.is_empty());
-        own || self.controller.program.limits.u_max.is_some()
     }
 
     /// The branches of iterations, of divisions and of the test of u alone that no call takes.
@@ -69,16 +56,16 @@ impl Maker<'_> {
                 Op::Root(root) => {
                     let name = program.get(value).name.as_ref().map_or("y", |(name, _)| name);
                     if missing("exhausted") {
-                        let condition = format!("{} < {}U", Solve::ROUND, root.rounds);
+                        let condition = format!("{} < {}U", Search::ROUND, root.rounds);
                         add(condition, "the iteration used no more rounds than it has");
                     }
                     if root.proposals < root.rounds && missing("bisected") {
-                        let condition = format!("{}U < {}", root.proposals - 1, Solve::ROUND);
+                        let condition = format!("{}U < {}", root.proposals - 1, Search::ROUND);
                         add(condition, "the iteration needed no bisection");
                     }
                     if missing("before") {
                         add(
-                            format!("({name}_next >= {name}_low)"),
+                            format!("({name}_low <= {name}_next)"),
                             "no step went below the bracket",
                         );
                     }
@@ -123,14 +110,6 @@ impl Maker<'_> {
                     "it was never the first u that is no number, or never finite beside one,",
                 ));
             }
-            let only = |call: &Call| first_saturated(&call.inputs) == Some(k);
-            let none = |call: &Call| first_saturated(&call.inputs).is_none_or(|first| first > k);
-            if self.is_bounded() && (!calls().any(only) || !calls().any(none)) {
-                never.push((
-                    format!("(axes[{k}] == PTC_SATURATED)"),
-                    "it was never the first u beyond its bound, or always behind one,",
-                ));
-            }
         }
         never
     }
@@ -142,7 +121,6 @@ impl Maker<'_> {
         let all = self.chosen.at_run_time();
         let mut found = Vec::new();
         let iterated = self.spec().is_iterated();
-        let mut saturated = BTreeSet::new();
         for round in self.trials.rounds(if iterated { ITERATED } else { CANDIDATES }) {
             let eps = draw.of(&[1e-3, 0.05, 0.3]);
             let mut session = self.session(eps);
@@ -181,17 +159,9 @@ impl Maker<'_> {
                 })
                 .collect();
             let seen = self.trial(&session, t, &x);
-            let first = seen.each.iter().position(|(status, _)| *status == Status::Saturated);
-            let is_first = first.is_some_and(|first| {
-                first < self.decoupled()
-                    && seen.step == Status::Saturated
-                    && !saturated.contains(&first)
-            });
-            let is_new = is_first || !seen.decisions.is_subset(&self.taken);
-            if !is_new || !self.is_taken(&session) {
+            if seen.decisions.is_subset(&self.taken) || !self.is_taken(&session) {
                 continue;
             }
-            saturated.extend(first);
             let nan = seen.each.iter().any(|(_, u)| u.is_nan());
             let zero_gain = nan && seen.step == Status::Range;
             if zero_gain {

@@ -10,6 +10,7 @@ use std::ops::Add;
 
 use num_traits::Zero;
 
+use super::Index;
 use crate::algebra::{BigRational, integer};
 use crate::expression::Function;
 
@@ -42,6 +43,8 @@ pub enum Expr {
     Element(String, usize),
     /// An element of an argument that is an array of arrays.
     Entry(String, Cell),
+    /// An element of a local array.
+    At(String, Index),
     /// A field of what the function belongs to.
     Field(String),
     /// An element of such a field, from 0.
@@ -61,6 +64,8 @@ pub enum Expr {
     Fused(Box<[Expr; 3]>),
     /// a / b, and no number where b is 0 or no number.
     Quotient(Box<Expr>, Box<Expr>),
+    /// a, and no number where it is 0 or no number.
+    Divisor(Box<Expr>),
     /// A function of a number.
     Call(Function, Box<Expr>),
     /// a^b for a > 0.
@@ -206,6 +211,7 @@ impl Expr {
             Self::Quotient(a, b) => Self::Quotient(local(a), local(b)),
             Self::Pow(a, b) => Self::Pow(local(a), local(b)),
             Self::CountHalf(a) => Self::CountHalf(local(a)),
+            Self::Divisor(a) => Self::Divisor(local(a)),
             Self::Binary(operator, a, b) => Self::Binary(*operator, local(a), local(b)),
             Self::CountSub(a, b) => Self::CountSub(local(a), local(b)),
             Self::CountLeft(a, b) => Self::CountLeft(local(a), local(b)),
@@ -228,6 +234,7 @@ impl Expr {
             Self::Neg(a)
             | Self::Real(a)
             | Self::CountHalf(a)
+            | Self::Divisor(a)
             | Self::Call(_, a)
             | Self::Callback(_, _, a) => a.visit(visit),
             Self::Fused(operands) => operands.iter().for_each(|operand| operand.visit(visit)),

@@ -1,19 +1,19 @@
-//! Statements, values and tests of one call.
+//! Values and tests of one call.
 
 use std::borrow::Cow;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
 use super::{Called, Held, Outcome};
 use crate::code::branch::{Asked, At, Taken, at};
 use crate::code::{
-    AXIS, Cell, Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status,
-    Test, Variable,
+    AXIS, Cell as Entry, Ending, Expr, Finish, Function, Index, Operator, Shape, Status, Test,
+    Variable,
 };
+use crate::collect::map;
 use crate::internal::fault;
 use crate::parameter::Precision;
-use crate::program::elimination::eliminate;
-use crate::program::{Op, Root, Value, apply, number, rows::of_numbers};
+use crate::program::{Op, Value, apply, number};
 
 /// The names that one call knows.
 pub(super) struct Frame<'a, 'b> {
@@ -22,11 +22,38 @@ pub(super) struct Frame<'a, 'b> {
     pub(super) parameters: BTreeMap<&'b str, Held>,
     pub(super) locals: BTreeMap<Cow<'b, str>, Held>,
     pub(super) callbacks: &'b [Called<'b>],
+    /// What statements have given of each input: its u and its status, and the status of the call.
+    pub(super) settled: Settled,
+    /// Whether a divisor of a routine was 0.
+    pub(super) divided_by_zero: Cell<bool>,
     /// The branches taken so far, where they are recorded.
     pub(super) taken: Option<RefCell<Taken>>,
 }
 
+/// What statements give of several inputs.
+#[derive(Default)]
+pub(super) struct Settled {
+    pub(super) u: BTreeMap<usize, f64>,
+    pub(super) each: BTreeMap<usize, Status>,
+    pub(super) call: Option<Status>,
+}
+
 impl<'b> Frame<'_, 'b> {
+    /// What statements have given of several inputs; of a call that has `ended` no u.
+    fn stands(&mut self, function: &Function, ended: Option<Status>) -> Outcome {
+        let settled = std::mem::take(&mut self.settled);
+        let count = function.results.first().and_then(|result| result.shape.length());
+        let status = ended.or(settled.call).unwrap_or_else(|| fault("a call without a status"));
+        let number = |status: Status| f64::from(status.number());
+        let each = |index| match ended {
+            Some(status) => (0.0, number(status)),
+            None => (settled.u[&index], number(settled.each[&index])),
+        };
+        let (u, each): (Vec<_>, Vec<_>) = (0..count.unwrap_or_default()).map(each).unzip();
+        let names = function.results.iter().map(|result| result.name.clone());
+        Outcome { status, results: map(names.zip([u, each])) }
+    }
+
     /// Runs a function whose gains, if it belongs to any, have the status `standing`.
     pub(super) fn run(
         &mut self,
@@ -35,9 +62,9 @@ impl<'b> Frame<'_, 'b> {
         gains: &[Variable],
     ) -> Outcome {
         let failed = |status| Outcome { status, results: BTreeMap::new() };
-        let ended = self.block(&function.body);
-        if let Finish::Inputs(inputs) = &function.finish {
-            return self.inputs(function, inputs, ended);
+        let ended = self.fails(&function.body);
+        if function.finish == Finish::Stands {
+            return self.stands(function, ended);
         }
         if let Some(status) = ended {
             return failed(status);
@@ -49,7 +76,7 @@ impl<'b> Frame<'_, 'b> {
                 Finish::Give(values, Ending::Known(status)) => break (values, *status),
                 Finish::Give(values, Ending::OfGains) => break (values, standing),
                 Finish::Fail(status) => return failed(*status),
-                Finish::Axes(_) | Finish::Inputs(_) => {
+                Finish::Axes(_) | Finish::Stands => {
                     fault("several inputs are given together".to_owned())
                 }
             }
@@ -67,115 +94,7 @@ impl<'b> Frame<'_, 'b> {
         Outcome { status, results }
     }
 
-    /// Runs statements; the status where one of them fails.
-    pub(super) fn block(&mut self, statements: &'b [Statement]) -> Option<Status> {
-        for statement in statements {
-            match statement {
-                Statement::Let(name, shape, value) => {
-                    let value = self.value(value, *shape);
-                    self.locals.insert(Cow::from(name), value);
-                }
-                Statement::Set(Place::Local(name), value) => {
-                    let value = Held::Real(self.real(value));
-                    self.locals.insert(Cow::from(name), value);
-                }
-                Statement::Set(Place::Field(name), value) => {
-                    let shape = match self.fields.get(name.as_str()) {
-                        Some(Held::Count(_)) => Shape::Count,
-                        _ => Shape::Real,
-                    };
-                    let value = self.value(value, shape);
-                    if let Some(field) = self.fields.get_mut(name.as_str()) {
-                        *field = value;
-                    }
-                }
-                Statement::If(test, then, otherwise) => {
-                    let block = if self.test(test) { then } else { otherwise };
-                    if let Some(status) = self.block(block) {
-                        return Some(status);
-                    }
-                }
-                Statement::Require(test, status) if !self.test(test) => return Some(*status),
-                Statement::Array(name, values) => {
-                    let values = values.iter().map(|value| self.real(value)).collect();
-                    self.locals.insert(Cow::from(name), Held::Reals(values));
-                }
-                Statement::Rows { name, tail, weights, fused } => {
-                    let [tail, weights]: [Vec<f64>; 2] =
-                        [tail, weights].map(|list| list.iter().map(|v| self.real(v)).collect());
-                    let values = of_numbers(&tail, &weights, *fused, self.precision);
-                    self.locals.insert(Cow::from(name), Held::Reals(values));
-                }
-                Statement::Elimination { name, matrix, right } => {
-                    let [matrix, right]: [Vec<f64>; 2] =
-                        [matrix, right].map(|list| list.iter().map(|v| self.real(v)).collect());
-                    let values = eliminate(&matrix, &right, self.precision);
-                    // The determinant stands last, and may be 0 by underflow alone.
-                    let lost = values.iter().any(|value| value.is_nan());
-                    let singular = values.last() == Some(&0.0) && lost;
-                    self.note(at(statement, Asked::Regular), !singular);
-                    self.locals.insert(Cow::from(name), Held::Reals(values));
-                }
-                Statement::Call { name, callback, array, times, count } => {
-                    let values = self.call(callback, array, times, *count);
-                    self.locals.insert(Cow::from(name), Held::Reals(values));
-                }
-                Statement::Solve(solve) => {
-                    if let Some(status) = self.solve(solve) {
-                        return Some(status);
-                    }
-                }
-                Statement::Require(..) | Statement::Variable(..) | Statement::Note(_) => {}
-            }
-        }
-        None
-    }
-
-    /// What a function of several values gives: it is asked for one at a time.
-    fn call(&self, callback: &str, array: &str, times: &[Expr; 2], count: usize) -> Vec<f64> {
-        let called = self.callbacks.iter().find(|(known, _)| *known == callback);
-        let (Some((_, called)), Some(Held::Reals(array))) = (called, self.locals.get(array)) else {
-            fault(format!("no function {callback}, or no array {array}"))
-        };
-        let [time, rate] = times.each_ref().map(|time| self.real(time));
-        let place = |index: usize| u32::try_from(index).map_or(f64::NAN, f64::from);
-        let one = |index| called(&[array.as_slice(), &[rate, place(index)]].concat(), time);
-        (0..count).map(|index| number::settle(one(index), self.precision)).collect()
-    }
-
-    /// The rounds of an iteration, the root of which is left in its unknown.
-    fn solve(&mut self, solve: &'b Solve) -> Option<Status> {
-        let [mut y, mut low, mut high, tolerance] =
-            [&solve.start, &solve.low, &solve.high, &solve.tolerance].map(|value| self.real(value));
-        let settle = |value, precision| number::settle(value, precision);
-        for round in 0..solve.rounds {
-            self.locals.insert(Cow::from(&solve.unknown), Held::Real(y));
-            if let Some(status) = self.block(&solve.body) {
-                return Some(status);
-            }
-            let [residual, next, size] =
-                [&solve.residual, &solve.next, &solve.size].map(|value| self.real(value));
-            if residual > 0.0 {
-                low = y;
-            } else {
-                high = y;
-            }
-            y = match next >= low && next <= high {
-                true => next,
-                false => settle(0.5 * settle(low + high, self.precision), self.precision),
-            };
-            if size <= tolerance {
-                break;
-            }
-            if round >= solve.proposals {
-                y = Root::middle(low, high, self.precision);
-            }
-        }
-        self.locals.insert(Cow::from(&solve.unknown), Held::Real(y));
-        None
-    }
-
-    fn value(&self, value: &Expr, shape: Shape) -> Held {
+    pub(super) fn value(&self, value: &Expr, shape: Shape) -> Held {
         match shape {
             Shape::Count => Held::Count(self.count(value)),
             _ => Held::Real(self.real(value)),
@@ -206,6 +125,11 @@ impl<'b> Frame<'_, 'b> {
                 }
                 self.apply(Op::Quotient, a, b)
             }
+            Expr::Divisor(a) => {
+                let divisor = self.real(a);
+                self.divided_by_zero.set(self.divided_by_zero.get() || divisor == 0.0);
+                if divisor == 0.0 { f64::NAN } else { divisor }
+            }
             Expr::Pow(a, b) => self.apply(Op::Pow, a, b),
             Expr::Call(function, a) => {
                 let result = apply(&Op::Call(*function, Value(0)), &[self.real(a)], self.precision);
@@ -226,6 +150,10 @@ impl<'b> Frame<'_, 'b> {
             Expr::Count(_) | Expr::CountSub(..) | Expr::CountLeft(..) | Expr::CountHalf(_) => {
                 f64::from(self.count(value))
             }
+            Expr::At(name, index) => match self.locals.get(name.as_str()) {
+                Some(Held::Reals(values)) => values[self.place(index)],
+                _ => fault(format!("{name} is no array")),
+            },
             Expr::OfAxis(field, stride, index) => {
                 let axis = self.count(&Expr::local(AXIS)) as usize;
                 match self.fields.get(field.as_str()) {
@@ -241,6 +169,12 @@ impl<'b> Frame<'_, 'b> {
                 (Held::Count(count), _) => f64::from(*count),
             },
         }
+    }
+
+    /// The number of a place, by the indices of the loops that run.
+    pub(super) fn place(&self, index: &Index) -> usize {
+        let found = index.place(|name| self.count(&Expr::local(name)));
+        found.unwrap_or_else(|| fault(format!("{index:?} is no place")))
     }
 
     fn apply(&self, op: fn(Value, Value) -> Op, a: &Expr, b: &Expr) -> f64 {
@@ -269,7 +203,7 @@ impl<'b> Frame<'_, 'b> {
         let (found, index) = match name {
             Expr::Local(name) => (self.locals.get(name.as_str()), 0),
             Expr::Element(name, index) => (self.locals.get(name.as_str()), *index),
-            Expr::Entry(name, Cell { row, column, columns }) => {
+            Expr::Entry(name, Entry { row, column, columns }) => {
                 (self.locals.get(name.as_str()), row * columns + column)
             }
             Expr::Field(name) => (self.fields.get(name.as_str()), 0),
@@ -285,11 +219,6 @@ impl<'b> Frame<'_, 'b> {
     }
 
     pub(super) fn test(&self, test: &Test) -> bool {
-        self.test_at(test, at(test, Asked::Test))
-    }
-
-    /// The same of a test that is known by another place in the program than its own.
-    pub(super) fn test_at(&self, test: &Test, place: At) -> bool {
         let holds = match test {
             Test::Less(a, b) => self.real(a) < self.real(b),
             Test::AtMost(a, b) => self.real(a) <= self.real(b),
@@ -299,7 +228,7 @@ impl<'b> Frame<'_, 'b> {
             Test::NotNumber(a) => self.real(a).is_nan(),
             Test::All(tests) => return tests.iter().all(|test| self.test(test)),
         };
-        self.note(place, holds);
+        self.note(at(test, Asked::Test), holds);
         holds
     }
 

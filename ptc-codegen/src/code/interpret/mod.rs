@@ -2,10 +2,10 @@
 
 mod axes;
 mod frame;
-mod inputs;
+mod statements;
 
 use std::borrow::Cow;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
 use super::branch::Taken;
@@ -14,7 +14,7 @@ use crate::collect::map;
 use crate::internal::fault;
 use crate::parameter::{Parameter, Precision};
 use crate::program::number;
-use frame::Frame;
+use frame::{Frame, Settled};
 
 /// What a name holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,9 +76,11 @@ impl<'a> Instance<'a> {
             parameters: bound(&code.parameters, given, code.precision),
             locals: BTreeMap::new(),
             callbacks: &[],
+            settled: Settled::default(),
+            divided_by_zero: Cell::new(false),
             taken: taken.map(RefCell::new),
         };
-        let failed = frame.block(&code.init);
+        let failed = frame.fails(&code.init);
         let start = code.start.as_ref().filter(|_| failed.is_none());
         let time = start.map(|start| frame.real(&start.time));
         let taken = frame.taken.map(RefCell::into_inner);
@@ -158,6 +160,8 @@ impl<'a> Instance<'a> {
                 .map(|(name, held)| (Cow::from(name), held))
                 .collect(),
             callbacks,
+            settled: Settled::default(),
+            divided_by_zero: Cell::new(false),
             taken: self.taken.take().map(RefCell::new),
         };
         let outcome = frame.run(function, self.status, &self.code.gains);

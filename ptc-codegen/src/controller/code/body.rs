@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::ToPrimitive;
 
-use crate::code::{Expr, Shape, Solve, Statement, parameter_name};
+use crate::code::{Expr, Kind, Routine as Private, Search, Shape, Statement, parameter_name};
 use crate::controller::plan::{Plan, Routine};
 use crate::internal::fault;
 use crate::program::{Input, Op, Root, Stage, Value};
@@ -151,16 +151,12 @@ impl Writer<'_> {
             }
             Op::Rows { tail, weights, fused } => {
                 let (tail, weights) = (self.all(tail), self.all(weights));
-                let name = self.fresh(value);
-                let rows = Statement::Rows { name: name.clone(), tail, weights, fused: *fused };
-                self.statements.push(rows);
-                Expr::local(name)
+                let kind = Kind::Rows { weights: weights.len(), fused: *fused };
+                self.apply(value, kind, [weights, tail])
             }
             Op::Elimination { matrix, right } => {
                 let (matrix, right) = (self.all(matrix), self.all(right));
-                let name = self.fresh(value);
-                self.statements.push(Statement::Elimination { name: name.clone(), matrix, right });
-                Expr::local(name)
+                self.apply(value, Kind::Elimination(right.len()), [right, matrix])
             }
             Op::Element(array, index) => match self.expression(*array) {
                 Expr::Local(array) => Expr::Element(array, *index),
@@ -212,6 +208,13 @@ impl Writer<'_> {
             times,
             count: self.plan.program.others.len() + 1,
         });
+    }
+
+    /// The local array that a routine gives.
+    fn apply(&mut self, value: Value, kind: Kind, given: [Vec<Expr>; 2]) -> Expr {
+        let (name, routine) = (self.fresh(value), Box::new(Private::new(kind)));
+        self.statements.push(Statement::Apply { name: name.clone(), routine, given });
+        Expr::local(name)
     }
 
     fn define(&mut self, value: Value, expression: Expr) -> Expr {
@@ -269,11 +272,10 @@ impl Writer<'_> {
             }
         }
         let body = std::mem::replace(&mut self.statements, outside);
-        let solve = Solve {
+        let search = Search {
             unknown: unknown.clone(),
             start: self.expression(root.start),
-            low: self.expression(root.low),
-            high: self.expression(root.high),
+            bracket: [root.low, root.high].map(|end| self.expression(end)),
             body,
             residual: self.expression(root.residual),
             next: self.expression(root.next),
@@ -282,7 +284,7 @@ impl Writer<'_> {
             proposals: root.proposals,
             rounds: root.rounds,
         };
-        self.statements.push(Statement::Solve(Box::new(solve)));
+        self.statements.extend(search.statements(self.plan.program.precision));
         Expr::local(unknown)
     }
 }

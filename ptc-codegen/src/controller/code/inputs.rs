@@ -40,6 +40,7 @@ impl Builder<'_> {
         }
         let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
         let limits = (0..m).map(|index| self.limit_of(index)).collect();
+        statements.extend(Inputs { values, limits, tracks }.statements());
         let inputs = Name::listed(&coupled.inputs);
         let reference = self.reference();
         Function {
@@ -70,7 +71,7 @@ impl Builder<'_> {
             ],
             failures: self.failures(),
             body: statements,
-            finish: Finish::Inputs(Box::new(Inputs { values, limits, tracks })),
+            finish: Finish::Stands,
             guarded: self.guarded(),
         }
     }

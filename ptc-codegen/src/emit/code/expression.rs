@@ -1,7 +1,7 @@
 //! Expressions and tests in the words of a language.
 
 use super::text::{Level, Text};
-use crate::code::{Expr, Operator, Test};
+use crate::code::{Expr, Index, Operator, Test};
 use crate::expression::Function;
 use crate::internal::fault;
 use crate::program::number;
@@ -22,6 +22,10 @@ pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
         Expr::Element(name, index) => (Level::Atom, text.element(&text.local(name), *index)),
         Expr::Entry(name, cell) => {
             (Level::Atom, text.entry(&text.local(name), cell.row, cell.column))
+        }
+        Expr::At(name, index) => {
+            let place = text.place(index, text.first());
+            (Level::Atom, text.at(&text.local(name), &place))
         }
         Expr::Field(name) => (Level::Atom, text.field(name)),
         Expr::FieldElement(name, index) => (Level::Atom, text.field_element(name, *index)),
@@ -56,6 +60,7 @@ pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
         Expr::Quotient(a, b) => {
             text.quotient(&text.within(a, Level::Atom), &text.within(b, Level::Atom))
         }
+        Expr::Divisor(a) => text.divisor(&text.within(a, Level::Atom)),
         Expr::Callback(name, array, time) => {
             (Level::Atom, text.callback(name, &text.local(array), &text.alone(time)))
         }
@@ -69,6 +74,39 @@ pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
         Expr::Real(a) => text.real(&text.within(a, Level::Choice)),
         Expr::Choose(test, a, b) => {
             text.choose(&text.test(test), &text.within(a, Level::Sum), &text.within(b, Level::Sum))
+        }
+    }
+}
+
+/// A place in an array whose first element has the number `first`.
+pub(in crate::emit) fn place(text: &dyn Text, index: &Index, first: i32) -> String {
+    let constant = index.constant + first;
+    let several = index.terms.len() > 1 || constant != 0;
+    let mut out = String::new();
+    let mut add = |negative: bool, part: &str| {
+        out.push_str(match (out.is_empty(), negative) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        });
+        out.push_str(part);
+    };
+    for (factor, name) in &index.terms {
+        let name = text.local(name);
+        let product = || format!("{} * {name}", text.whole(factor.unsigned_abs()));
+        match factor.abs() {
+            1 => add(*factor < 0, &name),
+            _ if several => add(*factor < 0, &format!("({})", product())),
+            _ => add(*factor < 0, &product()),
+        }
+    }
+    match (index.terms.is_empty(), constant) {
+        (true, constant) => constant.to_string(),
+        (false, 0) => out,
+        (false, constant) => {
+            add(constant < 0, &text.whole(constant.unsigned_abs()));
+            out
         }
     }
 }

@@ -56,28 +56,21 @@ impl Short {
                     Statement::Let(name, shape, self.whole(value, &mut out))
                 }
                 Statement::Set(place, value) => Statement::Set(place, self.whole(value, &mut out)),
-                Statement::Solve(mut solve) => {
-                    solve.body = self.block(solve.body);
-                    let round = &mut solve.body;
-                    for value in [&mut solve.residual, &mut solve.next, &mut solve.size] {
-                        let long = std::mem::replace(value, Expr::integer(0));
-                        *value = self.whole(long, round);
-                    }
-                    Statement::Solve(solve)
+                Statement::Begin(name, shape, value) => {
+                    Statement::Begin(name, shape, self.whole(value, &mut out))
+                }
+                Statement::For(mut each) => {
+                    each.body = self.block(each.body);
+                    Statement::For(each)
                 }
                 Statement::Array(name, mut values) => {
                     self.each(&mut values, &mut out);
                     Statement::Array(name, values)
                 }
-                Statement::Rows { name, mut tail, mut weights, fused } => {
-                    self.each(&mut tail, &mut out);
-                    self.each(&mut weights, &mut out);
-                    Statement::Rows { name, tail, weights, fused }
-                }
-                Statement::Elimination { name, mut matrix, mut right } => {
-                    self.each(&mut matrix, &mut out);
-                    self.each(&mut right, &mut out);
-                    Statement::Elimination { name, matrix, right }
+                Statement::Apply { name, routine, mut given } => {
+                    // In the order in which they were computed.
+                    given.iter_mut().rev().for_each(|values| self.each(values, &mut out));
+                    Statement::Apply { name, routine, given }
                 }
                 Statement::Call { name, callback, array, mut times, count } => {
                     self.each(&mut times, &mut out);
@@ -204,6 +197,8 @@ impl Short {
             Expr::Callback(name, array, time) => name.len() + array.len() + self.width(time) + 13,
             Expr::Parameter(name) => name.len() + 8,
             Expr::ParameterElement(name, _) => name.len() + 11,
+            Expr::At(name, _) => name.len() + 12,
+            Expr::Divisor(a) => 3 * self.width(a) + 27,
             Expr::Neg(a) | Expr::CountHalf(a) => self.width(a) + 4,
             Expr::Real(a) => self.width(a) + 8,
             Expr::Binary(operator, a, b) => {

@@ -25,7 +25,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
 
 /// Whether a function of a controller does; one of several axes is made of those for one.
 pub(super) fn calls_library(code: &Code, function: &Function) -> bool {
-    let mut found = function.has(|s| matches!(s, Statement::Rows { fused: true, .. }));
+    let mut found = function.routines().any(|routine| routine.kind.is_fused());
     function.visit(&mut |value| found |= is_call(value));
     let is_made = matches!(function.finish, Finish::Axes(_));
     let mut parts = ["tick", "axis"].iter().filter_map(|name| code.function(name));

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::text::Text;
 use super::{c, cpp, matlab, python, st};
 use crate::algebra::BigRational;
-use crate::code::{Cell, Code, Expr, Operator, Owner, Test};
+use crate::code::{Cell, Code, Expr, Index, Operator, Owner, Test};
 use crate::emit::code::rust::Rust;
 use crate::expression::Function;
 use crate::parameter::Precision;
@@ -43,6 +43,7 @@ fn table() -> String {
         ("Callback", Expr::Callback("pi0", "xi".to_owned(), Box::new(Expr::local("t")))),
         ("Element", Expr::Element("row".to_owned(), 0)),
         ("Entry", Expr::Entry("r".to_owned(), Cell { row: 0, column: 1, columns: 2 })),
+        ("At", Expr::At("p".to_owned(), Index::of("k") - Index::of("m") - Index::at(1))),
         ("Field", Expr::field("c1")),
         ("FieldElement", Expr::FieldElement("gain".to_owned(), 0)),
         ("CountSub", a().count_sub(b())),

@@ -83,7 +83,7 @@ impl<'a> Sample<'a> {
         match finish {
             Finish::If(test, yes, no) => self.end(if self.test(test)? { yes } else { no }),
             Finish::Give(values, _) => self.real(values.first()?),
-            Finish::Fail(_) | Finish::Axes(_) | Finish::Inputs(_) => None,
+            Finish::Fail(_) | Finish::Axes(_) | Finish::Stands => None,
         }
     }
 
@@ -117,12 +117,17 @@ impl<'a> Sample<'a> {
                     self.block(block)?;
                 }
                 Statement::Require(..) | Statement::Variable(..) | Statement::Note(_) => {}
-                // No part of a controller in samples.
+                // No part of a controller in samples of a linear plant.
                 Statement::Array(..)
-                | Statement::Rows { .. }
-                | Statement::Elimination { .. }
+                | Statement::Apply { .. }
+                | Statement::Begin(..)
                 | Statement::Call { .. }
-                | Statement::Solve(_) => return None,
+                | Statement::For(_)
+                | Statement::Leave
+                | Statement::Root(..)
+                | Statement::Set(Place::Element(..) | Place::Result(..), _)
+                | Statement::Settle(..)
+                | Statement::View { .. } => return None,
             }
         }
         Some(())

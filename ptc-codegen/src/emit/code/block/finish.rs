@@ -1,16 +1,16 @@
 //! The end of a call as lines, in the words of a language.
 
-use super::{Block, close, same};
+use super::{Ends, close, same};
 use crate::code::Finish;
 use crate::internal::fault;
 
 /// The end of a call.
-pub(super) fn of_finish(to: &mut dyn Block, finish: &Finish) {
+pub(super) fn of_finish(to: &mut dyn Ends, finish: &Finish) {
     let branch = to.branch();
     let mut rest = match finish {
         Finish::Give(values, ending) => return to.give(values, *ending),
         Finish::Fail(status) => return to.fail(*status),
-        Finish::Axes(_) | Finish::Inputs(_) => fault("several inputs are the whole of an end"),
+        Finish::Axes(_) | Finish::Stands => fault("several inputs are the whole of an end"),
         finish => finish,
     };
     let mut first = true;

@@ -2,36 +2,36 @@
 
 use std::collections::BTreeMap;
 
-use crate::code::{Shape, Solve, Statement};
+use crate::code::{Shape, Statement};
 use crate::internal::fault;
 
-/// The local values of statements, each of one shape.
+/// The local values of statements, each of one shape; those of routines are their own.
 pub(in crate::emit) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, Shape>) {
     for statement in statements {
         match statement {
-            Statement::Let(name, shape, _) | Statement::Variable(name, shape) => {
-                declare(name, *shape, locals);
-            }
+            Statement::Let(name, shape, _)
+            | Statement::Variable(name, shape)
+            | Statement::Begin(name, shape, _) => declare(name, *shape, locals),
             Statement::Array(name, values) => declare(name, Shape::Reals(values.len()), locals),
-            Statement::Rows { name, weights, .. } => {
-                declare(name, Shape::Reals(weights.len()), locals);
-            }
-            Statement::Elimination { name, right, .. } => {
-                declare(name, Shape::Reals(right.len()), locals);
+            Statement::Apply { name, routine, .. } => {
+                declare(name, Shape::Reals(routine.kind.given()[0].length), locals);
             }
             Statement::Call { name, count, .. } => declare(name, Shape::Reals(*count), locals),
-            Statement::Solve(solve) => {
-                declare(&solve.unknown, Shape::Real, locals);
-                for local in Solve::LOCALS {
-                    declare(&format!("{}_{local}", solve.unknown), Shape::Real, locals);
-                }
-                declared(&solve.body, locals);
+            Statement::For(each) => {
+                declare(&each.index, Shape::Count, locals);
+                declared(&each.body, locals);
             }
             Statement::If(_, yes, no) => {
                 declared(yes, locals);
                 declared(no, locals);
             }
-            _ => {}
+            Statement::Leave
+            | Statement::Note(_)
+            | Statement::Require(..)
+            | Statement::Root(..)
+            | Statement::Set(..)
+            | Statement::Settle(..)
+            | Statement::View { .. } => {}
         }
     }
 }

@@ -1,11 +1,10 @@
 //! Statements as lines, in the words of a language.
 
 use super::{Block, close};
-use crate::algebra::BigRational;
-use crate::code::{Expr, Operator, Place, Shape, Solve, Statement, Test};
+use crate::code::{For, Place, Statement};
 
 /// A statement.
-pub(super) fn of_statement(to: &mut dyn Block, statement: &Statement) {
+pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
     match statement {
         Statement::Let(name, shape, value) => {
             let (name, text) = (to.local(name), to.value(value));
@@ -20,25 +19,42 @@ pub(super) fn of_statement(to: &mut dyn Block, statement: &Statement) {
                 to.out().line(line);
             }
         }
+        Statement::Begin(name, shape, value) => {
+            let line = to.begin(&to.local(name), *shape, &to.alone(value));
+            to.out().line(line);
+        }
         Statement::Set(place, value) => {
             let place = match place {
                 Place::Local(name) => to.local(name),
+                Place::Element(name, index) => to.at(&to.local(name), &to.place(index, to.first())),
+                Place::Result(name, index) => to.result(name, *index),
                 Place::Field(name) => to.field(name),
             };
             let line = to.assign(&place, &to.value(value));
             to.out().line(line);
         }
+        Statement::Settle(whose, status) => {
+            let line = to.settle(*whose, *status);
+            to.out().line(line);
+        }
         Statement::Require(test, status) => to.require(test, *status),
         Statement::Array(name, values) => to.array(name, values),
-        Statement::Rows { name, tail, weights, .. } => to.rows(name, tail, weights),
-        Statement::Elimination { name, matrix, right } => to.elimination(name, matrix, right),
+        Statement::View { name, array, first } => {
+            let line = to.view(name, array, *first);
+            to.out().line(line);
+        }
+        Statement::Apply { name, routine, given } => to.apply(name, routine, given),
         Statement::Call { name, callback, array, times, count } => {
             let [time, rate] = times.each_ref().map(|value| to.alone(value));
             to.laws(name, callback, &[array, &time, &rate], *count);
         }
-        Statement::Solve(solve) => of_root(to, solve),
+        Statement::For(each) => of_loop(to, each),
+        Statement::Leave => {
+            let line = to.leave();
+            to.out().line(line);
+        }
         Statement::If(test, yes, no) => {
-            let line = format!("{}{}{}", to.branch().open, to.test(test), to.branch().then);
+            let line = to.opened(to.branch().open, &[test]);
             to.out().open(line);
             otherwise(to, yes, no);
         }
@@ -47,6 +63,7 @@ pub(super) fn of_statement(to: &mut dyn Block, statement: &Statement) {
             to.out().gap();
             to.out().line(format!("{open}{text}{close}"));
         }
+        Statement::Root(..) => {}
     }
 }
 
@@ -57,7 +74,7 @@ fn otherwise(to: &mut dyn Block, yes: &[Statement], no: &[Statement]) {
     match no {
         [] => {}
         [Statement::If(test, yes, no)] => {
-            let line = format!("{}{}{}", branch.turn, to.test(test), branch.then);
+            let line = to.opened(branch.turn, &[test]);
             to.out().turn(line);
             return otherwise(to, yes, no);
         }
@@ -69,47 +86,12 @@ fn otherwise(to: &mut dyn Block, yes: &[Statement], no: &[Statement]) {
     close(to.out(), branch.end);
 }
 
-/// An iteration for a root.
-fn of_root(to: &mut dyn Block, solve: &Solve) {
-    let y = solve.unknown.as_str();
-    let [low, high, next, size] = Solve::LOCALS.map(|local| format!("{y}_{local}"));
-    for (name, value) in [(y, &solve.start), (&low, &solve.low), (&high, &solve.high)] {
-        let line = to.begin(&to.local(name), &to.alone(value));
-        to.out().line(line);
-    }
-    let bisection = solve.bisection(to.precision());
-    let [open, end] = to.rounds(solve.rounds, bisection.is_some());
-    to.out().open(open);
-    to.block(&solve.body);
-    for (name, value) in [(&next, &solve.next), (&size, &solve.size)] {
-        to.statement(&Statement::Let(name.clone(), Shape::Real, value.clone()));
-    }
-    let set = |name: &str, value| vec![Statement::Set(Place::Local(name.to_owned()), value)];
-    let local = |name: &str| Expr::local(name);
-    let right = Test::Less(Expr::integer(0), solve.residual.clone());
-    to.statement(&Statement::If(right, set(&low, local(y)), set(&high, local(y))));
-    let inside = Test::All(vec![
-        Test::AtMost(local(&low), local(&next)),
-        Test::AtMost(local(&next), local(&high)),
-    ]);
-    let middle = half(local(&low), local(&high));
-    to.statement(&Statement::If(inside, set(y, local(&next)), set(y, middle)));
-    let ends = Test::AtMost(local(&size), solve.tolerance.clone());
-    let branch = to.branch();
-    let line = format!("{}{}{}", branch.open, to.test(&ends), branch.then);
-    to.out().open(line);
-    let leave = to.leave();
-    to.out().line(leave);
-    close(to.out(), branch.end);
-    if let Some((late, middle)) = bisection {
-        to.statement(&Statement::If(late, set(y, middle), vec![]));
-    }
+/// A loop.
+fn of_loop(to: &mut dyn Block, each: &For) {
+    let [open, end] = to.each(each);
+    let mut lines = open.lines();
+    to.out().open(lines.next().unwrap_or_default());
+    lines.for_each(|line| to.out().line(line));
+    to.block(&each.body);
     close(to.out(), &end);
-}
-
-/// Half of a + b.
-fn half(a: Expr, b: Expr) -> Expr {
-    let sum = Expr::binary(Operator::Add, a, b);
-    let half = BigRational::new(1.into(), 2.into());
-    Expr::binary(Operator::Mul, Expr::Number(half), sum)
 }

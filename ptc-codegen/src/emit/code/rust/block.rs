@@ -1,10 +1,10 @@
 //! Statements in Rust.
 
-use super::super::block::{Block, Branch, either};
+use super::super::block::{Block, Branch, Ends, either};
 use super::super::gives::Gives;
 use super::super::text::{Level, Lines, Text};
 use super::{CHOICE, Rust};
-use crate::code::{Ending, Expr, Shape, Solve, Status, Test};
+use crate::code::{Ending, Expr, For, Routine, Shape, Status, Test, Whose};
 use crate::internal::fault;
 
 impl Block for Rust<'_> {
@@ -43,7 +43,10 @@ impl Block for Rust<'_> {
     }
 
     fn declare(&self, name: &str, shape: Shape) -> Option<String> {
-        Some(format!("let {name}: {};", self.type_of(shape)))
+        Some(match shape {
+            Shape::Reals(length) => format!("let mut {name} = [0.0; {length}];"),
+            shape => format!("let {name}: {};", self.type_of(shape)),
+        })
     }
 
     fn assign(&self, place: &str, value: &str) -> String {
@@ -57,11 +60,31 @@ impl Block for Rust<'_> {
             _ if text.len() <= CHOICE => return text,
             Expr::Choose(test, yes, no) => (self.test(test), self.alone(yes), self.alone(no)),
             Expr::Quotient(a, b) => {
-                self.divisible(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
+                let [a, b] = [a, b].map(|side| self.within(side, Level::Atom));
+                (self.not_zero(&b), format!("{a} / {b}"), self.nan())
+            }
+            Expr::Divisor(a) => {
+                let a = self.within(a, Level::Atom);
+                (self.not_zero(&a), a, self.nan())
             }
             _ => return text,
         };
         format!("if {test} {{\n    {yes}\n}} else {{\n    {no}\n}}")
+    }
+
+    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
+        let runtime = self.runtime;
+        let status = match status {
+            None => "status".to_owned(),
+            Some(status) if status.number() < 0 => {
+                format!("Err({runtime}Error::{})", status.name())
+            }
+            Some(status) => format!("Ok({runtime}Status::{})", status.name()),
+        };
+        match whose {
+            Whose::Call => format!("status = {status};"),
+            Whose::Input(index) => format!("axes[{index}] = {status};"),
+        }
     }
 
     fn require(&mut self, test: &Test, status: Status) {
@@ -91,31 +114,47 @@ impl Block for Rust<'_> {
         self.out.line(line);
     }
 
-    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
-        self.arrays([("weights", weights), ("tail", tail)]);
-        self.out.line(format!("let {name} = Self::rows(weights, &tail);"));
+    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
+        let own = routine.kind.given().map(|own| own.name);
+        for (own, values) in own.into_iter().zip(given) {
+            let list = self.list(values);
+            let line = self.array_text(&format!("let {own} = ["), &list, "];");
+            self.out.line(line);
+        }
+        let (called, given) = (routine.kind.name(), own.join(", "));
+        self.out.line(format!("let {name} = Self::{called}({given});"));
     }
 
-    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
-        self.arrays([("a", matrix), ("b", right)]);
-        self.out.line(format!("let {name} = Self::eliminate(a, b);"));
+    fn view(&self, name: &str, array: &str, first: bool) -> String {
+        format!("{}{name} = &{array};", if first { "let mut " } else { "" })
     }
 
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
         self.out.line(format!("let {name} = {callback}({});", given.join(", ")));
     }
 
-    fn rounds(&self, rounds: u32, counted: bool) -> [String; 2] {
-        let round = if counted { Solve::ROUND } else { "_" };
-        [format!("for {round} in 0..{rounds} {{"), "}".to_owned()]
+    fn each(&self, each: &For) -> [String; 2] {
+        let [from, to] = [&each.from, &each.to].map(|end| self.end(end, 0));
+        let range = match (each.step, each.down) {
+            (1, false) => format!("{from}..{to}"),
+            (_, true) => format!("({from}..{to}).rev()"),
+            (step, _) => format!("({from}..{to}).step_by({step})"),
+        };
+        [format!("for {} in {range} {{", each.named()), "}".to_owned()]
     }
 
     fn leave(&self) -> &'static str {
         "break;"
     }
 
-    fn begin(&self, name: &str, value: &str) -> String {
+    fn begin(&self, name: &str, _: Shape, value: &str) -> String {
         format!("let mut {name} = {value};")
+    }
+}
+
+impl Ends for Rust<'_> {
+    fn as_ends(&mut self) -> &mut dyn Ends {
+        self
     }
 
     fn give(&mut self, values: &[Expr], ending: Ending) {

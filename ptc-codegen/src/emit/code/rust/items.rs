@@ -1,6 +1,6 @@
 //! The items: structures, functions and the trait.
 
-use super::super::block::Block;
+use super::super::block::{Block, Ends};
 use super::super::gives::Gives;
 use super::super::text::Text;
 use super::{CHOICE, Rust};
@@ -31,12 +31,7 @@ impl Rust<'_> {
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             self.function(function);
         }
-        if let Some((weights, fused)) = code.rows() {
-            self.rows_function(weights, fused);
-        }
-        if let Some(unknowns) = code.unknowns() {
-            self.elimination_function(unknowns);
-        }
+        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
         self.out.close("}");
         if !code.gains.is_empty() {
             self.out.line("");
@@ -126,14 +121,13 @@ impl Rust<'_> {
             let by = if argument.shape.length().is_some() { "&" } else { "" };
             list.push(format!("{}: {by}{kind}", argument.name));
         }
-        let (real, array) = (self.type_of(Shape::Real), self.states());
+        let real = self.type_of(Shape::Real);
         for callback in &function.callbacks {
-            let name = callback.name;
+            let (name, given) = (callback.name, self.type_of(Shape::Reals(callback.length)));
             list.push(match callback.gives {
-                1 => format!("{name}: impl FnOnce(&{array}, {real}) -> {real}"),
+                1 => format!("{name}: impl FnOnce(&{given}, {real}) -> {real}"),
                 count => {
-                    let xi = self.type_of(Shape::Reals(callback.length));
-                    format!("{name}: impl FnOnce(&{xi}, {real}, {real}) -> [{real}; {count}]")
+                    format!("{name}: impl FnOnce(&{given}, {real}, {real}) -> [{real}; {count}]")
                 }
             });
         }
@@ -170,8 +164,8 @@ impl Rust<'_> {
         }
         self.out.line("#[inline]");
         self.signature(function.name, &list, &result);
-        if let Finish::Inputs(inputs) = &function.finish {
-            self.inputs(function, inputs);
+        if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
+            self.inputs(function, count);
             return self.out.close("}");
         }
         self.block(&function.body);

@@ -2,9 +2,8 @@
 
 mod axes;
 mod block;
-mod inputs;
 mod items;
-mod loops;
+mod private;
 mod text;
 
 use super::gives::Gives;
@@ -63,21 +62,6 @@ impl<'a> Rust<'a> {
             Some(_) if self.out.has_room(&one) => format!("{one}\n{{"),
             Some(test) => format!("{test}\n{{"),
             None => line,
-        }
-    }
-
-    /// When a quotient exists, it, and what stands for it else.
-    fn divisible(&self, a: &str, b: &str) -> (String, String, String) {
-        let nan = format!("{}::NAN", self.type_of(Shape::Real));
-        (format!("{b} < 0.0 || {b} > 0.0"), format!("{a} / {b}"), nan)
-    }
-
-    /// Two arrays that a function takes.
-    fn arrays(&mut self, both: [(&str, &[Expr]); 2]) {
-        for (array, values) in both {
-            let list = self.list(values);
-            let line = self.array_text(&format!("let {array} = ["), &list, "];");
-            self.out.line(line);
         }
     }
 

@@ -1,6 +1,6 @@
 //! Expressions in Rust.
 
-use super::super::text::{Level, Text, bracketed};
+use super::super::text::{Level, Text, bare, bracketed};
 use super::Rust;
 use crate::code::{AXIS, Shape};
 use crate::parameter::Precision;
@@ -57,6 +57,7 @@ impl Text for Rust<'_> {
     }
 
     fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        let [yes, no] = [yes, no].map(|way| bare(way.to_owned()));
         (Level::Choice, format!("if {test} {{ {yes} }} else {{ {no} }}"))
     }
 
@@ -83,8 +84,15 @@ impl Text for Rust<'_> {
     }
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
-        let (test, yes, no) = self.divisible(a, b);
-        (Level::Choice, format!("if {test} {{ {yes} }} else {{ {no} }}"))
+        self.choose(&self.not_zero(b), &format!("{a} / {b}"), &self.nan())
+    }
+
+    fn nan(&self) -> String {
+        format!("{}::NAN", self.type_of(Shape::Real))
+    }
+
+    fn not_zero(&self, a: &str) -> String {
+        format!("{a} < 0.0 || {a} > 0.0")
     }
 
     fn finite(&self, value: &str) -> String {

@@ -5,7 +5,7 @@ mod lines;
 pub(in crate::emit) use lines::Lines;
 
 use super::expression;
-use crate::code::{AXIS, Expr, Test};
+use crate::code::{AXIS, Expr, Index, Test};
 use crate::parameter::Precision;
 
 /// How tightly an expression holds together.
@@ -60,6 +60,21 @@ pub(in crate::emit) trait Text {
     /// Element `index`, from 0, of an array.
     fn element(&self, array: &str, index: usize) -> String {
         format!("{array}[{index}]")
+    }
+
+    /// The number of the first element of an array.
+    fn first(&self) -> i32 {
+        0
+    }
+
+    /// A whole number in what counts elements.
+    fn whole(&self, count: u32) -> String {
+        self.count(count)
+    }
+
+    /// An element of an array.
+    fn at(&self, array: &str, place: &str) -> String {
+        format!("{array}[{place}]")
     }
 
     /// An element of an array of arrays, both counted from 0.
@@ -118,6 +133,20 @@ pub(in crate::emit) trait Text {
     /// a / b, and no number where b is 0 or no number.
     fn quotient(&self, a: &str, b: &str) -> (Level, String);
 
+    /// No number.
+    fn nan(&self) -> String;
+
+    /// a, and no number where it is 0 or no number.
+    fn divisor(&self, a: &str) -> (Level, String) {
+        self.choose(&self.not_zero(a), a, &self.nan())
+    }
+
+    /// That a number is neither 0 nor no number.
+    fn not_zero(&self, a: &str) -> String {
+        let (zero, or) = (self.literal("0.0"), self.or());
+        format!("({a} < {zero}) {or} ({a} > {zero})")
+    }
+
     /// What the user's function `name` gives for an array and a time.
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
         format!("{name}({array}, {time})")
@@ -163,6 +192,19 @@ pub(in crate::emit) trait Text {
     /// An expression that stands alone.
     fn alone(&self, value: &Expr) -> String {
         self.print(value).1
+    }
+
+    /// A place in an array whose first element has the number `first`.
+    fn place(&self, index: &Index, first: i32) -> String {
+        expression::place(self.as_text(), index, first)
+    }
+
+    /// An end of a loop, or what is so much `behind` it.
+    fn end(&self, index: &Index, behind: i32) -> String {
+        match (index.terms.as_slice(), u32::try_from(index.constant + behind)) {
+            ([], Ok(count)) => self.whole(count),
+            _ => self.place(index, behind),
+        }
     }
 
     /// A test.

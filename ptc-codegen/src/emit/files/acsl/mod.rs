@@ -62,7 +62,7 @@ pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
         contracts: contracts.collect(),
         // The tests of sizes leave a state for each set of gains that are 0.
         before_tests: Some("/*@ slevel merge; */"),
-        behind: Some(|solve, tolerance, real| split_root(&solve.unknown, tolerance, real)),
+        behind: Some(split_root),
     }
 }
 

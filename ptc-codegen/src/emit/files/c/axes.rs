@@ -1,5 +1,6 @@
 //! The `step` of several axes.
 
+use super::super::block::Block;
 use super::super::text::{Text, bare};
 use super::C;
 use crate::code::{AXIS, Axes, Expr, Finish, Function, Shape, Statement, Test};
@@ -53,7 +54,7 @@ impl C<'_> {
         } else {
             self.out.open("{");
         }
-        self.block(&tick.body, &mut |this| this.finish(tick, &tick.finish, false));
+        self.nested(&tick.body, &mut |this| this.finish(tick, &tick.finish, false));
         if !fails {
             self.out.close("}");
         }
@@ -73,7 +74,7 @@ impl C<'_> {
         {
             self.out.line(format!("{real} {name}[{count}][{}];\n", sums.len()));
             self.each(axes, "0U", |this| {
-                this.block(before, &mut |_| {});
+                this.block(before);
                 for (place, sum) in sums.iter().enumerate() {
                     let sum = this.alone(sum);
                     this.out.line(format!("{name}[axis][{place}] = {sum};"));
@@ -105,7 +106,7 @@ impl C<'_> {
 
     /// v of an axis.
     fn value(&mut self, axes: &Axes, body: &[Statement]) {
-        self.block(body, &mut |_| {});
+        self.block(body);
         let (axis, value) = (self.axis.clone(), self.alone(&axes.value));
         self.out.line(format!("v[{axis}] = {value};"));
     }

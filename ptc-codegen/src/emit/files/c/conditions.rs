@@ -27,7 +27,6 @@ pub(in crate::emit) fn written(code: &Code, condition: &Decision) -> String {
         Decision::Regular(unknowns) => {
             format!("a[({unknowns}U * k) + k] > {}", printer.literal("0.0"))
         }
-        Decision::Saturated(index) => format!("axes[{index}] == PTC_SATURATED"),
     }
 }
 

@@ -48,7 +48,7 @@ impl C<'_> {
 
     fn about(&self, function: &Function) -> String {
         let about = function.about.trim_end();
-        let code_axes = matches!(function.finish, Finish::Axes(_) | Finish::Inputs(_));
+        let code_axes = matches!(function.finish, Finish::Axes(_) | Finish::Stands);
         let handed = match function.callbacks.is_empty() {
             true => "",
             false => " context is passed on unchanged.",
@@ -114,7 +114,7 @@ impl C<'_> {
     }
 
     /// A comment, in as many lines as it needs.
-    fn remark(&mut self, text: &str) {
+    pub(super) fn remark(&mut self, text: &str) {
         let line = format!("/* {text} */");
         if self.out.has_room(&line) {
             return self.out.line(line);

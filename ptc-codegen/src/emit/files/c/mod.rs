@@ -3,8 +3,6 @@
 mod axes;
 mod conditions;
 mod header;
-mod inputs;
-mod loops;
 mod source;
 mod statement;
 mod target;
@@ -16,12 +14,12 @@ pub(in crate::emit) use target::{TARGET, files_with_proof, real, sampled_files_w
 
 use super::apart::apart;
 use super::text::{Level, Lines, Text};
-use crate::code::{AXIS, Access, Callback, Code, Function, Owner, Shape, Solve, Status};
+use crate::code::{AXIS, Access, Callback, Code, Function, Owner, Shape, Status};
 use crate::emit::File;
 use crate::parameter::Precision;
 
 /// The lines behind an iteration with a tolerance, in numbers of a type.
-type Behind = fn(&Solve, tolerance: &str, real: &str) -> Vec<String>;
+type Behind = fn(root: &str, tolerance: &str, real: &str) -> Vec<String>;
 
 /// What is added to the files of a controller for a proof.
 #[derive(Default)]
@@ -129,8 +127,11 @@ impl Text for C<'_> {
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
         // A quotient between ? and : is a breach of MISRA's rule 12.1 as cppcheck reads it.
-        let (zero, real) = (self.literal("0.0"), self.type_of(Shape::Real));
-        (Level::Product, format!("{a} / ((({b} < {zero}) || ({b} > {zero})) ? {b} : ({real})NAN)"))
+        (Level::Product, format!("{a} / ({})", self.divisor(b).1))
+    }
+
+    fn nan(&self) -> String {
+        format!("({})NAN", self.type_of(Shape::Real))
     }
 
     fn callback(&self, name: &str, array: &str, time: &str) -> String {

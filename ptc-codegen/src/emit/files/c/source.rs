@@ -26,17 +26,8 @@ impl C<'_> {
         }
         self.out.line("");
         self.init();
-        let mut formed = false;
-        for function in &code.functions {
-            let rows = function.rows();
-            if let Some((weights, fused)) = rows.filter(|_| !std::mem::replace(&mut formed, true)) {
-                self.rows_function(weights, fused);
-            }
-            if let Some(unknowns) = function.unknowns() {
-                self.elimination_function(unknowns);
-            }
-            self.function(function);
-        }
+        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
+        code.functions.iter().for_each(|function| self.function(function));
         self.out.text()
     }
 
@@ -58,7 +49,7 @@ impl C<'_> {
         }
         let given = if uses { "(self != NULL) && (params != NULL)" } else { "self != NULL" };
         self.out.open(format!("if ({given}) {{"));
-        self.block(&code.init, &mut |this| {
+        self.nested(&code.init, &mut |this| {
             let Some(start) = &code.start else { return this.out.line("status = PTC_OK;") };
             let mut list = vec!["&built".to_owned(), this.alone(&start.time)];
             list.extend(start.state.iter().map(|state| state.name.clone()));
@@ -99,12 +90,10 @@ impl C<'_> {
             let tests = self.pointers(function);
             self.out.open(format!("if ({tests}) {{"));
         }
-        if let Finish::Inputs(inputs) = &function.finish
-            && fails
-        {
-            self.no_inputs(inputs.values.len(), first);
+        if function.finish == Finish::Stands && fails {
+            self.no_inputs(function, first);
         }
-        self.block(&function.body, &mut |this| {
+        self.nested(&function.body, &mut |this| {
             let done = this.stored.is_some() && function.finish.results().is_some();
             this.finish(function, &function.finish, done && !this.zeroed);
             if function.results.iter().any(|result| result.shape == Shape::Gains) {
@@ -117,6 +106,15 @@ impl C<'_> {
         }
         self.out.line("return status;");
         self.out.close("}");
+    }
+
+    /// What the call gives of several inputs where it ends early.
+    fn no_inputs(&mut self, function: &Function, status: Status) {
+        let (zero, status) = (self.literal("0.0"), word(status));
+        let count = function.results.first().and_then(|result| result.shape.length());
+        for index in 0..count.unwrap_or_default() {
+            self.out.line(format!("u[{index}] = {zero};\naxes[{index}] = {status};"));
+        }
     }
 
     /// A list of results is 0 where a pointer is missing, as one is from the start.
@@ -184,7 +182,7 @@ impl C<'_> {
             }
             Finish::Fail(status) => self.fail(function, *status),
             Finish::Axes(axes) => self.axes(function, axes),
-            Finish::Inputs(inputs) => self.inputs(inputs),
+            Finish::Stands => {}
             Finish::If(..) => {
                 // One store for all ends, but where the result is 0 from the start.
                 let scalar = function.results.iter().all(|result| result.shape == Shape::Real);

@@ -1,22 +1,19 @@
 //! Statements of a function: what a test guards is inside it.
 
-use super::super::text::{Text, bare};
+use super::super::block::{Block, Branch, WRITTEN, counted, of_statement};
+use super::super::text::{Lines, Text, bare};
 use super::source::BUILT;
 use super::{C, word};
-use crate::code::{Expr, Place, Shape, Solve, Statement, Status, Test};
+use crate::code::{Expr, For, Kind, Routine, Shape, Statement, Status, Test, Whose};
+use crate::internal::fault;
 
 impl C<'_> {
-    /// Statements; what a test guards is inside it, and `then` ends the whole.
-    pub(super) fn block(&mut self, mut statements: &[Statement], then: &mut dyn FnMut(&mut Self)) {
+    /// Statements: what is required first is a test around the others, and `then` ends the whole.
+    pub(super) fn nested(&mut self, mut statements: &[Statement], then: &mut dyn FnMut(&mut Self)) {
         // Tests alone nest: the other statements may be tens of thousands.
         while let Some((first, rest)) = statements.split_first() {
             match first {
-                Statement::Require(test, status) => return self.require(test, *status, rest, then),
-                Statement::If(test, yes, no) => {
-                    let text = self.test(test);
-                    self.out.open(format!("if ({text}) {{"));
-                    self.otherwise(yes, no);
-                }
+                Statement::Require(test, status) => return self.guard(test, *status, rest, then),
                 other => self.statement(other),
             }
             statements = rest;
@@ -24,7 +21,7 @@ impl C<'_> {
         then(self);
     }
 
-    fn require(
+    fn guard(
         &mut self,
         test: &Test,
         status: Status,
@@ -44,78 +41,118 @@ impl C<'_> {
         }
         let line = self.out.joined("if (", &parts, ("&&", "\n    && "), ") {");
         self.out.open(line);
-        self.block(rest, then);
+        self.nested(rest, then);
         self.out.close("}");
     }
+}
 
-    /// The branches of a test that is open; a branch that only tests again is `else if`.
-    fn otherwise(&mut self, yes: &[Statement], no: &[Statement]) {
-        self.block(yes, &mut |_| {});
-        match no {
-            [] => {}
-            [Statement::If(test, yes, no)] => {
-                let text = self.test(test);
-                self.out.turn(format!("}} else if ({text}) {{"));
-                return self.otherwise(yes, no);
-            }
-            no => {
-                self.out.turn("} else {");
-                self.block(no, &mut |_| {});
-            }
+impl Block for C<'_> {
+    fn as_block(&mut self) -> &mut dyn Block {
+        self
+    }
+
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        let joint = "\n    && ";
+        let (otherwise, end) = ("} else {", "}");
+        Branch { open: "if (", turn: "} else if (", then: ") {", joint, otherwise, end }
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("/* ", " */")
+    }
+
+    fn define(&self, name: &str, shape: Shape, value: &str) -> String {
+        format!("const {} {name} = {value};", self.type_of(shape))
+    }
+
+    fn declare(&self, name: &str, shape: Shape) -> Option<String> {
+        let length = shape.length().map(|length| format!("[{length}]")).unwrap_or_default();
+        Some(format!("{} {name}{length};", self.type_of(shape)))
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value};")
+    }
+
+    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
+        let status = status.map_or("status", word);
+        match whose {
+            Whose::Call => format!("status = {status};"),
+            Whose::Input(index) => format!("axes[{index}] = {status};"),
         }
-        self.out.close("}");
+    }
+
+    fn require(&mut self, _: &Test, _: Status) {
+        fault("what a test guards is inside it")
+    }
+
+    fn array(&mut self, name: &str, values: &[Expr]) {
+        self.array_of("const ", name, values);
+    }
+
+    fn view(&self, name: &str, array: &str, first: bool) -> String {
+        let kind = format!("const {} *", self.type_of(Shape::Real));
+        format!("{}{name} = {array};", if first { kind.as_str() } else { "" })
+    }
+
+    fn apply(&mut self, name: &str, routine: &Routine, [changed, other]: &[Vec<Expr>; 2]) {
+        let [_, own] = routine.kind.given();
+        self.array_of("", name, changed);
+        self.array_of(if own.changes { "" } else { "const " }, own.name, other);
+        let (code, called) = (&self.code.name, routine.kind.name());
+        self.out.line(format!("{code}_{called}({name}, {});", own.name));
+    }
+
+    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize) {
+        let (real, given) = (self.type_of(Shape::Real), given.join(", "));
+        let zeros = vec![self.literal("0.0"); count].join(", ");
+        self.out.line(format!("{real} {name}[{count}] = {{{zeros}}};"));
+        self.out.line(format!("{callback}(context, {given}, {name});"));
+    }
+
+    fn each(&self, each: &For) -> [String; 2] {
+        counted(self, each, "uint32_t")
+    }
+
+    fn leave(&self) -> &'static str {
+        "break;"
+    }
+
+    fn begin(&self, name: &str, shape: Shape, value: &str) -> String {
+        format!("{} {name} = {value};", self.type_of(shape))
+    }
+
+    fn block(&mut self, statements: &[Statement]) {
+        self.nested(statements, &mut |_| {});
     }
 
     fn statement(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Let(name, shape, value) => {
-                let (kind, value) = (self.type_of(*shape), self.alone(value));
-                self.out.line(format!("const {kind} {name} = {value};"));
-                if let Some((_, result)) = self.stored.as_ref().filter(|(local, _)| local == name) {
-                    let line = format!("*{result} = {name};");
-                    self.out.line(line);
-                }
+        of_statement(self, statement);
+        match (statement, &self.stored, self.notes.behind) {
+            (Statement::Let(name, ..), Some((local, result)), _) if local == name => {
+                let line = format!("*{result} = {name};");
+                self.out.line(line);
             }
-            Statement::Variable(name, shape) => {
-                let kind = self.type_of(*shape);
-                self.out.line(format!("{kind} {name};"));
+            (Statement::Root(root, tolerance), _, Some(behind)) => {
+                let real = self.type_of(Shape::Real);
+                let lines = behind(root, &self.alone(tolerance), &real);
+                lines.into_iter().for_each(|line| self.out.line(line));
             }
-            Statement::Set(place, value) => {
-                let value = self.alone(value);
-                let place = match place {
-                    Place::Local(name) => name.clone(),
-                    Place::Field(name) => self.field(name),
-                };
-                self.out.line(format!("{place} = {value};"));
-            }
-            Statement::Array(name, values) => self.array("const ", name, values),
-            Statement::Rows { name, tail, weights, .. } => {
-                self.array("", name, weights);
-                self.array("const ", "p", tail);
-                self.out.line(format!("{}_rows({name}, p);", self.code.name));
-            }
-            Statement::Elimination { name, matrix, right } => {
-                self.array("", "a", matrix);
-                self.array("", name, right);
-                self.out.line(format!("{}_eliminate(a, {name});", self.code.name));
-            }
-            Statement::Call { name, callback, array, times, count } => {
-                let [time, rate] = times.each_ref().map(|value| self.alone(value));
-                let (real, zero) = (self.type_of(Shape::Real), self.literal("0.0"));
-                let zeros = vec![zero; *count].join(", ");
-                self.out.line(format!("{real} {name}[{count}] = {{{zeros}}};"));
-                self.out.line(format!("{callback}(context, {array}, {time}, {rate}, {name});"));
-            }
-            Statement::Solve(solve) => self.solve(solve),
-            Statement::Note(text) => {
-                self.out.gap();
-                self.out.line(format!("/* {text} */"));
-            }
-            Statement::If(..) | Statement::Require(..) => {}
+            _ => {}
         }
     }
+}
 
-    fn array(&mut self, constant: &str, name: &str, values: &[Expr]) {
+impl C<'_> {
+    fn array_of(&mut self, constant: &str, name: &str, values: &[Expr]) {
         let values: Vec<_> = values.iter().map(|value| self.alone(value)).collect();
         let (kind, n) = (self.type_of(Shape::Real), values.len());
         let before = format!("{constant}{kind} {name}[{n}] = {{");
@@ -123,44 +160,19 @@ impl C<'_> {
         self.out.line(line);
     }
 
-    fn solve(&mut self, solve: &Solve) {
-        let (real, y) = (self.type_of(Shape::Real), &solve.unknown);
-        let [low, high, next, size] = Solve::LOCALS.map(|local| format!("{y}_{local}"));
-        for (name, value) in [(y, &solve.start), (&low, &solve.low), (&high, &solve.high)] {
-            let value = self.alone(value);
-            self.out.line(format!("{real} {name} = {value};"));
-        }
-        let (rounds, round) = (solve.rounds, Solve::ROUND);
-        self.out.open(format!("for (uint32_t {round} = 0U; {round} < {rounds}U; {round}++) {{"));
-        self.block(&solve.body, &mut |_| {});
-        for (name, value) in [(&next, &solve.next), (&size, &solve.size)] {
-            let value = self.alone(value);
-            self.out.line(format!("const {real} {name} = {value};"));
-        }
-        let (zero, half) = (self.literal("0.0"), self.literal("0.5"));
-        let (residual, tolerance) = (self.alone(&solve.residual), self.alone(&solve.tolerance));
-        self.out.line(format!(
-            "if ({residual} > {zero}) {{
-    {low} = {y};
-}} else {{
-    {high} = {y};
-}}
-if (({next} >= {low}) && ({next} <= {high})) {{
-    {y} = {next};
-}} else {{
-    {y} = {half} * ({low} + {high});
-}}
-if ({size} <= {tolerance}) {{
-    break;
-}}"
-        ));
-        if let Some((late, middle)) = solve.bisection(self.code.precision) {
-            let set = Statement::Set(Place::Local(y.clone()), middle);
-            self.statement(&Statement::If(late, vec![set], vec![]));
-        }
+    /// The function of a routine.
+    pub(super) fn routine(&mut self, kind: Kind) {
+        let (name, real) = (&self.code.name, self.type_of(Shape::Real));
+        let given = kind.given().map(|own| {
+            let constant = if own.changes { "" } else { "const " };
+            format!("{constant}{real} {}[{}]", own.name, own.length)
+        });
+        let signature = format!("static void {name}_{}({})", kind.name(), given.join(", "));
+        self.out.line("");
+        self.remark(kind.about());
+        self.out.line(signature);
+        self.out.open("{");
+        self.block(&kind.body(WRITTEN));
         self.out.close("}");
-        if let Some(behind) = self.notes.behind {
-            behind(solve, &tolerance, &real).into_iter().for_each(|line| self.out.line(line));
-        }
     }
 }

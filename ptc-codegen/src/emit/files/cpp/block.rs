@@ -1,11 +1,14 @@
 //! Statements in C++.
 
-use super::super::block::{Block, Branch};
+use super::super::block::{Block, Branch, Ends, counted};
 use super::super::gives::Gives;
 use super::super::text::{Lines, Text};
 use super::{Cpp, word};
-use crate::code::{Ending, Expr, Shape, Solve, Status, Test};
+use crate::code::{Ending, Expr, For, Routine, Shape, Status, Test, Whose};
 use crate::internal::fault;
+
+/// The type of indices.
+const INDEX: &str = "std::size_t";
 
 impl Block for Cpp<'_> {
     fn as_block(&mut self) -> &mut dyn Block {
@@ -47,6 +50,18 @@ impl Block for Cpp<'_> {
         format!("{place} = {value};")
     }
 
+    fn result(&self, name: &str, index: usize) -> String {
+        format!("all.{name}[{index}]")
+    }
+
+    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
+        let status = status.map_or_else(|| "all.status".to_owned(), word);
+        match whose {
+            Whose::Call => format!("all.status = {status};"),
+            Whose::Input(index) => format!("all.axes[{index}] = {status};"),
+        }
+    }
+
     fn require(&mut self, test: &Test, status: Status) {
         let line = self.unless("!", test, ") {");
         self.out.open(line);
@@ -61,16 +76,18 @@ impl Block for Cpp<'_> {
         self.out.line(line);
     }
 
-    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
-        self.array("p", tail);
-        self.array("w", weights);
-        self.out.line(format!("const auto {name} = rows(w, p);"));
+    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
+        // The first may have the name of what it becomes.
+        let own = routine.kind.given().map(|own| format!("given_{}", own.name));
+        let both = own.iter().zip(given).rev();
+        both.for_each(|(own, values)| self.array(own, values));
+        let (called, given) = (routine.kind.name(), own.join(", "));
+        self.out.line(format!("const auto {name} = {called}({given});"));
     }
 
-    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
-        self.array("a", matrix);
-        self.array("b", right);
-        self.out.line(format!("const auto {name} = eliminate(a, b);"));
+    fn view(&self, name: &str, array: &str, first: bool) -> String {
+        let kind = format!("const {}* ", self.real_type());
+        format!("{}{name} = {array}.data();", if first { kind.as_str() } else { "" })
     }
 
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize) {
@@ -78,18 +95,23 @@ impl Block for Cpp<'_> {
         self.out.line(format!("const {kind} {name} = {callback}({});", given.join(", ")));
     }
 
-    fn rounds(&self, rounds: u32, _: bool) -> [String; 2] {
-        let round = Solve::ROUND;
-        let open = format!("for (std::size_t {round} = 0U; {round} < {rounds}U; {round}++) {{");
-        [open, "}".to_owned()]
+    fn each(&self, each: &For) -> [String; 2] {
+        counted(self, each, INDEX)
     }
 
     fn leave(&self) -> &'static str {
         "break;"
     }
 
-    fn begin(&self, name: &str, value: &str) -> String {
-        format!("{} {name} = {value};", self.real_type())
+    fn begin(&self, name: &str, shape: Shape, value: &str) -> String {
+        let kind = if shape == Shape::Count { INDEX } else { self.real_type() };
+        format!("{kind} {name} = {value};")
+    }
+}
+
+impl Ends for Cpp<'_> {
+    fn as_ends(&mut self) -> &mut dyn Ends {
+        self
     }
 
     fn give(&mut self, values: &[Expr], ending: Ending) {

@@ -1,12 +1,12 @@
 //! The file around the functions.
 
-use super::super::block::Block;
+use super::super::block::{Block, WRITTEN};
 use super::super::called::{calls, calls_library};
 use super::super::gives::Gives;
 use super::super::text::{Text, capital};
 use super::Cpp;
 use super::axes::AXES;
-use crate::code::{Code, Expr, Owner, Shape, Variable};
+use crate::code::{Code, Expr, Kind, Owner, Shape, Variable};
 use crate::expression::Function as Math;
 use crate::parameter::type_name;
 
@@ -117,7 +117,7 @@ impl Cpp<'_> {
         self.out.open("private:");
         self.finite();
         self.absolute(Owner::Controller);
-        self.rows_of_loops();
+        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
         self.out.line("");
         for field in &code.fields {
             self.member(field, "_", "//");
@@ -177,6 +177,10 @@ impl Cpp<'_> {
         }
         let functions = code.functions.iter().filter(|function| function.owner == owner);
         functions.for_each(|function| function.visit(&mut look));
+        if owner == Owner::Controller {
+            let bodies = code.routines().into_iter().flat_map(|routine| &routine.body);
+            bodies.for_each(|statement| statement.visit(&mut look));
+        }
         if taken {
             // 0 - v gives 0 for both zeros, and no number for none.
             let zero = self.literal("0.0");
@@ -188,14 +192,24 @@ impl Cpp<'_> {
         }
     }
 
-    fn rows_of_loops(&mut self) {
-        let code = self.code;
-        if let Some((weights, fused)) = code.rows() {
-            self.rows_function(weights, fused);
-        }
-        if let Some(unknowns) = code.unknowns() {
-            self.elimination_function(unknowns);
-        }
+    /// The function of a routine.
+    fn routine(&mut self, kind: Kind) {
+        let given = kind.given();
+        let list = given.map(|own| {
+            let (shape, name) = (self.type_of(Shape::Reals(own.length)), own.name);
+            if own.changes { format!("{shape} {name}") } else { format!("const {shape}& {name}") }
+        });
+        // std::fma is not constant.
+        let constant = if kind.is_fused() { "" } else { "constexpr " };
+        let (name, gives) = (kind.name(), self.type_of(Shape::Reals(given[0].length)));
+        self.out.line("");
+        self.out.words("/// ", kind.about());
+        self.out
+            .line(format!("static {constant}{gives} {name}(\n    {}) noexcept", list.join(", ")));
+        self.out.open("{");
+        self.block(&kind.body(WRITTEN));
+        self.out.line(format!("return {};", given[0].name));
+        self.out.close("}");
     }
 }
 

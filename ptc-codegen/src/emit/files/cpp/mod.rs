@@ -3,14 +3,12 @@
 mod axes;
 mod block;
 mod header;
-mod inputs;
-mod loops;
 mod target;
 mod text;
 
 pub(in crate::emit) use target::TARGET;
 
-use super::block::Block;
+use super::block::{Block, Ends};
 use super::called::{calls_library, paired};
 use super::gives::Gives;
 use super::text::{Lines, Text};
@@ -136,10 +134,13 @@ impl<'a> Cpp<'a> {
         if let Finish::Axes(axes) = &function.finish {
             return self.axes(function, axes.count);
         }
-        self.block(&function.body);
-        if let Finish::Inputs(inputs) = &function.finish {
-            return self.inputs(inputs);
+        if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
+            let real = self.real_type();
+            self.out.line(format!("Axes<{real}, {count}> all{{}};"));
+            self.block(&function.body);
+            return self.out.line("return all;");
         }
+        self.block(&function.body);
         if self.gives == Gives::Gains {
             self.out.line("Gains gains{};");
             let values = function.finish.every();

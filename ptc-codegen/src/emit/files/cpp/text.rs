@@ -36,9 +36,11 @@ impl Text for Cpp<'_> {
     }
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
-        let zero = self.literal("0.0");
-        let nan = format!("std::numeric_limits<{}>::quiet_NaN()", self.real_type());
-        (Level::Choice, format!("(({b} < {zero}) || ({b} > {zero})) ? ({a} / {b}) : {nan}"))
+        self.choose(&self.not_zero(b), &format!("{a} / {b}"), &self.nan())
+    }
+
+    fn nan(&self) -> String {
+        format!("std::numeric_limits<{}>::quiet_NaN()", self.real_type())
     }
 
     fn real(&self, count: &str) -> (Level, String) {

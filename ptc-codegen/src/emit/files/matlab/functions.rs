@@ -1,13 +1,12 @@
 //! The files of the functions.
 
-use super::super::block::Block;
+use super::super::block::{Block, Ends};
 use super::super::called::paired;
 use super::super::gives::Gives;
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;
-use super::helpers::elimination;
-use crate::code::{Access, Finish, Function, Owner, Shape, Status};
+use crate::code::{Access, Finish, Function, Kind, Owner, Shape, Status};
 
 impl Matlab<'_> {
     pub(super) fn init(mut self) -> String {
@@ -82,8 +81,8 @@ impl Matlab<'_> {
             self.out.line("end");
             return self.out.text();
         }
-        if let Finish::Inputs(inputs) = &function.finish {
-            self.inputs(function, inputs);
+        if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
+            self.inputs(function, count);
             return self.with_helpers(function);
         }
         let (real, zero) = (self.real_type(), self.literal("0.0"));
@@ -100,13 +99,7 @@ impl Matlab<'_> {
         if function.owner == Owner::Gains {
             self.out.line("status = gains.status;\nif status < 0\n    return;\nend");
         }
-        for argument in &function.arguments {
-            let name = &argument.name;
-            match argument.shape {
-                Shape::Count => self.tick(name, self.has_status()),
-                _ => self.out.line(format!("{name} = {real}({name});")),
-            }
-        }
+        self.arguments(function);
         if self.gives == Gives::Status {
             let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
             self.raises = Some(format!("{}, and what follows, must be finite", list.join(" and ")));
@@ -122,17 +115,44 @@ impl Matlab<'_> {
         self.with_helpers(function)
     }
 
+    /// Several inputs, which statements give.
+    fn inputs(&mut self, function: &Function, count: usize) {
+        let (real, refused) = (self.real_type(), Status::Input.number());
+        self.out.line(format!("u = zeros({count}, 1, '{real}');"));
+        self.out.line(format!("axes = repmat(int32({refused}), {count}, 1);"));
+        self.arguments(function);
+        self.block(&function.body);
+    }
+
+    /// Arguments in their own types.
+    fn arguments(&mut self, function: &Function) {
+        for argument in &function.arguments {
+            let (name, real) = (&argument.name, self.real_type());
+            match argument.shape {
+                Shape::Count => self.tick(name, self.has_status()),
+                _ => self.out.line(format!("{name} = {real}({name});")),
+            }
+        }
+    }
+
     /// The text of a function, and of those that it calls.
     fn with_helpers(mut self, function: &Function) -> String {
         self.out.line("end");
-        let mut text = self.out.text();
-        if let Some((weights, _)) = function.rows() {
-            text.push_str(&self.row_sums(weights));
-        }
-        if let Some(unknowns) = function.unknowns() {
-            text.push_str(&elimination(unknowns));
-        }
-        text
+        let code = self.code;
+        let called =
+            function.routines().map(|of| Matlab::new(code, function.owner).routine(of.kind));
+        self.out.text() + &called.collect::<String>()
+    }
+
+    /// The function of a routine.
+    fn routine(mut self, kind: Kind) -> String {
+        let own = kind.given().map(|own| own.name);
+        self.out.line("");
+        self.out.words("% ", kind.about());
+        self.out.open(format!("function {} = {}({})", own[0], kind.name(), own.join(", ")));
+        self.block(&kind.body(0));
+        self.out.close("end");
+        self.out.text()
     }
 
     fn signature(&mut self, function: &Function) {

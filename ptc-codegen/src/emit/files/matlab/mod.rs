@@ -4,21 +4,18 @@
 mod axes;
 mod functions;
 mod helpers;
-mod inputs;
+mod statement;
 mod target;
 
 use std::collections::BTreeMap;
 
 pub(in crate::emit) use target::TARGET;
 
-use super::block::{Block, Branch};
 use super::gives::Gives;
-use super::legal::checks;
 use super::literal::through_double;
 use super::text::{Level, Lines, Text};
-use crate::code::{AXIS, Code, Ending, Expr, Owner, Shape, Solve, Status, Test};
+use crate::code::{AXIS, Code, Expr, Owner};
 use crate::emit::File;
-use crate::internal::fault;
 use crate::parameter::Precision;
 
 pub(super) struct Matlab<'a> {
@@ -86,6 +83,18 @@ impl Text for Matlab<'_> {
         format!("{array}({}, {})", row + 1, column + 1)
     }
 
+    fn first(&self) -> i32 {
+        1
+    }
+
+    fn whole(&self, count: u32) -> String {
+        count.to_string()
+    }
+
+    fn at(&self, array: &str, place: &str) -> String {
+        format!("{array}({place})")
+    }
+
     fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
         let place = match stride {
             1 => format!("{AXIS} + 1"),
@@ -140,9 +149,11 @@ impl Text for Matlab<'_> {
     }
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
-        let (zero, real) = (self.literal("0.0"), self.real_type());
-        let test = format!("({b} < {zero}) || ({b} > {zero})");
-        (Level::Atom, format!("pick({test}, {a} / {b}, {real}(NaN))"))
+        self.choose(&self.not_zero(b), &format!("{a} / {b}"), &self.nan())
+    }
+
+    fn nan(&self) -> String {
+        format!("{}(NaN)", self.real_type())
     }
 
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
@@ -155,124 +166,6 @@ impl Text for Matlab<'_> {
 
     fn not_number(&self, value: &str) -> String {
         format!("isnan({value})")
-    }
-}
-
-impl Block for Matlab<'_> {
-    fn as_block(&mut self) -> &mut dyn Block {
-        self
-    }
-
-    fn out(&mut self) -> &mut Lines {
-        &mut self.out
-    }
-
-    fn lines(&self) -> &Lines {
-        &self.out
-    }
-
-    fn branch(&self) -> Branch {
-        let joint = " ...\n    && ";
-        Branch { open: "if ", turn: "elseif ", then: "", joint, otherwise: "else", end: "end" }
-    }
-
-    fn comment(&self) -> (&'static str, &'static str) {
-        ("% ", "")
-    }
-
-    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
-        format!("{name} = {value};")
-    }
-
-    fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
-        None
-    }
-
-    fn assign(&self, place: &str, value: &str) -> String {
-        format!("{place} = {value};")
-    }
-
-    fn require(&mut self, test: &Test, status: Status) {
-        let Some(wrong) = self.raises.clone() else {
-            let line = self.unless("~", test, "");
-            self.out.open(line);
-            self.out.line(format!("status = int32({});\nreturn;", status.number()));
-            return self.out.close("end");
-        };
-        let name = &self.code.name;
-        for check in checks(test, &self.copies) {
-            let line = self.unless("~", &check.test, "");
-            self.out.open(line);
-            let parameter = check.parameter.map(|(name, index)| match index {
-                Some(index) => format!("{name}({})", index + 1),
-                None => name,
-            });
-            self.out.line(match parameter {
-                None => format!("error('{name}:param', '{wrong}');"),
-                Some(parameter) => format!("error('{name}:param', 'params.{parameter} is %g; legal: {}', params.{parameter});", check.legal),
-            });
-            self.out.close("end");
-        }
-    }
-
-    fn array(&mut self, name: &str, values: &[Expr]) {
-        let list = self.list(values).join("; ");
-        self.out.line(format!("{name} = [{list}];"));
-    }
-
-    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
-        let [weights, tail] = [weights, tail].map(|values| self.list(values).join(", "));
-        self.out.line(format!("{name} = row_sums([{weights}], [{tail}]);"));
-    }
-
-    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
-        let [matrix, right] = [matrix, right].map(|values| self.list(values).join(", "));
-        self.out.line(format!("{name} = eliminate([{matrix}], [{right}]);"));
-    }
-
-    fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
-        let real = self.real_type();
-        self.out.line(format!("{name} = {real}({callback}({}));", given.join(", ")));
-    }
-
-    fn rounds(&self, rounds: u32, _: bool) -> [String; 2] {
-        let open = format!("for {} = uint32(0:{})", Solve::ROUND, rounds.saturating_sub(1));
-        [open, "end".to_owned()]
-    }
-
-    fn leave(&self) -> &'static str {
-        "break;"
-    }
-
-    fn begin(&self, name: &str, value: &str) -> String {
-        format!("{name} = {value};")
-    }
-
-    fn give(&mut self, values: &[Expr], ending: Ending) {
-        let list = self.list(values);
-        let result = &self.result;
-        match self.gives {
-            Gives::Nothing | Gives::Status => return,
-            Gives::Progress => {}
-            Gives::Control | Gives::Value | Gives::Number => {
-                self.out.line(format!("{result} = {};", list.join("; ")));
-            }
-            Gives::Rate | Gives::Values | Gives::Array => {
-                self.out.line(format!("{result} = [{}];", list.join("; ")))
-            }
-            Gives::Gains => {}
-            Gives::Axes => fault("axes are the whole of a function"),
-        }
-        match ending {
-            _ if !self.has_status() => {}
-            Ending::Known(status) => self.out.line(format!("status = int32({});", status.number())),
-            Ending::OfGains => self.out.line("status = gains.status;"),
-        }
-    }
-
-    /// u is 0 from the start.
-    fn fail(&mut self, status: Status) {
-        self.out.line(format!("status = int32({});", status.number()));
     }
 }
 
@@ -301,7 +194,13 @@ impl<'a> Matlab<'a> {
     fn has_status(&self) -> bool {
         matches!(
             self.gives,
-            Gives::Control | Gives::Rate | Gives::Gains | Gives::Progress | Gives::Axes
+            Gives::Control
+                | Gives::Rate
+                | Gives::Value
+                | Gives::Values
+                | Gives::Gains
+                | Gives::Progress
+                | Gives::Axes
         )
     }
 }

@@ -1,10 +1,9 @@
 //! Functions of many calls at a time: tests choose between values, and statuses between one another.
 
-use super::super::block::Block;
 use super::super::gives::Gives;
 use super::super::text::Text;
 use super::{Python, word};
-use crate::code::{Ending, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test};
+use crate::code::{Ending, Finish, Function, Owner, Shape, Statement, Status, Test};
 use crate::internal::fault;
 
 /// The result and the status of an end, as expressions.
@@ -65,92 +64,40 @@ impl Python<'_> {
                     let given = format!("{name}, {count}, {length}, \"{name}\"");
                     self.out.line(format!("{name} = _of_axes({given})"));
                 }
-                Shape::Count => self.out.line(format!("{name} = {name}.__index__()")),
+                Shape::Count => self.number_of_axis(name),
                 _ => self.out.line(format!("{name} = np.asarray({name}, dtype=_R)")),
             }
         }
         self.out.open("with np.errstate(all=\"ignore\"):");
-        let mut legal = Vec::new();
-        for statement in &function.body {
-            match statement {
-                Statement::Require(test, status) => legal.push((test, *status)),
-                statement => self.chosen(statement),
-            }
+        let legal = function.body.iter().filter_map(|statement| match statement {
+            Statement::Require(test, status) => Some((test, *status)),
+            _ => None,
+        });
+        let legal: Vec<_> = legal.collect();
+        match function.finish {
+            Finish::Stands => self.inputs(function, &legal),
+            _ => self.end(function, &legal),
         }
-        self.end(function, &legal);
         self.out.leave();
         self.out.leave();
         self.batch = false;
     }
 
-    /// A statement of a batch.
-    fn chosen(&mut self, statement: &Statement) {
-        match statement {
-            Statement::If(test, yes, no) => {
-                let ((name, yes), (other, no)) = (self.set_last(yes), self.set_last(no));
-                if name != other {
-                    fault(format!("{name} and {other} are chosen by one test"));
-                }
-                let test = self.test(test);
-                self.out.line(format!("{name} = np.asarray({no})"));
-                self.out.line(format!("chosen = np.asarray({test})"));
-                self.out.line("if chosen.any():");
-                self.out.line(format!("    {name} = np.where(chosen, {yes}, {name})"));
-            }
-            Statement::Solve(solve) => self.each_root(solve),
-            statement => self.statement(statement),
-        }
-    }
-
-    /// The variable that a branch sets, and its value; what stands before it is computed on both ways.
-    fn set_last<'s>(&mut self, branch: &'s [Statement]) -> (&'s str, String) {
-        let Some((Statement::Set(Place::Local(name), value), before)) = branch.split_last() else {
-            fault("a test in a batch does more than to choose".to_owned())
-        };
-        before.iter().for_each(|statement| self.chosen(statement));
-        (name, self.alone(value))
-    }
-
-    /// Each element of the batch stays as it is from its own last round on.
-    fn each_root(&mut self, solve: &Solve) {
-        let y = solve.unknown.as_str();
-        let [low, high, next, size] = Solve::LOCALS.map(|local| format!("{y}_{local}"));
-        for (name, value) in [(y, &solve.start), (&low, &solve.low), (&high, &solve.high)] {
-            let line = self.begin(name, &self.alone(value));
-            self.out.line(line);
-        }
-        self.out.line("done = np.asarray(False)");
-        let bisection = solve.bisection(self.code.precision);
-        let round = if bisection.is_some() { Solve::ROUND } else { "_" };
-        self.out.open(format!("for {round} in range({}):", solve.rounds));
-        solve.body.iter().for_each(|statement| self.chosen(statement));
-        let [residual, step, change, tolerance] =
-            [&solve.residual, &solve.next, &solve.size, &solve.tolerance]
-                .map(|value| self.alone(value));
-        let (zero, half) = (self.literal("0.0"), self.literal("0.5"));
-        self.out.line(format!(
-            "{next} = {step}
-{size} = {change}
-right = {residual} > {zero}
-{low} = np.where(right, {y}, {low})
-{high} = np.where(right, {high}, {y})
-inside = ({next} >= {low}) & ({next} <= {high})
-{next} = np.where(inside, {next}, {half} * ({low} + {high}))
-{y} = np.where(done, {y}, {next})
-done = done | ({size} <= {tolerance})
-if done.all():
-    break"
-        ));
-        if let Some((late, middle)) = bisection {
-            let (late, middle) = (self.test(&late), self.alone(&middle));
-            self.out.line(format!("if {late}:\n    {y} = np.where(done, {y}, {middle})"));
-        }
+    /// The number of an axis, which as an index could count from the last one.
+    fn number_of_axis(&mut self, name: &str) {
+        let count = self.code.axes().unwrap_or_default();
+        self.out.line(format!("{name} = {name}.__index__()"));
+        self.out.open(format!("if not 0 <= {name} < {count}:"));
+        let last = count.saturating_sub(1);
+        self.out.line(format!("raise ValueError(f\"{name} is {{{name}}}; legal: 0..{last}\")"));
         self.out.leave();
     }
 
     fn end(&mut self, function: &Function, legal: &[(&Test, Status)]) {
-        if let Finish::Inputs(inputs) = &function.finish {
-            return self.inputs(inputs, legal);
+        for statement in &function.body {
+            if !matches!(statement, Statement::Require(..)) {
+                self.chosen(statement);
+            }
         }
         let mut count = 0;
         let mut end = match self.gives {
@@ -220,7 +167,7 @@ if done.all():
                     Ending::OfGains => "self.status".to_owned(),
                 },
             },
-            Finish::Axes(_) | Finish::Inputs(_) => fault("several inputs are the whole of an end"),
+            Finish::Axes(_) | Finish::Stands => fault("several inputs are the whole of an end"),
             Finish::Fail(status) => {
                 End { value: None, status: format!("Status.{}", word(*status)) }
             }
@@ -250,6 +197,6 @@ fn without_values(finish: &Finish) -> Finish {
             Finish::choose(test.clone(), without_values(yes), without_values(no))
         }
         Finish::Give(_, ending) => Finish::Give(Vec::new(), *ending),
-        Finish::Fail(_) | Finish::Axes(_) | Finish::Inputs(_) => finish.clone(),
+        Finish::Fail(_) | Finish::Axes(_) | Finish::Stands => finish.clone(),
     }
 }

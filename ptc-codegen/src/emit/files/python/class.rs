@@ -1,6 +1,6 @@
 //! The class of the controller: its constructor, and functions of one call at a time.
 
-use super::super::block::Block;
+use super::super::block::{Block, Ends};
 use super::super::gives::Gives;
 use super::super::legal::copies;
 use super::super::text::Text;
@@ -138,11 +138,16 @@ impl Python<'_> {
             let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
             self.raises = Some(format!("{}, and what follows, must be finite", list.join(" and ")));
         }
+        let inputs = self.code.axes().filter(|_| function.finish == Finish::Stands);
+        if let Some(count) = inputs {
+            self.out.line(format!("u = np.zeros({count}, dtype=_R)"));
+            self.out.line(format!("axes = np.zeros({count}, dtype=np.int8)"));
+        }
         self.block(&function.body);
         self.raises = None;
-        match &function.finish {
-            Finish::Inputs(inputs) => self.inputs_of_call(inputs),
-            finish => self.finish(finish),
+        match inputs {
+            Some(_) => self.out.line("return Axes(u, axes, np.asarray(status, dtype=np.int8))"),
+            None => self.finish(&function.finish),
         }
         if computes {
             self.out.leave();

@@ -3,7 +3,7 @@
 mod axes;
 mod batch;
 mod class;
-mod inputs;
+mod masked;
 mod module;
 mod statement;
 mod target;
@@ -24,6 +24,10 @@ pub(super) struct Python<'a> {
     code: &'a Code,
     /// Whether a call takes a batch of times and states.
     batch: bool,
+    /// Where a statement takes effect, if not in all elements of a batch.
+    mask: Option<String>,
+    /// The indices of the loops around a statement.
+    indices: Vec<String>,
     /// Whether it fails by an exception, and what is wrong then.
     raises: Option<String>,
     /// The local values that are parameters.
@@ -123,9 +127,17 @@ impl Text for Python<'_> {
     }
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("np.where({}, {a} / {b}, {})", self.not_zero(b), self.nan()))
+    }
+
+    fn nan(&self) -> String {
+        "_R(np.nan)".to_owned()
+    }
+
+    /// Of a number, which may be one of a batch.
+    fn not_zero(&self, a: &str) -> String {
         let zero = self.literal("0.0");
-        let test = format!("({b} < {zero}) | ({b} > {zero})");
-        (Level::Atom, format!("np.where({test}, {a} / {b}, _R(np.nan))"))
+        format!("({a} < {zero}) | ({a} > {zero})")
     }
 
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
@@ -220,6 +232,8 @@ impl<'a> Python<'a> {
         Self {
             code,
             batch: false,
+            mask: None,
+            indices: Vec::new(),
             raises: None,
             copies: BTreeMap::new(),
             gives: Gives::Status,

@@ -15,7 +15,7 @@ impl Python<'_> {
         }
         self.out.line("\"\"\"\n\nfrom __future__ import annotations\n");
         let controls = code.function("update").is_none();
-        let lists = code.rows().is_some() || code.unknowns().is_some();
+        let lists = !code.routines().is_empty();
         let arrays = code.parameters.iter().any(|p| p.shape.length().is_some());
         let calls = code.functions.iter().any(|function| !function.callbacks.is_empty());
         let imported = [(calls, "Callable"), (arrays || lists, "Sequence")];
@@ -105,12 +105,7 @@ impl Python<'_> {
         if arguments.into_iter().any(|argument| matches!(argument.shape, Shape::Lists(..))) {
             self.out.line(format!("{LISTS}\n"));
         }
-        if let Some((weights, _)) = code.rows() {
-            self.out.line(format!("{}\n", rows_function(weights)));
-        }
-        if code.unknowns().is_some() {
-            self.out.line(format!("{ELIMINATION}\n"));
-        }
+        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
     }
 
     fn gains_class(&mut self) {
@@ -150,36 +145,6 @@ fn default(parameter: &Variable) -> &'static str {
         _ => "",
     }
 }
-
-const ELIMINATION: &str = "\
-def _eliminate(matrix: Sequence[ArrayLike], right: Sequence[ArrayLike]) -> list[Array]:
-    \"\"\"Solves a x = b, with a row by row, by elimination with the largest pivot of each column.
-
-    No numbers where a is singular.
-    \"\"\"
-    count = len(right)
-    every = np.stack(np.broadcast_arrays(*(np.asarray(v, dtype=_R) for v in (*matrix, *right))))
-    a = every[: count * count].reshape(count, count, *every.shape[1:])
-    b = every[count * count :]
-    for k in range(count):
-        most = k + np.argmax(np.abs(a[k:, k]), axis=0)
-        for i in range(k + 1, count):
-            at = most == i
-            a[k], a[i] = np.where(at, a[i], a[k]), np.where(at, a[k], a[i])
-            b[k], b[i] = np.where(at, b[i], b[k]), np.where(at, b[k], b[i])
-        a[k, k] = np.where(a[k, k] == 0.0, np.nan, a[k, k])
-        for i in range(k + 1, count):
-            factor = a[i, k] / a[k, k]
-            for j in range(k + 1, count):
-                a[i, j] = a[i, j] - factor * a[k, j]
-            b[i] = b[i] - factor * b[k]
-    for k in reversed(range(count)):
-        for j in range(k + 1, count):
-            b[k] = b[k] - a[k, j] * b[j]
-        b[k] = b[k] / a[k, k]
-    return list(b)
-
-";
 
 const CONTROL: &str = "
 class Control(NamedTuple):
@@ -240,32 +205,3 @@ def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     return tuple(np.moveaxis(states, -1, 0))
 
 ";
-
-/// The function that forms so many rows.
-fn rows_function(weights: usize) -> String {
-    let tail = weights - 1;
-    let part = tail - 1;
-    format!(
-        "\
-def _rows(weights: Sequence[ArrayLike], tail: Sequence[ArrayLike]) -> list[Array]:
-    \"\"\"Loops over the powers of the Taylor series of mu, for the gains of all states.\"\"\"
-    row = [np.asarray(weight, dtype=_R) for weight in weights]
-    p = [np.asarray(value, dtype=_R) for value in tail]
-    q: list[Array] = []  # p^2
-    for k in range({part}):
-        v = p[k] + p[k]
-        for m in range(k):
-            v = v + p[m] * p[k - m - 1]
-        q.append(v)
-    for first in range(0, {tail}, 2):
-        for k in range(first, {tail}):
-            power = p if k == first else q
-            v = row[k]
-            for m in range(k + 1, {weights}):
-                v = v + power[m - k - 1] * row[m]
-            row[k] = v
-    return row
-
-"
-    )
-}

@@ -1,11 +1,11 @@
 //! Statements.
 
-use super::super::block::{Block, Branch, either};
+use super::super::block::{Block, Branch, Ends, either};
 use super::super::gives::Gives;
 use super::super::legal::checks;
 use super::super::text::{Lines, Text};
 use super::{Python, boxed, word};
-use crate::code::{Ending, Expr, Shape, Solve, Status, Test};
+use crate::code::{Ending, Expr, For, Routine, Shape, Status, Test, Whose};
 
 impl Block for Python<'_> {
     fn as_block(&mut self) -> &mut dyn Block {
@@ -33,8 +33,10 @@ impl Block for Python<'_> {
         format!("{name} = {value}")
     }
 
-    fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
-        None
+    /// The numbers of an array that changes are those of a batch, one by one.
+    fn declare(&self, name: &str, shape: Shape) -> Option<String> {
+        let length = shape.length()?;
+        Some(format!("{name}: list[Array] = [np.asarray(_R(0.0))] * {length}"))
     }
 
     fn assign(&self, place: &str, value: &str) -> String {
@@ -59,6 +61,18 @@ impl Block for Python<'_> {
             Some(test) if test.contains('\n') => format!("{start}(\n    {test}\n):"),
             _ => line,
         }
+    }
+
+    fn result(&self, name: &str, index: usize) -> String {
+        match self.batch {
+            true => format!("{name}{}", index + 1),
+            false => format!("{name}[{index}]"),
+        }
+    }
+
+    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
+        let (place, status) = self.settled(whose, status);
+        format!("{place} = {status}")
     }
 
     fn require(&mut self, test: &Test, status: Status) {
@@ -94,14 +108,9 @@ impl Block for Python<'_> {
         self.out.line(format!("{name} = np.stack(np.broadcast_arrays({list}), axis=-1)"));
     }
 
-    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
-        let [weights, tail] = [weights, tail].map(|values| self.list(values).join(", "));
-        self.out.line(format!("{name} = _rows([{weights}], [{tail}])"));
-    }
-
-    fn elimination(&mut self, name: &str, matrix: &[Expr], right: &[Expr]) {
-        let [matrix, right] = [matrix, right].map(|values| self.list(values).join(", "));
-        self.out.line(format!("{name} = _eliminate([{matrix}], [{right}])"));
+    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
+        let given = given.each_ref().map(|values| format!("[{}]", self.list(values).join(", ")));
+        self.out.line(format!("{name} = _{}({})", routine.kind.name(), given.join(", ")));
     }
 
     fn laws(&mut self, name: &str, callback: &str, [array, time, rate]: &[&str; 3], count: usize) {
@@ -115,17 +124,29 @@ impl Block for Python<'_> {
         self.out.leave();
     }
 
-    fn rounds(&self, rounds: u32, counted: bool) -> [String; 2] {
-        let round = if counted { Solve::ROUND } else { "_" };
-        [format!("for {round} in range({rounds}):"), String::new()]
+    fn each(&self, each: &For) -> [String; 2] {
+        let [from, to] = [&each.from, &each.to].map(|end| self.end(end, 0));
+        let range = match (from.as_str(), each.step) {
+            ("0", 1) => format!("range({to})"),
+            (_, 1) => format!("range({from}, {to})"),
+            (_, step) => format!("range({from}, {to}, {step})"),
+        };
+        let range = if each.down { format!("reversed({range})") } else { range };
+        [format!("for {} in {range}:", each.named()), String::new()]
     }
 
     fn leave(&self) -> &'static str {
         "break"
     }
 
-    fn begin(&self, name: &str, value: &str) -> String {
+    fn begin(&self, name: &str, _: Shape, value: &str) -> String {
         format!("{name} = np.asarray({value})")
+    }
+}
+
+impl Ends for Python<'_> {
+    fn as_ends(&mut self) -> &mut dyn Ends {
+        self
     }
 
     fn give(&mut self, values: &[Expr], ending: Ending) {
@@ -154,7 +175,7 @@ impl Block for Python<'_> {
         let word = word(status);
         self.out.line(match self.gives {
             Gives::Progress => format!("return Status.{word}"),
-            Gives::Axes => self.no_inputs(&word),
+            Gives::Axes => format!("return {}", self.refused_inputs(&word)),
             _ => format!("return Control(_R(0.0), Status.{word})"),
         });
     }

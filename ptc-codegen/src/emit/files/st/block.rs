@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::super::block::{Block, declared};
+use super::super::block::{Block, Ends, declared};
 use super::super::text::Text;
 use super::library::{Kind, Library, Member, Scope, Section, Structure, Unit};
 use super::{Gives, StructuredText, helpers};
-use crate::code::{Expr, Finish, Function, Owner, Shape, Solve, Statement, Variable};
+use crate::code::{Expr, Finish, Function, Owner, Shape, Variable};
 use crate::internal::fault;
 use crate::parameter::Precision;
 
@@ -201,16 +201,16 @@ impl StructuredText<'_> {
         let local =
             |(name, shape): (String, _)| Member::new(self.local(&name), self.kind(shape), "");
         let mut members: Vec<_> = locals.into_iter().map(local).collect();
-        if step.has(|statement| matches!(statement, Statement::Solve(_))) {
-            members.push(Member::plain(Solve::ROUND, "UDINT"));
+        let mut own = BTreeMap::new();
+        for routine in step.routines() {
+            let [_, other] = routine.kind.given();
+            own.insert(other.name.to_owned(), Shape::Reals(other.length));
+            declared(&routine.body, &mut own);
         }
-        if let Some((weights, _)) = step.rows() {
-            let counters = ["row_k", "row_m", "row_first"];
-            members.extend(counters.map(|name| Member::plain(name, "DINT")));
-            members.push(Member::plain("row_v", self.real));
-            members.push(Member::new("p", Kind::Array(weights - 1, self.real), ""));
-            members.push(Member::new("q", Kind::Array(weights - 2, self.real), ""));
-        }
+        let local = |(name, shape): (String, Shape)| {
+            Member::new(helpers::of_routine(&name), self.kind(shape), "")
+        };
+        members.extend(own.into_iter().map(local));
         members
     }
 

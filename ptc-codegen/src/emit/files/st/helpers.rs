@@ -54,33 +54,9 @@ END_IF;"
     unit
 }
 
-/// The loops that form rows in the array `name`.
-pub(super) fn rows(name: &str, weights: usize) -> String {
-    let tail = weights - 1;
-    let part = tail - 1;
-    format!(
-        "\
-FOR row_k := 1 TO {part} DO
-    row_v := p[row_k] + p[row_k];
-    FOR row_m := 1 TO row_k - 1 DO
-        row_v := row_v + (p[row_m] * p[row_k - row_m]);
-    END_FOR;
-    q[row_k] := row_v;
-END_FOR;
-FOR row_first := 1 TO {tail} BY 2 DO
-    FOR row_k := row_first TO {tail} DO
-        row_v := {name}[row_k];
-        FOR row_m := row_k + 1 TO {weights} DO
-            IF row_k = row_first THEN
-                row_v := row_v + (p[row_m - row_k] * {name}[row_m]);
-            ELSE
-                row_v := row_v + (q[row_m - row_k] * {name}[row_m]);
-            END_IF;
-        END_FOR;
-        {name}[row_k] := row_v;
-    END_FOR;
-END_FOR;"
-    )
+/// The name of a local value of a routine, whose statements are among those of the block.
+pub(super) fn of_routine(name: &str) -> String {
+    format!("row_{name}")
 }
 
 /// The statuses of an observer.

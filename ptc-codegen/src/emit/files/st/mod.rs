@@ -6,10 +6,10 @@ mod helpers;
 mod library;
 mod target;
 
-use super::block::{Block, Branch};
+use super::block::{Block, Branch, Ends};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, Shape, Solve, Status, Test};
+use crate::code::{Code, Ending, Expr, For, Routine, Shape, Status, Test, Whose};
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -22,6 +22,8 @@ pub(super) struct StructuredText<'a> {
     real: &'static str,
     /// The structure whose fields are set.
     owner: &'static str,
+    /// In the statements of a routine, the array that it changes, and the one that stands for it.
+    applied: Option<(&'static str, String)>,
     out: Lines,
 }
 
@@ -52,18 +54,18 @@ impl Text for StructuredText<'_> {
         format!("UDINT#{count}")
     }
 
-    /// Capitals and small letters are one. Words of the language, and the function block's own names,
-    /// are left to them.
     fn local(&self, name: &str) -> String {
-        let letter = |c: char| match c.is_ascii_uppercase() {
-            true => format!("cap_{}", c.to_ascii_lowercase()),
-            false => c.to_string(),
-        };
-        let name: String = name.chars().map(letter).collect();
-        let own = ["built", "ready", "self", "status"].contains(&name.as_str());
-        let own = own || (name == "u" && !self.observes());
-        let given = self.outputs().any(|function| function.name == name);
-        if own || given || is_word(&name) { format!("{name}_now") } else { name }
+        if let Some((changed, to)) = &self.applied {
+            return match name == *changed {
+                true => self.named(to),
+                false => helpers::of_routine(name),
+            };
+        }
+        self.named(name)
+    }
+
+    fn first(&self) -> i32 {
+        1
     }
 
     fn field(&self, name: &str) -> String {
@@ -118,6 +120,10 @@ impl Text for StructuredText<'_> {
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
         (Level::Atom, format!("{}_quotient({a}, {b})", self.code.name))
+    }
+
+    fn nan(&self) -> String {
+        fault("no number has no literal")
     }
 
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
@@ -181,6 +187,10 @@ impl Block for StructuredText<'_> {
         format!("{place} := {value};")
     }
 
+    fn settle(&self, _: Whose, _: Option<Status>) -> String {
+        fault("plants with several inputs are refused")
+    }
+
     fn require(&mut self, test: &Test, status: Status) {
         let line = self.unless("NOT ", test, " THEN");
         self.out.open(line);
@@ -196,16 +206,17 @@ impl Block for StructuredText<'_> {
         }
     }
 
-    /// A function gives no array, so the loops are written where they are needed.
-    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
-        self.array("p", tail);
-        self.array(name, weights);
-        let loops = helpers::rows(&self.local(name), weights.len());
-        self.out.line(loops);
-    }
-
-    fn elimination(&mut self, name: &str, _: &[Expr], _: &[Expr]) {
-        fault(format!("{name}: several inputs are not emitted"))
+    /// A function gives no array, so the statements are written where they are needed.
+    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
+        let [changed, other] = routine.kind.given().map(|own| own.name);
+        self.array(name, &given[0]);
+        self.applied = Some((changed, name.to_owned()));
+        let other = self.local(other);
+        self.applied = None;
+        self.array(&other, &given[1]);
+        self.applied = Some((changed, name.to_owned()));
+        self.block(&routine.body);
+        self.applied = None;
     }
 
     fn laws(&mut self, _: &str, callback: &str, _: &[&str; 3], _: usize) {
@@ -214,17 +225,31 @@ impl Block for StructuredText<'_> {
         ))
     }
 
-    fn rounds(&self, rounds: u32, _: bool) -> [String; 2] {
-        let [first, last] = [0, rounds.saturating_sub(1)].map(|round| self.count(round));
-        [format!("FOR {} := {first} TO {last} DO", Solve::ROUND), "END_FOR;".to_owned()]
+    fn each(&self, each: &For) -> [String; 2] {
+        let index = self.local(&each.index);
+        let (from, last) = (self.end(&each.from, 0), self.end(&each.to, -1));
+        let by = match each.step {
+            1 => String::new(),
+            step => format!(" BY {}", self.whole(step)),
+        };
+        if each.down {
+            fault(format!("the loop over {index} counts down"));
+        }
+        [format!("FOR {index} := {from} TO {last}{by} DO"), "END_FOR;".to_owned()]
     }
 
     fn leave(&self) -> &'static str {
         "EXIT;"
     }
 
-    fn begin(&self, name: &str, value: &str) -> String {
+    fn begin(&self, name: &str, _: Shape, value: &str) -> String {
         format!("{name} := {value};")
+    }
+}
+
+impl Ends for StructuredText<'_> {
+    fn as_ends(&mut self) -> &mut dyn Ends {
+        self
     }
 
     fn give(&mut self, values: &[Expr], ending: Ending) {
@@ -246,6 +271,20 @@ impl Block for StructuredText<'_> {
 impl<'a> StructuredText<'a> {
     pub(super) fn new(code: &'a Code) -> Self {
         let real = if code.precision == Precision::F32 { "REAL" } else { "LREAL" };
-        Self { code, real, owner: "self", out: Lines::default() }
+        Self { code, real, owner: "self", applied: None, out: Lines::default() }
+    }
+
+    /// A name of the code: capitals and small letters are one, and words of the language, and the function block's
+    /// own names, are left to them.
+    fn named(&self, name: &str) -> String {
+        let letter = |c: char| match c.is_ascii_uppercase() {
+            true => format!("cap_{}", c.to_ascii_lowercase()),
+            false => c.to_string(),
+        };
+        let name: String = name.chars().map(letter).collect();
+        let own = ["built", "ready", "self", "status"].contains(&name.as_str());
+        let own = own || (name == "u" && !self.observes());
+        let given = self.outputs().any(|function| function.name == name);
+        if own || given || is_word(&name) { format!("{name}_now") } else { name }
     }
 }

@@ -1,0 +1,69 @@
+//! The end of a call that gives the inputs of one plant, as statements.
+
+use super::{Expr, Place, Statement, Status, Test};
+
+/// The inputs of one plant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inputs {
+    /// Each before it is clipped: a local value.
+    pub values: Vec<Expr>,
+    /// The bound of its size, if there is one.
+    pub limits: Vec<Option<Expr>>,
+    /// Whether the call tracks; else the gains are held.
+    pub tracks: Test,
+}
+
+/// Whose status it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whose {
+    /// The call's.
+    Call,
+    /// That of one of several inputs, from 0.
+    Input(usize),
+}
+
+/// The inputs, as a function gives them.
+pub(super) const GIVEN: &str = "u";
+
+impl Inputs {
+    /// How such a call ends, in words.
+    pub const ENDS: &'static str = "Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.";
+
+    /// Each u within its bound and the status of each. Where one of them is no finite number, every u is 0, and the
+    /// status of the call is that of range; else that u was clipped, where one was.
+    pub fn statements(self) -> Vec<Statement> {
+        let give = |index, value| Statement::Set(Place::Result(GIVEN.to_owned(), index), value);
+        let settle = |whose, status| Statement::Settle(whose, Some(status));
+        let same = |index| Statement::Settle(Whose::Input(index), None);
+        let finite = |value: &Expr| Test::Finite(value.clone());
+        let every = Test::All(self.values.iter().map(finite).collect());
+
+        let mut given = Vec::new();
+        let mut refused = Vec::new();
+        for (index, value) in self.values.iter().enumerate() {
+            given.extend([give(index, value.clone()), same(index)]);
+            let range = settle(Whose::Input(index), Status::Range);
+            refused.push(give(index, Expr::integer(0)));
+            refused.push(Statement::If(finite(value), vec![same(index)], vec![range]));
+        }
+        for (index, (value, limit)) in self.values.iter().zip(&self.limits).enumerate() {
+            let Some(limit) = limit else { continue };
+            let least = Expr::Neg(Box::new(limit.clone()));
+            let clipped = |bound: &Expr| {
+                vec![
+                    give(index, bound.clone()),
+                    settle(Whose::Input(index), Status::Saturated),
+                    settle(Whose::Call, Status::Saturated),
+                ]
+            };
+            let below = Test::Less(value.clone(), least.clone());
+            let below = Statement::If(below, clipped(&least), Vec::new());
+            let above = Test::Less(limit.clone(), value.clone());
+            given.push(Statement::If(above, clipped(limit), vec![below]));
+        }
+        refused.push(settle(Whose::Call, Status::Range));
+        let [tracking, held] =
+            [Status::Ok, Status::Hold].map(|status| vec![settle(Whose::Call, status)]);
+        vec![Statement::If(self.tracks, tracking, held), Statement::If(every, given, refused)]
+    }
+}

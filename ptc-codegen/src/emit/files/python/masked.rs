@@ -1,0 +1,200 @@
+//! Statements of a batch: where a test holds for a part of it, the others keep what they have.
+
+use super::super::block::Block;
+use super::super::text::Text;
+use super::{Python, word};
+use crate::code::{Expr, For, Function, Kind, Place, Statement, Status, Test, Whose};
+
+/// Where an element of a batch has left a loop.
+const DONE: &str = "done";
+
+impl Python<'_> {
+    /// The function of a routine.
+    pub(super) fn routine(&mut self, kind: Kind) {
+        let given = kind.given();
+        let list = given.map(|own| format!("given_{}: Sequence[ArrayLike]", own.name));
+        self.out.open(format!("def _{}({}) -> list[Array]:", kind.name(), list.join(", ")));
+        self.out.words("", &format!("\"\"\"{}", kind.about()));
+        self.out.line("\"\"\"");
+        for own in given.map(|own| own.name) {
+            self.out.line(format!("{own} = [np.asarray(v, dtype=_R) for v in given_{own}]"));
+        }
+        self.batch = true;
+        kind.body(0).iter().for_each(|statement| self.chosen(statement));
+        self.batch = false;
+        self.out.line(format!("return {}", given[0].name));
+        self.out.leave();
+        self.out.line("\n");
+    }
+
+    /// The place of a status, and what it becomes.
+    pub(super) fn settled(&self, whose: Whose, status: Option<Status>) -> (String, String) {
+        let status = status.map_or_else(|| "status".to_owned(), |s| format!("Status.{}", word(s)));
+        match (whose, self.batch) {
+            (Whose::Call, _) => ("status".to_owned(), status),
+            (Whose::Input(index), true) => (format!("axis{}", index + 1), status),
+            (Whose::Input(index), false) => (format!("axes[{index}]"), status),
+        }
+    }
+
+    /// Several inputs, which statements give, for each element of a batch.
+    pub(super) fn inputs(&mut self, function: &Function, legal: &[(&Test, Status)]) {
+        let count = self.code.axes().unwrap_or_default();
+        for place in 1..=count {
+            self.out.line(format!("u{place} = np.asarray(_R(0.0))"));
+            self.out.line(format!("axis{place} = np.asarray(Status.OK)"));
+        }
+        for statement in &function.body {
+            if !matches!(statement, Statement::Require(..)) {
+                self.chosen(statement);
+            }
+        }
+        let [u, axes] = ["u", "axis"]
+            .map(|name| (1..=count).map(|place| format!("{name}{place}")).collect::<Vec<_>>());
+        for (test, status) in legal.iter().rev() {
+            let (test, status) = (self.test(test), word(*status));
+            self.out.line(format!("legal = {test}"));
+            for name in axes.iter().map(String::as_str).chain(["status"]) {
+                self.out.line(format!("{name} = np.where(legal, {name}, Status.{status})"));
+            }
+        }
+        for (name, each) in [("u", u), ("axes", axes)] {
+            let each = each.join(", ");
+            self.out.line(format!("each = np.broadcast_arrays({each}, status)[:-1]"));
+            self.out.line(format!("{name} = np.stack(each, axis=-1)"));
+        }
+        self.out.line(
+            "u = np.where((status < 0)[..., np.newaxis], _R(0.0), u)
+return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
+        );
+    }
+
+    /// What a call gives that is refused before it has computed any input.
+    pub(super) fn refused_inputs(&self, word: &str) -> String {
+        let count = self.code.axes().unwrap_or_default();
+        format!(
+            "Axes(\n    np.zeros({count}, dtype=_R),\n    np.full({count}, Status.{word}, dtype=np.int8),\n    np.asarray(Status.{word}, dtype=np.int8),\n)"
+        )
+    }
+
+    /// A statement of a batch.
+    pub(super) fn chosen(&mut self, statement: &Statement) {
+        match (statement, self.mask.clone()) {
+            (Statement::Set(..) | Statement::Settle(..), Some(mask)) => {
+                let Some((place, value)) = self.sets(statement) else { return };
+                self.out.line(format!("{place} = np.where({mask}, {value}, {place})"));
+            }
+            (Statement::If(test, yes, no), mask) => match (yes.as_slice(), no.as_slice()) {
+                ([Statement::Leave], []) => self.leaves(test),
+                _ if self.is_of_all(test) => {
+                    let line = format!("if {}:", self.test(test));
+                    self.out.open(line);
+                    yes.iter().for_each(|statement| self.chosen(statement));
+                    self.out.leave();
+                    if !no.is_empty() {
+                        self.out.open("else:");
+                        no.iter().for_each(|statement| self.chosen(statement));
+                        self.out.leave();
+                    }
+                }
+                _ => match (self.sets_last(yes), self.sets_last(no)) {
+                    (Some((place, a)), Some((same, b))) if place == same => {
+                        let before = [yes, no].map(|way| &way[..way.len() - 1]);
+                        self.one_of(&place, test, before, [&a, &b]);
+                    }
+                    _ => self.either(test, [yes, no], mask),
+                },
+            },
+            (Statement::For(each), mask) => self.loops(each, mask),
+            (statement, _) => self.statement(statement),
+        }
+    }
+
+    /// A value that is one of two; what stands before them is computed on both ways.
+    fn one_of(&mut self, name: &str, test: &Test, before: [&[Statement]; 2], [yes, no]: [&str; 2]) {
+        before.into_iter().flatten().for_each(|statement| self.chosen(statement));
+        let test = self.test(test);
+        if let Some(mask) = &self.mask {
+            let lines = format!(
+                "chosen = np.where({test}, {yes}, {no})\n{name} = np.where({mask}, chosen, {name})"
+            );
+            return self.out.line(lines);
+        }
+        self.out.line(format!("{name} = np.asarray({no})"));
+        self.out.line(format!("chosen = np.asarray({test})"));
+        self.out.line("if chosen.any():");
+        self.out.line(format!("    {name} = np.where(chosen, {yes}, {name})"));
+    }
+
+    /// Statements for either outcome.
+    fn either(&mut self, test: &Test, ways: [&[Statement]; 2], mask: Option<String>) {
+        let depth = mask.as_ref().map_or(0, |mask| mask.matches("holds").count());
+        let holds = format!("holds{}", if depth == 0 { String::new() } else { depth.to_string() });
+        let test = self.test(test);
+        self.out.line(format!("{holds} = np.asarray({test})"));
+        let own = [holds.clone(), format!("~{holds}")];
+        for (own, way) in own.into_iter().zip(ways) {
+            self.mask = Some(mask.as_ref().map_or(own.clone(), |outer| format!("{own} & {outer}")));
+            way.iter().for_each(|statement| self.chosen(statement));
+        }
+        self.mask = mask;
+    }
+
+    /// A loop; where elements leave it, those that have keep what they have.
+    fn loops(&mut self, each: &For, mask: Option<String>) {
+        let is_left = each.body.iter().any(|statement| {
+            matches!(statement, Statement::If(_, yes, _) if yes.as_slice() == [Statement::Leave])
+        });
+        if is_left {
+            self.out.line(format!("{DONE} = np.asarray(False)"));
+            self.mask = Some(format!("~{DONE}"));
+        }
+        let [open, _] = Block::each(self, each);
+        self.out.open(open);
+        self.indices.push(each.index.clone());
+        each.body.iter().for_each(|statement| self.chosen(statement));
+        self.indices.pop();
+        self.out.leave();
+        self.mask = mask;
+    }
+
+    /// Ends the loop for the elements for which the test holds.
+    fn leaves(&mut self, test: &Test) {
+        let test = self.test(test);
+        self.out.line(format!("{DONE} = {DONE} | ({test})\nif {DONE}.all():\n    break"));
+    }
+
+    /// Whether a test is one of all elements: it asks for the indices of loops alone.
+    fn is_of_all(&self, test: &Test) -> bool {
+        let mut all = true;
+        test.visit(&mut |value| {
+            all &= match value {
+                Expr::Count(_) => true,
+                Expr::Local(name) => self.indices.contains(name),
+                _ => false,
+            };
+        });
+        all
+    }
+
+    /// What a statement sets, and its value.
+    fn sets(&self, statement: &Statement) -> Option<(String, String)> {
+        let (place, value) = match statement {
+            Statement::Settle(whose, status) => return Some(self.settled(*whose, *status)),
+            Statement::Set(place, value) => (place, value),
+            _ => return None,
+        };
+        let place = match place {
+            Place::Local(name) => self.local(name),
+            Place::Element(name, index) => self.at(name, &self.place(index, self.first())),
+            Place::Result(name, index) => self.result(name, *index),
+            Place::Field(name) => self.field(name),
+        };
+        Some((place, self.value(value)))
+    }
+
+    /// What a branch sets last, and its value.
+    fn sets_last(&self, branch: &[Statement]) -> Option<(String, String)> {
+        self.sets(branch.last()?)
+    }
+}
