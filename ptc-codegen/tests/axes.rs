@@ -121,3 +121,16 @@ fn what_knows_one_chain_says_so() {
     let found = ptc_codegen::generate_with_proof(&spec).expect_err("no axes");
     assert_eq!(found[0].key, "axes", "{found:?}");
 }
+
+/// The law of one axis is given its own state in stretched time.
+#[test]
+fn a_law_of_one_axis_is_that_of_a_chain() {
+    let one = two(&[("axes", "1"), ("pi0", "extern")]).expect("a design");
+    let text = |language| {
+        let files = ptc_codegen::generate(&one, language).expect("files");
+        files.into_iter().map(|file| file.text).collect::<String>()
+    };
+    let (rust, c) = (text(Language::Rust), text(Language::C));
+    assert!(rust.contains("pi0: impl FnOnce(&[f64; 2], f64) -> f64"), "{rust}");
+    assert!(c.contains("a user-defined function of xi and t_kappa\n"), "{c}");
+}

@@ -43,7 +43,7 @@ fn failures(folder: &Path, spec: &Spec) -> u32 {
 /// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
 fn kinds() -> Vec<Spec> {
     let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
-    let kinds: [&[(&str, &str)]; 15] = [
+    let kinds: [&[(&str, &str)]; 17] = [
         &[("n", "3"), ("mu", "exp")],
         &[("n", "4"), ("mu", "rational"), ("precision", "f32")],
         &[("n", "2"), ("mu", "exp_sum")],
@@ -89,6 +89,19 @@ fn kinds() -> Vec<Spec> {
             ("g", "exp(-x1*x1)"),
             ("guard", "none"),
             ("allow", "growth,sampling,deadline,loop,envelope"),
+        ],
+        // Gains at eps that leave single precision.
+        &[("n", "7"), ("mu", "exp"), ("precision", "f32"), ("tau", "49"), ("eps", "1e-9")],
+        // 1 - T/tau at the start, where tau times its inverse is not 1.
+        &[
+            ("n", "6"),
+            ("mu", "algebraic"),
+            ("axes", "3"),
+            ("g", "[1/(m1+m2),2,1/m]"),
+            ("fma", "true"),
+            ("u_max", "50"),
+            ("params.m", "[0.5,3]"),
+            ("sample_time", "0.003"),
         ],
         // Deadlines beyond the range, or next to the start.
         &[

@@ -14,6 +14,10 @@ use crate::syntax::parse;
 
 use super::report::{Exit, Failure, Notice, Quote, quoted};
 
+/// The flag of a value of the plant.
+#[cfg(feature = "lab")]
+const PLANT: &str = "--plant";
+
 /// The flags that were given, and the design file if there is one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Source {
@@ -70,7 +74,7 @@ impl Source {
     /// Notes one `--plant NAME=VALUE`.
     #[cfg(feature = "lab")]
     pub(crate) fn give_plant(&mut self, text: &str) {
-        self.give_named(plant::TABLE, "--plant", text);
+        self.give_named(plant::TABLE, PLANT, text);
     }
 
     /// Notes a flag of another name than its key's.
@@ -107,6 +111,14 @@ impl Source {
     #[cfg(feature = "lab")]
     pub(crate) fn gives(&self, key: &str) -> bool {
         self.given.iter().any(|flag| flag.key == key)
+    }
+
+    /// The same without the values of `--plant`.
+    #[cfg(feature = "lab")]
+    pub(crate) fn without_plant(&self) -> Self {
+        let mut source = self.clone();
+        source.given.retain(|flag| flag.name != PLANT);
+        source
     }
 
     /// The same with one of the values that the flag of `key` lists, for each of them.

@@ -11,9 +11,10 @@ use super::report::Failure;
 pub(crate) fn to_stdout(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_ref()).and_then(|()| stdout.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(failed("cannot write", Path::new("the standard output"), &error))
-        }
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::because(
+            format!("cannot write the standard output: {error}"),
+            "direct it to a file or a pipe that takes it",
+        )),
         _ => Ok(()),
     }
 }

@@ -125,10 +125,13 @@ impl Builder<'_> {
         self.push(Op::Call(Function::Sqrt, square))
     }
 
-    /// y = (1 - T/tau) sqrt(1 + y^2).
+    /// y = (1 - T/tau) sqrt(1 + y^2), the first factor as (tau - T)/tau: no rounding of 1/tau is left of it at the
+    /// start, where it is 0.
     fn algebraic_angle(&mut self) -> Value {
-        let (one, share) = (self.integer(1), self.late_share());
-        let elapsed = self.add(share, one);
+        let (late, tau, inverse) =
+            (self.late(), self.parameter(Parameter::Tau), self.inverse_tau());
+        let elapsed = self.add(tau, late);
+        let elapsed = self.mul(elapsed, inverse);
         let secant = self.quantity(Symbol::plain(Kind::Secant));
         self.mul(elapsed, secant)
     }

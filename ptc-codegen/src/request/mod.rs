@@ -24,6 +24,8 @@ pub(crate) use read::{items, known};
 pub use reference::Reference;
 pub use sampled::{Exact, Observer, Sampled};
 pub use spec::Spec;
+#[cfg(feature = "files")]
+pub(crate) use units::chain_unit;
 
 use crate::expression::Expression;
 

@@ -4,15 +4,19 @@ use super::Spec;
 use crate::algebra::integer;
 use crate::parameter::Parameter;
 
+/// The same where that of x_1 is `unit`.
+pub(crate) fn chain_unit(unit: &str, place: usize) -> String {
+    match place {
+        0 | 1 => unit.to_owned(),
+        2 => format!("{unit}/s"),
+        place => format!("{unit}/s^{}", place - 1),
+    }
+}
+
 impl Spec {
     /// Unit of x_1, ..., x_n and of f + g u, which is the (n+1)-th: U, U/s, U/s^2, ...
     pub fn chain_unit(&self, place: usize) -> String {
-        let unit = self.units.as_deref().unwrap_or("U");
-        match place {
-            0 | 1 => unit.to_owned(),
-            2 => format!("{unit}/s"),
-            place => format!("{unit}/s^{}", place - 1),
-        }
+        chain_unit(self.units.as_deref().unwrap_or("U"), place)
     }
 
     /// Unit of a parameter.

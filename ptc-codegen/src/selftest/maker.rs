@@ -118,12 +118,12 @@ impl<'a> Maker<'a> {
     }
 
     /// Whether the program has a number for each input that the definition clips: a g that the definition keeps, exp(-x1^2)
-    /// of a great x1, may be 0 in its precision.
+    /// of a great x1, may be 0 in its precision, and gains with which u is a sum may leave it.
     fn is_in_range(&self, session: &Session, t: f64, x: &[f64], expected: &[Outcome]) -> bool {
-        let seen = self.trial(session, t, x).each;
-        let mut clipped =
-            seen.iter().zip(expected).filter(|(_, one)| one.status == Status::Saturated);
-        clipped.all(|((seen, _), _)| *seen != Status::Range)
+        let seen = self.trial(session, t, x);
+        let each = seen.each.iter().map(|(status, _)| *status);
+        let mut clipped = each.zip(expected).filter(|(_, one)| one.status == Status::Saturated);
+        clipped.all(|(status, _)| status != Status::Range) && seen.axis != Some(Status::Range)
     }
 
     /// What an input must be; `None` where rounding decides what it is.

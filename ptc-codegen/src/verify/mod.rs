@@ -105,7 +105,7 @@ pub struct Campaign {
 
 /// What the rows of a campaign depend on beside the campaign: the version, and behind it a number that
 /// every change of the engine raises that gives a run other bits.
-pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+5");
+pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+6");
 
 impl Campaign {
     /// All that decides the rows, as text: two campaigns with the same text have the same rows from the same [`ENGINE`].

@@ -160,3 +160,17 @@ pub(crate) fn has_verdicts(text: &str, all: &[(&str, &str, Verdict, &str)]) {
         assert!(found.verdict == *verdict && found.summary.contains(why), "{to}: {found:?}");
     }
 }
+
+/// Before the first input arrives it is 0, which an actuator with steps does not change.
+#[test]
+fn an_actuator_at_rest_adds_nothing() {
+    let design = |error: f64| {
+        loop_of(&format!(
+            "n = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -5]\ndelay = 1\nsample_time = 0.1\n\
+             u_step = 0.1\nx0_max = [1]\nerror = {error}\n[params]\ntau = 0.5\neps = 0.4\n"
+        ))
+    };
+    // 0.01555 by superposition of runs of the emitted program.
+    assert_eq!(design(0.0157).verdict, Verdict::Sound);
+    assert_eq!(design(0.0155).verdict, Verdict::Refuted);
+}

@@ -350,3 +350,17 @@ fn a_missing_eps_is_not_blamed_on_the_sample_period() {
         "{told}"
     );
 }
+
+/// The controller is that of the design, whatever value its plant runs with.
+#[test]
+fn a_value_of_the_plant_does_not_choose_eps() {
+    let text = "name = \"c\"\nn = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4]\nsample_time = 0.1\n\
+                noise = 1e-3\nx0_max = [1]\nerror = 0.5\n[params]\ntau = 4\nu_max = inf\n[plant]\nf = \"gust\"\n\
+                gust = [-0.1, 0.1]\n[disturbance]\ngust = \"any\"\n";
+    let folder = support::folder_with("simulate_eps_of_design", "c.toml", text);
+    let held = |value: &str| {
+        let csv = stdout(&folder, &["c.toml", "--x0=1", "--plant", value]);
+        csv.lines().filter(|line| line.ends_with("PTC_HOLD")).count()
+    };
+    assert_eq!(held("gust=0.05"), held("gust=0"));
+}

@@ -53,3 +53,15 @@ fn an_envelope_needs_no_gains() {
     let law = "--n 1 --mu \"exp(a=1)\" --pi0=\"-exp(xi1)\" --tau=2 --eps=0.1 --x-max=1000";
     assert_eq!(verdict(law, "envelope"), Verdict::Refuted);
 }
+
+/// The states of the infinite-time system are those of a chain, which a model does not have.
+#[test]
+fn an_associated_system_has_no_model() {
+    let text = "mu = \"exp(a=1)\"\npoles = [-6, -3]\nwhat = \"associated\"\n[params]\ntau = 2\nt0 = 0\n[model]\n\
+                states = [\"h\", \"q\"]\ninput = \"u\"\noutput = \"h\"\ndynamics = \"q - 0.5*h, u\"\n";
+    let found = ptc_codegen::request::read(&crate::support::entries(text)).expect_err("a mistake");
+    assert!(
+        found.iter().any(|d| d.key == "what" && d.help.contains("leave `what` out")),
+        "{found:#?}"
+    );
+}

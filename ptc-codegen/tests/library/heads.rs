@@ -134,3 +134,16 @@ fn units_follow_from_that_of_x1() {
         }
     }
 }
+
+/// What is legal of a parameter is said in its own name, and of what follows from it nothing.
+#[test]
+fn a_refusal_names_what_is_legal() {
+    let bounded = "n = 1\nmu = \"exp\"\nf = \"-c*x1\"\n[params]\nc = [0.5, 2]\n";
+    let rates = "n = 1\nmu = \"exp_sum(2)\"\n";
+    let period = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\n";
+    for language in [Language::Python, Language::Matlab] {
+        holds(bounded, language, &["legal: from 0.5 to 2"], &[">= p_c"]);
+        holds(rates, language, &["legal: from 1e-150 to 1e150"], &[">= a1"]);
+    }
+    holds(period, Language::Python, &[], &["legal: >= 1e-200"]);
+}

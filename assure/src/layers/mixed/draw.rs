@@ -256,5 +256,6 @@ fn observer(draw: &mut Draw<'_>, order: usize) {
     draw.give("observer_poles", poles);
     draw.perhaps(3, "observer_samples", &["5", "8"]);
     draw.perhaps(5, "observer_eps", &["0.05"]);
+    draw.perhaps(3, "noise", &["1e-4"]);
     draw.perhaps(5, "what", &["observer"]);
 }

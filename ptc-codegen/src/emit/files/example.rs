@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use num_traits::ToPrimitive;
 
 use crate::algebra::{BigRational, integer};
-use crate::check::examine::{Report, decay, guarded};
+use crate::check::examine::{Numbers, Report, decay, guarded};
 use crate::check::{Outcome, Verdict};
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number;
@@ -44,6 +44,8 @@ pub(super) struct Example {
     precision: Precision,
     /// Sample period, s.
     pub(super) period: f64,
+    /// Whether the run with it is known to arrive.
+    pub(super) arrives: bool,
 }
 
 impl Example {
@@ -68,12 +70,10 @@ impl Example {
             return Self::in_samples(&spec);
         }
         let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(1.0);
-        let sampled = sample(&spec, tau);
+        let (sampled, arrives) = sample(&spec, tau);
         let period = sampled.promises.sample_time.as_ref().and_then(to_f64);
-        let mut values = sampled.fixed;
-        let eps = fixed(&format!("{}", tau / 100.0));
-        values.entry(Parameter::Eps).or_insert(eps.unwrap_or(Fixed::Infinite));
-        Self { values, precision: spec.precision, period: period.unwrap_or(tau / 1000.0) }
+        let period = period.unwrap_or(tau / 1000.0);
+        Self { values: with_eps(sampled, tau).fixed, precision: spec.precision, period, arrives }
     }
 
     /// The same where the clock is in samples; only gains are open.
@@ -82,7 +82,8 @@ impl Example {
         let poles: Vec<_> = (2..=order + 1).map(|i| Pole::real(-integer(order + i))).collect();
         let placed = placed(spec, &poles).unwrap_or_else(|| spec.clone());
         let period = placed.fixed.get(&Parameter::SampleTime).and_then(to_f64);
-        Self { values: placed.fixed, precision: spec.precision, period: period.unwrap_or(1e-3) }
+        let period = period.unwrap_or(1e-3);
+        Self { values: placed.fixed, precision: spec.precision, period, arrives: true }
     }
 
     /// The value of a parameter, in the precision of the controller.
@@ -152,23 +153,74 @@ fn placed(spec: &Spec, poles: &[Pole]) -> Option<Spec> {
 }
 
 /// The design with gains, a sample period and an eps where they are open: the longest period with
-/// which the state comes from |x_i| <= 1 to |x_i| <= [`ERROR`] with one of the sets of poles.
-fn sample(spec: &Spec, tau: f64) -> Spec {
+/// which the state comes from |x_i| <= 1 to |x_i| <= [`ERROR`] with one of the sets of poles; and whether that is known.
+fn sample(spec: &Spec, tau: f64) -> (Spec, bool) {
     let n = i64::try_from(spec.n).unwrap_or(1);
     let placed: Vec<_> = [0, n, 2 * n, 4 * n].iter().filter_map(|l| with_poles(spec, *l)).collect();
     let designs = if placed.is_empty() { vec![spec.clone()] } else { placed };
     let promises = &spec.promises;
     let free = !spec.fixed.contains_key(&Parameter::Eps) && promises.error.is_empty();
     let halves = if promises.sample_time.is_some() { 1 } else { 12 };
-    let try_all = |ends: bool, wanted: &[Verdict]| {
-        let period = |halves: i32| tau / 1000.0 / f64::from(1 << halves);
-        (0..halves).find_map(|h| designs.iter().find_map(|d| borne(d, period(h), ends, wanted)))
+    let bear = |h: i32, ends: bool, wanted: &'static [Verdict]| {
+        let period = tau / 1000.0 / f64::from(1 << h);
+        designs.iter().filter_map(move |design| borne(design, period, ends, wanted))
     };
-    let proved = [Verdict::Sound];
-    let open = [Verdict::Sound, Verdict::Undecided, Verdict::NotChecked];
-    let ended = || if free { try_all(true, &proved) } else { None };
-    let found = ended().or_else(|| try_all(false, &proved)).or_else(|| try_all(false, &open));
-    found.unwrap_or_else(|| designs.into_iter().next().unwrap_or_else(|| spec.clone()))
+    let first = |ends, wanted| (0..halves).find_map(|h| bear(h, ends, wanted).next());
+    let ended = || if free { first(true, PROVED) } else { None };
+    // What no check decides is run, as long as that takes no more than seconds.
+    let arriving = |design: &Spec| arrives(&with_eps(design.clone(), tau), tau);
+    let run = || (0..halves.min(RUN)).find_map(|h| bear(h, false, OPEN).find(arriving));
+    let known = ended().or_else(|| first(false, PROVED)).or_else(run);
+    let arrives = known.is_some();
+    let found = known.or_else(|| first(false, OPEN)).or_else(|| designs.first().cloned());
+    (found.unwrap_or_else(|| spec.clone()), arrives)
+}
+
+/// The design with the eps of an example where no check sets one.
+fn with_eps(mut spec: Spec, tau: f64) -> Spec {
+    let eps = fixed(&format!("{}", tau / 100.0));
+    spec.fixed.entry(Parameter::Eps).or_insert(eps.unwrap_or(Fixed::Infinite));
+    spec
+}
+
+/// The verdicts of a period that is known to be short enough, and of one that may be.
+const PROVED: &[Verdict] = &[Verdict::Sound];
+const OPEN: &[Verdict] = &[Verdict::Sound, Verdict::Undecided, Verdict::NotChecked];
+
+/// Halves of the period with which a loop is run.
+const RUN: i32 = 4;
+
+/// Whether the run of a project arrives: from x1 = 1 the state comes to a hundredth of its largest size, with a linear
+/// law and without a bound of u that clips.
+fn arrives(spec: &Spec, tau: f64) -> bool {
+    let value = |parameter| spec.fixed.get(&parameter).and_then(to_f64);
+    let period = spec.promises.sample_time.as_ref().and_then(to_f64);
+    let (Some(period), Some(eps)) = (period, value(Parameter::Eps)) else { return false };
+    let unbounded = value(Parameter::UMax).is_none_or(|limit| limit >= 1e30);
+    if spec.feedback != Feedback::Linear || !unbounded {
+        return false;
+    }
+    let numbers = Numbers::new(spec, None);
+    let steps = (tau / period).round();
+    let h = tau / steps;
+    let mut x = vec![0.0; spec.n];
+    x[0] = 1.0;
+    let (mut largest, mut size, mut step) = (1.0_f64, 1.0_f64, 0.0);
+    while step < steps {
+        let gains = numbers.gains((tau - h * step).max(eps));
+        let u: f64 = gains.iter().zip(&x).map(|(gain, x)| gain * x).sum();
+        // Exact: x_i is a polynomial in time.
+        for i in 0..spec.n {
+            let behind = (1..=spec.n - i).rev();
+            #[allow(clippy::cast_precision_loss)]
+            let moved = behind.fold(u, |sum, k| x[i + k - 1] + h * sum / k as f64);
+            x[i] = moved;
+        }
+        size = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        largest = largest.max(size);
+        step += 1.0;
+    }
+    size <= 0.01 * largest
 }
 
 /// The design with `period`, where it gives none, if its checks of eps have one of the verdicts

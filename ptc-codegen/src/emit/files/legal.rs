@@ -25,20 +25,9 @@ pub(super) fn checks(test: &Test, copies: &BTreeMap<String, Expr>) -> Vec<Check>
     };
     let mut checks: Vec<Check> = Vec::new();
     for part in parts {
-        let mut parameter = None;
-        part.visit(&mut |expression| {
-            let given = match expression {
-                Expr::Local(name) => copies.get(name).unwrap_or(expression),
-                other => other,
-            };
-            let found = match given {
-                Expr::Parameter(name) => Some((name.clone(), None)),
-                Expr::ParameterElement(name, index) => Some((name.clone(), Some(*index))),
-                _ => None,
-            };
-            parameter = parameter.take().or(found);
-        });
-        let legal = legal(part, parameter.as_ref());
+        let sides = sides(part).map(|side| side.map(|side| given(side, copies)));
+        let parameter = sides.iter().flatten().find_map(|side| parameter(side));
+        let legal = legal(part, sides, parameter.as_ref());
         match checks.last_mut() {
             Some(last) if last.parameter == parameter => {
                 last.test = last.test.clone().and(part.clone());
@@ -70,24 +59,58 @@ pub(super) fn copies(init: &[Statement]) -> BTreeMap<String, Expr> {
     init.iter().filter_map(copy).collect()
 }
 
-/// What a test requires of the first parameter in it.
-fn legal(test: &Test, parameter: Option<&(String, Option<usize>)>) -> String {
-    let text = |value: &Expr| match value {
-        Expr::Number(number) => Some(decimal(number)),
-        Expr::Local(name) | Expr::Parameter(name) => {
-            let own = parameter.is_some_and(|(own, index)| own == name && index.is_none());
-            (!own).then(|| name.clone())
+/// What a test compares.
+fn sides(test: &Test) -> [Option<&Expr>; 2] {
+    match test {
+        Test::Finite(a) | Test::NotNumber(a) => [Some(a), None],
+        Test::Less(a, b) | Test::AtMost(a, b) | Test::CountLess(a, b) | Test::CountEqual(a, b) => {
+            [Some(a), Some(b)]
         }
+        Test::All(_) => [None, None],
+    }
+}
+
+/// The parameter that a local value is a copy of, or what is given.
+fn given<'e>(value: &'e Expr, copies: &'e BTreeMap<String, Expr>) -> &'e Expr {
+    match value {
+        Expr::Local(name) => copies.get(name).unwrap_or(value),
+        other => other,
+    }
+}
+
+/// A parameter, with its index in an array; what follows from parameters is none.
+fn parameter(value: &Expr) -> Option<(String, Option<usize>)> {
+    match value {
+        Expr::Parameter(name) => Some((name.clone(), None)),
+        Expr::ParameterElement(name, index) => Some((name.clone(), Some(*index))),
         _ => None,
+    }
+}
+
+/// What a test requires of the first parameter that it compares.
+fn legal(
+    test: &Test,
+    [below, above]: [Option<&Expr>; 2],
+    own: Option<&(String, Option<usize>)>,
+) -> String {
+    let text = |value: Option<&Expr>| match value? {
+        Expr::Number(number) => Some(decimal(number)),
+        value => {
+            let other = parameter(value).filter(|found| Some(found) != own)?;
+            Some(match other {
+                (name, None) => name,
+                (name, Some(index)) => format!("{name}[{index}]"),
+            })
+        }
     };
-    let bound = |below: &Expr, above: &Expr, [greater, less]: [&str; 2]| {
+    let bound = |[greater, less]: [&str; 2]| {
         let least = text(below).map(|below| format!("{greater} {below}"));
         least.or(text(above).map(|above| format!("{less} {above}")))
     };
     let found = match test {
         Test::Finite(_) => Some("finite".to_owned()),
-        Test::Less(below, above) => bound(below, above, [">", "<"]),
-        Test::AtMost(below, above) => bound(below, above, [">=", "<="]),
+        Test::Less(..) => bound([">", "<"]),
+        Test::AtMost(..) => bound([">=", "<="]),
         Test::CountLess(Expr::Count(below), _) => Some(format!(">= {}", u64::from(*below) + 1)),
         _ => None,
     };

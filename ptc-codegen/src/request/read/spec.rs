@@ -146,9 +146,16 @@ impl<'a> Reader<'a> {
         (n.is_some() && mapping.is_some()).then_some(spec)
     }
 
-    /// The infinite-time system needs mu, and checks every input.
+    /// The infinite-time system needs mu, and checks every input. Its states are those of the chain alone, in which a
+    /// model is not written.
     fn associated(&mut self, spec: &mut Spec) {
         spec.guard = Guard::Full;
+        if spec.has_model() {
+            let place = self.keys.get("what").map(|node| node.place);
+            let message = "the infinite-time system of a model is not made".to_owned();
+            let help = "its state is that of the chain of the output, not that of the model: give the chain with n, f and g, or leave `what` out";
+            self.wrong("what", place, message, help.to_owned());
+        }
         if spec.time_mapping.complement().is_none() {
             let place = self.keys.get("what").map(|node| node.place);
             let message = "no closed form of mu is found from this kappa".to_owned();

@@ -207,6 +207,7 @@ pub fn against(kind: &Kind, excess: f64) -> String {
         _ if excess == f64::INFINITY => {
             "which leaves the range of numbers, or of its bound".to_owned()
         }
+        _ if excess == f64::NEG_INFINITY => "unknown, as no run was finished".to_owned(),
         Kind::Within { .. } if excess > 0.0 => format!("outside by {excess:.6}"),
         Kind::Within { .. } => format!("inside by {:.6}", -excess),
         _ => format!("at {:.4} of the bound", 1.0 + excess),

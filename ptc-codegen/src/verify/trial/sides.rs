@@ -29,6 +29,26 @@ pub(super) fn both(
     compared((&first, &infinite), (&second, direct))
 }
 
+/// A difference of the sides that is more than what their accuracy leaves.
+const GROSS: f64 = 1e-3;
+
+/// A difference of what objectives bound that is none, as a part of it.
+const NOTHING: f64 = 1e-9;
+
+/// How far the sides are apart. A component that is made of rounding alone, as u is where its terms cancel throughout,
+/// differs in all its digits: where no objective shows it, what the objectives show counts.
+fn difference(first: &Track, second: &Track) -> f64 {
+    let apart = first.difference(second);
+    let both = first.excess.iter().zip(&second.excess);
+    // No number differs from everything.
+    let part = |(a, b): (&f64, &f64)| {
+        let part = (a - b).abs() / a.abs().max(b.abs()).max(1.0);
+        if part.is_nan() { f64::INFINITY } else { part }
+    };
+    let shown = both.filter(|(a, b)| a != b).map(part).fold(0.0, f64::max);
+    if apart > GROSS && shown <= NOTHING { shown } else { apart }
+}
+
 /// What both sides say, with how each ended.
 pub(in crate::verify) fn compared(
     (first, infinite): (&Track, &Result<(), Failure>),
@@ -40,7 +60,7 @@ pub(in crate::verify) fn compared(
     };
     let difference = match (is_range(infinite), is_range(&direct)) {
         // As far as both came.
-        (false, false) => first.difference(second),
+        (false, false) => difference(first, second),
         (true, true) => 0.0,
         _ if infinite.is_err() && direct.is_err() => 0.0,
         _ => f64::INFINITY,

@@ -8,9 +8,10 @@ use super::{DESIGN, made, run};
 
 /// Designs with fixed values, bounds, a latched state, an input gain and what comes after; in samples
 /// with all open, delay, observer, force, bound of u, and other plants.
-pub(super) const DESIGNS: [&[&str]; 13] = [
+pub(super) const DESIGNS: [&[&str]; 14] = [
     &["--n=1", "--mu=exp"],
     &["--n=3", "--mu=tan", "--precision=f32"],
+    &["--n=4", "--mu=exp_sum(rates=[0.5,1.5,3])", "--poles=-3.2,-6,-4,-2.5"],
     &["--n=2", "--mu=exp_sum(3)", "--t0=5", "--after=zero"],
     &["--n=2", "--mu=exp(a=1)", "--gains=12,7", "--tau=0.8", "--eps=0.01", "--u-max=40", "--t0=-1"],
     &["--n=2", "--mu=power(m=2)", "--g=0-1/4", "--sample-time=1e-3"],
@@ -112,6 +113,9 @@ fn the_sketch_arrives_with_a_stub_of_arduino() {
     for (index, design) in DESIGNS.iter().enumerate() {
         let home = folder.join(index.to_string());
         made("arduino", &[design, &["--name=stage"][..]].concat(), &home);
+        let sketch = fs::read_to_string(home.join("examples/run/run.ino")).expect("there");
+        // An int has 16 bits on the smallest boards.
+        assert!(!sketch.contains("int step"), "{sketch}");
         let properties = fs::read_to_string(home.join("library.properties")).expect("there");
         for key in
             ["name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url"]

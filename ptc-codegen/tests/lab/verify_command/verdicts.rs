@@ -182,3 +182,37 @@ fn runs_say_that_they_are_not_in_single_precision() {
         assert_eq!(told.contains(", in f64, not in f32\n"), says, "{precision}: {told}");
     }
 }
+
+/// A state that is 0 throughout is left at the rounding of the others.
+#[test]
+fn rounding_beside_a_zero_is_no_difference() {
+    let text = "name = \"stage\"\nn = 1\nmu = \"exp(a=1)\"\npoles = [-2]\ng = \"1/1.5\"\nf = -9.81\n[params]\ntau = 1\n\
+                [plant]\nf = \"-9.81\"\n[verify]\nx1 = [-1, 1]\nscenarios = 20\nsearch = 0\n";
+    let text = format!("{text}{}", objective("bound = \"input\"\nupsilon = \"100\""));
+    let folder = folder("rounding_beside_zero", &text);
+    let (code, told, wrong) = run(&folder, &["stage.toml"]);
+    assert_eq!(code, Some(0), "{told}{wrong}");
+}
+
+/// From rest an integral begins with a power of time, of which no step has the digits.
+#[test]
+fn integrals_from_rest_are_finished() {
+    let text = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nclock = \"samples\"\nsample_time = 0.01\n\
+                [params]\ntau = 0.8\n[plant]\nf = \"gust\"\ngust = [-0.1, 0.1]\n[verify]\nx1 = 0\nx2 = 0\n\
+                scenarios = 10\nsearch = 10\n";
+    let within = objective("bound = \"within\"\nh = \"integral(x1^2)\"\nhigh = 30");
+    let folder = folder("integrals_from_rest", &format!("{text}{within}"));
+    let (code, told, wrong) = run(&folder, &["stage.toml"]);
+    assert_eq!(code, Some(0), "{told}{wrong}");
+}
+
+/// With x2 = -x1 at the start u is 0, and what rounding leaves of it differs on both sides.
+#[test]
+fn an_input_of_rounding_is_no_difference() {
+    let text = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\npoles = [-4.21, -1]\n[params]\ntau = 1\n[plant]\nf = \"0\"\n\
+                [verify]\nx1 = [-1, 1]\nx2 = [-1, 1]\nscenarios = 10\nsearch = 10\n";
+    let within = objective("bound = \"within\"\nh = \"integral(u^2)\"\nhigh = 3000");
+    let folder = folder("input_of_rounding", &format!("{text}{within}"));
+    let (code, told, wrong) = run(&folder, &["stage.toml"]);
+    assert_eq!(code, Some(0), "{told}{wrong}");
+}

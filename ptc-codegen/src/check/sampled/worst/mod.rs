@@ -107,7 +107,7 @@ impl Sampled {
     /// start.
     pub(super) fn of(
         chain: Chain,
-        steps: Vec<Step>,
+        mut steps: Vec<Step>,
         acting: Option<usize>,
         kept: &[(Unit, f64)],
     ) -> Self {
@@ -116,6 +116,12 @@ impl Sampled {
         let own = (1..=chain.n).map(|j| chain.unit(j));
         let units: Vec<_> = own.chain(kept.iter().map(|(unit, _)| *unit)).collect();
         let kept = kept.iter().map(|(_, start)| *start).collect();
+        // Until the first input acts it is 0, which no step of an actuator changes.
+        let rest = chain.delay.min(steps.len().saturating_sub(1));
+        for step in &mut steps[..rest] {
+            let actuator = step.columns.last_mut().into_iter();
+            actuator.flat_map(|column| &mut column[..chain.n]).for_each(|own| *own = (0.0, 0.0));
+        }
         let gained = |unit: &Unit| match unit {
             Unit::Gain(j) => Some((*j, most(&steps, &units, *unit))),
             Unit::Power(_) => None,

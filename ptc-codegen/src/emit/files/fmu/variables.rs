@@ -3,7 +3,7 @@
 use super::super::example::Example;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::request::Spec;
+use crate::request::{Spec, chain_unit};
 
 /// A variable as both versions of modelDescription.xml describe it.
 pub(super) struct Variable {
@@ -122,13 +122,9 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         exponent: None,
     };
     let mut all = Vec::new();
+    let unit = |place| chain_unit(spec.units.as_deref().unwrap_or("unit"), place);
     for j in 1..=count {
-        let unit = match j {
-            _ if !chain => String::new(),
-            1 => " [unit]".to_owned(),
-            2 => " [unit/s]".to_owned(),
-            j => format!(" [unit/s^{}]", j - 1),
-        };
+        let unit = if chain { format!(" [{}]", unit(j)) } else { String::new() };
         let what = if letter == 'x' { "State" } else { "Measurement" };
         all.push(Variable {
             name: format!("{letter}{j}"),
@@ -142,11 +138,9 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         });
     }
     for order in 0..spec.references() {
-        let unit = match order {
-            _ if spec.model.is_some() => String::new(),
-            0 => " [unit]".to_owned(),
-            1 => " [unit/s]".to_owned(),
-            order => format!(" [unit/s^{order}]"),
+        let unit = match spec.model {
+            Some(_) => String::new(),
+            None => format!(" [{}]", unit(order + 1)),
         };
         all.push(Variable {
             name: format!("r{order}"),
@@ -166,7 +160,10 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
     all.push(Variable {
         name: "u".to_owned(),
         causality: "output",
-        description: "Input of the plant".to_owned(),
+        description: match spec.input_unit() {
+            Some(unit) => format!("Input of the plant [{unit}]"),
+            None => "Input of the plant".to_owned(),
+        },
         dependencies: every.join(" "),
         ..blank()
     });

@@ -201,7 +201,13 @@ fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
     lines.extend(super::coupled::references(spec));
     let laws = (1..).zip(spec.laws());
     if spec.feedback == Feedback::Extern {
-        lines.push("  pi0 of all v_i: a user-defined function of the xi of all outputs, t_kappa and kappa'".to_owned());
+        let of = match spec.laws_at_once() {
+            Some(_) => {
+                "  pi0 of all v_i: a user-defined function of the xi of all outputs, t_kappa and kappa'"
+            }
+            None => "  pi0 of v_1: a user-defined function of xi and t_kappa",
+        };
+        lines.push(of.to_owned());
     }
     lines.extend(laws.map(|(i, law)| format!("  pi0 of v_{i} = {}", spec.law_named(law))));
     let mut orders = coupled.orders();

@@ -57,6 +57,8 @@ pub(super) struct Time {
     pub(super) tau: String,
     pub(super) tau_fixed: bool,
     pub(super) period: String,
+    /// Whether nothing shows that the run arrives with it.
+    pub(super) open: bool,
     /// A constant input gain of the plant.
     pub(super) gain: Option<String>,
     /// The plant in a line.
@@ -147,6 +149,7 @@ impl Time {
             tau,
             tau_fixed,
             period: words.number(example.period),
+            open: !example.arrives,
             gain: number,
             about: match gain {
                 Some(gain) => format!("{}, g = {gain}", chain(spec.n, "g u")),
