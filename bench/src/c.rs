@@ -64,12 +64,12 @@ pub(crate) fn symbol_sizes(file: &Path) -> Result<BTreeMap<String, u64>> {
 }
 
 /// The size of the `step` of `controller` with the parts that the compiler split off, such as
-/// `step.cold`, and with the loops `rows` that it calls, whose name Rust mangles.
+/// `step.cold`, and with the loops `row_sums` that it calls, whose name Rust mangles.
 pub(crate) fn size_of_step(sizes: &BTreeMap<String, u64>, controller: &str) -> u64 {
     let step = format!("{controller}_step");
     let part = |name: &str| {
         name.strip_prefix(&step).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-            || name.split_once(controller).is_some_and(|(_, rest)| rest.contains("rows"))
+            || name.split_once(controller).is_some_and(|(_, rest)| rest.contains("row_sums"))
     };
     sizes.iter().filter(|(name, _)| part(name)).map(|(_, size)| size).sum()
 }

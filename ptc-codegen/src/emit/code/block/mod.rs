@@ -12,8 +12,8 @@ use crate::code::{Ending, Expr, Finish, For, Routine, Shape, Statement, Status, 
 use crate::internal::fault;
 use finish::of_finish;
 
-/// The longest sum that routines of compiled languages write out: all of them at n = 9. The code of a step of
-/// `exp_sum` then takes 2623 bytes there and 3583 at n = 16, and 3394 and 4645 with three rates and full guard.
+/// The longest sum that routines of compiled languages write out: all of them at n = 9, where the code of a step of
+/// `exp_sum` takes 2623 bytes. docs/BENCHMARKS.md has other orders.
 pub(in crate::emit) const WRITTEN: usize = 8;
 
 /// The words around a test and its two blocks.
