@@ -38,6 +38,9 @@ pub(in crate::emit) trait Block: Text {
     /// The words of a test.
     fn branch(&self) -> Branch;
 
+    /// Ends a chain of tests that says nothing of where none of them holds.
+    fn neither(&mut self) {}
+
     /// What opens and closes a comment.
     fn comment(&self) -> (&'static str, &'static str);
 

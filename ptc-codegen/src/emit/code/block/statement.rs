@@ -56,7 +56,7 @@ pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
         Statement::If(test, yes, no) => {
             let line = to.opened(to.branch().open, &[test]);
             to.out().open(line);
-            otherwise(to, yes, no);
+            otherwise(to, (yes, no), false);
         }
         Statement::Note(text) => {
             let (open, close) = to.comment();
@@ -67,16 +67,17 @@ pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
     }
 }
 
-/// The blocks of a test that is open; a block that only tests again goes on with the first.
-fn otherwise(to: &mut dyn Block, yes: &[Statement], no: &[Statement]) {
+/// The blocks of a test that is open; a block that only tests again goes on with the first, as a `chain` of tests.
+fn otherwise(to: &mut dyn Block, (yes, no): (&[Statement], &[Statement]), chain: bool) {
     to.block(yes);
     let branch = to.branch();
     match no {
+        [] if chain => to.neither(),
         [] => {}
         [Statement::If(test, yes, no)] => {
             let line = to.opened(branch.turn, &[test]);
             to.out().turn(line);
-            return otherwise(to, yes, no);
+            return otherwise(to, (yes, no), true);
         }
         no => {
             to.out().turn(branch.otherwise);

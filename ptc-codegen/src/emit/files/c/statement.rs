@@ -65,6 +65,12 @@ impl Block for C<'_> {
         Branch { open: "if (", turn: "} else if (", then: ") {", joint, otherwise, end }
     }
 
+    /// Rules of MISRA end every chain with `else`.
+    fn neither(&mut self) {
+        self.out.turn("} else {");
+        self.out.line("/* neither */");
+    }
+
     fn comment(&self) -> (&'static str, &'static str) {
         ("/* ", " */")
     }
