@@ -1,5 +1,5 @@
-//! Maps and sets that are filled entry by entry: `collect` compiles a sort for each kind of entry, for which the
-//! page of the explorer has no room.
+//! Maps and sets that are filled entry by entry, and walks as lists: `collect` compiles a sort for each kind of
+//! entry, for which the page of the explorer has no room.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,4 +19,10 @@ pub(crate) fn set<T: Ord>(values: impl IntoIterator<Item = T>) -> BTreeSet<T> {
         set.insert(value);
     }
     set
+}
+
+/// The items of a walk as a list, so that its callers do not compile the walk, each with what they do of it.
+pub(crate) fn listed<T>(walk: impl Iterator<Item = T>) -> std::vec::IntoIter<T> {
+    let all: Vec<T> = walk.collect();
+    all.into_iter()
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Code, Expr, Finish, Kind, Statement, Test};
+use super::{Code, Expr, Finish, Statement, Subroutine, Test};
 
 /// The branches that calls took; a condition is known by its place in the program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -100,10 +100,8 @@ fn statements(function: &'static str, all: &[Statement], found: &mut Vec<Branch>
             }
             Statement::Require(condition, _) => test(function, condition, found),
             other => {
-                if let Statement::Apply { routine, .. } = other
-                    && let Kind::Elimination(m) = routine.kind
-                {
-                    both(function, Condition::Regular(m), at(other, Asked::Regular), found);
+                if let Statement::Apply { subroutine: Subroutine::Elimination(m), .. } = other {
+                    both(function, Condition::Regular(*m), at(other, Asked::Regular), found);
                 }
                 other.visit(&mut |value| expression(function, value, found));
             }

@@ -22,9 +22,6 @@ pub enum Whose {
     Input(usize),
 }
 
-/// The inputs, as a function gives them.
-pub(super) const GIVEN: &str = "u";
-
 impl Inputs {
     /// How such a call ends, in words.
     pub const ENDS: &'static str = "Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.";
@@ -32,7 +29,7 @@ impl Inputs {
     /// Each u within its bound and the status of each. Where one of them is no finite number, every u is 0, and the
     /// status of the call is that of range; else that u was clipped, where one was.
     pub fn statements(self) -> Vec<Statement> {
-        let give = |index, value| Statement::Set(Place::Result(GIVEN.to_owned(), index), value);
+        let give = |index, value| Statement::Set(Place::Input(index), value);
         let settle = |whose, status| Statement::Settle(whose, Some(status));
         let same = |index| Statement::Settle(Whose::Input(index), None);
         let finite = |value: &Expr| Test::Finite(value.clone());

@@ -13,11 +13,11 @@ mod index;
 mod inputs;
 #[cfg(feature = "files")]
 mod interpret;
+mod iteration;
 mod operation;
-mod routine;
-mod search;
 mod statement;
 mod status;
+mod subroutine;
 mod visit;
 
 pub use branch::{Branch, Condition, Taken};
@@ -27,10 +27,10 @@ pub use index::Index;
 pub use inputs::{Inputs, Whose};
 #[cfg(feature = "files")]
 pub use interpret::{Argument, Called, Instance, Outcome};
-pub use routine::{Given, Kind, Routine};
-pub use search::Search;
+pub use iteration::Iteration;
 pub use statement::{For, Place, Statement};
 pub use status::Status;
+pub use subroutine::{Given, Subroutine};
 
 use crate::parameter::{Parameter, Precision};
 

@@ -1,6 +1,6 @@
 //! The statements of a function.
 
-use super::{Expr, Index, Routine, Shape, Status, Test, Whose};
+use super::{Expr, Index, Shape, Status, Subroutine, Test, Whose};
 
 /// A place to which a function assigns.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,8 +9,8 @@ pub enum Place {
     Local(String),
     /// An element of a local array.
     Element(String, Index),
-    /// An element of a result, from 0.
-    Result(String, usize),
+    /// One of several inputs that a function gives, from 0.
+    Input(usize),
     /// A field of the controller.
     Field(String),
 }
@@ -38,7 +38,7 @@ pub enum Statement {
     Require(Test, Status),
     /// A local array that does not change.
     Array(String, Vec<Expr>),
-    /// A name by which a routine reads one of its arrays, and from then on another one of the same length.
+    /// A name by which a subroutine reads one of its arrays, and from then on another one of the same length.
     View {
         /// The name.
         name: String,
@@ -47,12 +47,14 @@ pub enum Statement {
         /// Whether the name is a new one.
         first: bool,
     },
-    /// A local array: what a routine gives.
+    /// A local array: what a subroutine gives.
     Apply {
         /// Its name.
         name: String,
-        /// The routine.
-        routine: Box<Routine>,
+        /// The subroutine.
+        subroutine: Subroutine,
+        /// Its statements, with as many loops as they can have.
+        body: Vec<Statement>,
         /// The array that it changes and gives, and the other one.
         given: [Vec<Expr>; 2],
     },

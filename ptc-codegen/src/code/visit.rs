@@ -1,6 +1,6 @@
 //! Walks over statements and ends.
 
-use super::{Code, Expr, Finish, Index, Place, Routine, Statement};
+use super::{Code, Expr, Finish, Index, Place, Statement, Subroutine};
 
 impl Statement {
     /// Calls `look` on every expression of the statement, those in it included.
@@ -79,22 +79,22 @@ impl super::Function {
         self.body.iter().any(is)
     }
 
-    /// The routines that it applies.
-    pub fn routines(&self) -> impl Iterator<Item = &Routine> {
+    /// The subroutines that it applies.
+    pub fn subroutines(&self) -> impl Iterator<Item = Subroutine> {
         self.body.iter().filter_map(|statement| match statement {
-            Statement::Apply { routine, .. } => Some(routine.as_ref()),
+            Statement::Apply { subroutine, .. } => Some(*subroutine),
             _ => None,
         })
     }
 }
 
 impl Code {
-    /// The routines that its functions apply, each once.
-    pub fn routines(&self) -> Vec<&Routine> {
-        let mut all: Vec<&Routine> = Vec::new();
-        for routine in self.functions.iter().flat_map(super::Function::routines) {
-            if !all.iter().any(|known| known.kind == routine.kind) {
-                all.push(routine);
+    /// The subroutines that its functions apply, each once.
+    pub fn subroutines(&self) -> Vec<Subroutine> {
+        let mut all = Vec::new();
+        for subroutine in self.functions.iter().flat_map(super::Function::subroutines) {
+            if !all.contains(&subroutine) {
+                all.push(subroutine);
             }
         }
         all
@@ -103,7 +103,7 @@ impl Code {
     /// Whether a function counts the rounds of a loop.
     pub fn counts(&self) -> bool {
         let loops = |statement: &Statement| matches!(statement, Statement::For(_));
-        self.functions.iter().any(|function| function.has(loops)) || !self.routines().is_empty()
+        self.functions.iter().any(|function| function.has(loops)) || !self.subroutines().is_empty()
     }
 
     /// Calls `look` on every expression.

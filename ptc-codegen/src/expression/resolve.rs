@@ -4,6 +4,7 @@ use super::existence::needs;
 use super::names::{self, Found};
 use super::{Expression, Function, Node, Subject, Variable, power_bits};
 use crate::algebra::integer;
+use crate::collect::listed;
 use crate::diagnostic::{Diagnostics, LARGE, Place, counted, near_miss, shorten};
 use crate::family::{FAMILIES, FamilyInfo};
 use crate::limits::{ARGUMENTS, BITS, Limit, SIZE};
@@ -294,14 +295,7 @@ impl Resolver<'_, '_> {
 /// The names of all functions. An objective has integrals over the run too, which are names before it is read.
 fn functions(subject: Subject) -> impl Iterator<Item = &'static str> + Clone {
     let own = (subject == Subject::Objective).then_some(INTEGRAL);
-    // A list: its callers would each compile the walk.
-    let all: Vec<_> = Function::ALL
-        .iter()
-        .map(|(name, _)| *name)
-        .chain(["min", "max", "mean"])
-        .chain(own)
-        .collect();
-    all.into_iter()
+    listed(Function::ALL.iter().map(|(name, _)| *name).chain(["min", "max", "mean"]).chain(own))
 }
 
 fn named(key: &str) -> Option<Parameter> {

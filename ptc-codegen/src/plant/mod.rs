@@ -29,7 +29,7 @@ pub use axes::as_one;
 pub(crate) use force::{Bounded, force};
 pub use read::{read, read_partly};
 
-use crate::collect::set;
+use crate::collect::{listed, set};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::model::Inverse;
@@ -106,9 +106,7 @@ pub struct Mechanics {
 impl Mechanics {
     /// M, row by row, and the bias.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> = self.inertia.iter().flatten().chain(&self.bias).collect();
-        all.into_iter()
+        listed(self.inertia.iter().flatten().chain(&self.bias))
     }
 }
 
@@ -156,9 +154,7 @@ impl Plant {
 
     /// What moves it, as it was written.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> = self.keyed().map(|(_, expression)| expression).collect();
-        all.into_iter()
+        listed(self.keyed().map(|(_, expression)| expression))
     }
 
     /// The same, each with its key.
@@ -171,10 +167,7 @@ impl Plant {
         let bias = self.mechanics.iter().flat_map(|own| &own.bias);
         let mechanics =
             inertia.map(|e| ("plant.inertia", e)).chain(bias.map(|e| ("plant.bias", e)));
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> =
-            of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics).collect();
-        all.into_iter()
+        listed(of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics))
     }
 
     /// The same with `to` in place of the leaves for which it gives something.

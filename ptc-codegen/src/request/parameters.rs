@@ -1,7 +1,7 @@
 //! The parameters of a request, fixed and left to run time.
 
 use super::{Clock, Feedback, Spec, What};
-use crate::collect::set;
+use crate::collect::{listed, set};
 use crate::expression::Expression;
 use crate::parameter::Parameter;
 
@@ -32,16 +32,11 @@ impl Spec {
     /// The user's parameters that occur in its expressions.
     fn named_parameters(&self) -> impl Iterator<Item = Parameter> {
         let named = set(self.expressions().flat_map(Expression::parameters));
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> = named.into_iter().filter(|p| matches!(p, Parameter::Named(_))).collect();
-        all.into_iter()
+        listed(named.into_iter().filter(|p| matches!(p, Parameter::Named(_))))
     }
 
     /// The parameters that are left to run time.
     pub fn run_time_parameters(&self) -> impl Iterator<Item = Parameter> {
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> =
-            self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p)).collect();
-        all.into_iter()
+        listed(self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p)))
     }
 }

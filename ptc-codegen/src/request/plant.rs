@@ -1,6 +1,7 @@
 //! The plant of a request: its states, inputs and coordinates, with a model or without.
 
 use super::{Spec, What};
+use crate::collect::listed;
 use crate::expression::{Expression, Variable};
 
 impl Spec {
@@ -47,9 +48,7 @@ impl Spec {
     pub fn coordinates(&self) -> impl Iterator<Item = &Expression> {
         let coupled = self.coupled.iter().flat_map(|coupled| &coupled.outputs);
         let own = self.model.iter().flat_map(|model| &model.coordinates);
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> = own.chain(coupled.flat_map(|output| &output.coordinates)).collect();
-        all.into_iter()
+        listed(own.chain(coupled.flat_map(|output| &output.coordinates)))
     }
 
     /// The tracking error of each chain, its coordinates less the reference and its derivatives, one output

@@ -1,6 +1,7 @@
 //! What the output follows, and what of it a call is given.
 
 use super::Spec;
+use crate::collect::listed;
 use crate::expression::Expression;
 
 /// What `x_1` follows in place of 0: the law sees the tracking error `e_i = x_i - r^(i-1)(t)`.
@@ -43,9 +44,7 @@ impl Spec {
             }
             _ => None,
         };
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> = own.chain(one).collect();
-        all.into_iter()
+        listed(own.chain(one))
     }
 
     /// How many numbers a call is given beside time: the state, and behind it the reference, or that of each

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{After, Axes, Clock, Feedback, Guard, Promises, Reference, What};
 use crate::algebra::BigRational;
+use crate::collect::listed;
 use crate::expression::{Expression, Variable};
 use crate::family::Family;
 use crate::mapping::{Custom, Mapping, TimeMapping};
@@ -147,10 +148,7 @@ impl Spec {
             (Feedback::Expression(law), None) => Some(law),
             _ => None,
         };
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> =
-            one.into_iter().chain(self.axes.iter().flat_map(|axes| &axes.laws)).collect();
-        all.into_iter()
+        listed(one.into_iter().chain(self.axes.iter().flat_map(|axes| &axes.laws)))
     }
 
     /// Every expression that a controller is computed from.
@@ -162,16 +160,15 @@ impl Spec {
         let of_plant = model.chain(&self.drift).chain(&self.input_gain);
         let of_axes = self.axes.iter().flat_map(|axes| &axes.input_gains);
         let coupled = self.coupled.iter().flat_map(|coupled| coupled.expressions());
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> = given
-            .into_iter()
-            .chain(law)
-            .chain(of_plant)
-            .chain(of_axes)
-            .chain(coupled)
-            .chain(reference)
-            .collect();
-        all.into_iter()
+        listed(
+            given
+                .into_iter()
+                .chain(law)
+                .chain(of_plant)
+                .chain(of_axes)
+                .chain(coupled)
+                .chain(reference),
+        )
     }
 
     /// Whether states are latched at the start.

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::controller::Builder;
-use crate::code::{Expr, Kind, Routine, Shape, Statement, parameter_name};
+use crate::code::{Expr, Shape, Statement, Subroutine, parameter_name};
 use crate::internal::fault;
 use crate::program::{Input, Op, Program, Stage, Value, passes};
 
@@ -148,8 +148,8 @@ impl Staged {
             [matrix, right].map(|all| all.iter().map(|value| self.expression(*value)).collect());
         self.named += 1;
         let name = format!("{}{}", self.names.letters[1], self.named);
-        let routine = Box::new(Routine::new(Kind::Elimination(right.len())));
-        body.push(Statement::Apply { name: name.clone(), routine, given: [right, matrix] });
+        let elimination = Subroutine::Elimination(right.len());
+        body.push(elimination.apply(name.clone(), [right, matrix]));
         Expr::local(name)
     }
 }

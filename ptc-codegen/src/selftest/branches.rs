@@ -2,7 +2,7 @@
 
 use super::maker::Maker;
 use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable, Wanted};
-use crate::code::Search;
+use crate::code::Iteration;
 use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::program::{Input, Op, Value};
@@ -56,11 +56,11 @@ impl Maker<'_> {
                 Op::Root(root) => {
                     let name = program.get(value).name.as_ref().map_or("y", |(name, _)| name);
                     if missing("exhausted") {
-                        let condition = format!("{} < {}U", Search::ROUND, root.rounds);
+                        let condition = format!("{} < {}U", Iteration::ROUND, root.rounds);
                         add(condition, "the iteration used no more rounds than it has");
                     }
                     if root.proposals < root.rounds && missing("bisected") {
-                        let condition = format!("{}U < {}", root.proposals - 1, Search::ROUND);
+                        let condition = format!("{}U < {}", root.proposals - 1, Iteration::ROUND);
                         add(condition, "the iteration needed no bisection");
                     }
                     if missing("before") {

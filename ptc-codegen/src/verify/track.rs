@@ -12,9 +12,6 @@ pub(super) struct Track {
     pub(super) excess: Vec<f64>,
 }
 
-/// Rounding of a side, as a part of its largest number: that of a few operations.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
 impl Track {
     pub(super) fn new(setting: &Setting, objectives: usize, integrals: usize) -> Self {
         let width = setting.x0.len() + 1 + integrals;
@@ -37,8 +34,7 @@ impl Track {
         self.excess[objective] = self.excess[objective].max(excess);
     }
 
-    /// Largest difference from another side, each component as a part of its largest value. What the rounding of the
-    /// largest component may leave of one that is 0 is none.
+    /// Largest difference from another side, each component as a part of its largest value.
     pub(super) fn difference(&self, other: &Self) -> f64 {
         // Of each component the largest value and difference.
         let mut most = vec![(0.0_f64, 0.0_f64); self.width];
@@ -56,8 +52,7 @@ impl Track {
         {
             most.iter_mut().zip(row).for_each(|((size, _), own)| *size = size.max(own.abs()));
         }
-        let rounding = most.iter().fold(0.0, |most: f64, (size, _)| most.max(*size)) * ROUNDING;
-        let part = |(size, apart): &(f64, f64)| if *apart <= rounding { 0.0 } else { apart / size };
+        let part = |(size, apart): &(f64, f64)| if *apart == 0.0 { 0.0 } else { apart / size };
         most.iter().map(part).fold(0.0, f64::max)
     }
 }

@@ -135,7 +135,7 @@ fn units_follow_from_that_of_x1() {
     }
 }
 
-/// What is legal of a parameter is said in its own name, and of what follows from it nothing.
+/// A refusal gives the legal range of a parameter, under its own name.
 #[test]
 fn a_refusal_names_what_is_legal() {
     let bounded = "n = 1\nmu = \"exp\"\nf = \"-c*x1\"\n[params]\nc = [0.5, 2]\n";

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::code::{AXIS, Ending, Expr, Finish, For, Index, Owner, Place, Routine, Statement, Test};
+use crate::code::{AXIS, Ending, Expr, Finish, For, Index, Owner, Place, Statement, Test};
 use crate::collect::set;
 
 /// What the statements of one function have seen so far.
@@ -45,7 +45,7 @@ impl Seen<'_> {
                 self.index(index)?;
                 self.is_declared(name)
             }
-            Statement::Set(Place::Result(..), value) => self.expression(value),
+            Statement::Set(Place::Input(_), value) => self.expression(value),
             Statement::Root(name, tolerance) => {
                 self.expression(tolerance)?;
                 self.is_declared(name)
@@ -79,13 +79,15 @@ impl Seen<'_> {
                 values.iter().try_for_each(|value| self.expression(value))?;
                 self.define(name)
             }
-            Statement::Apply { name, routine, given } => {
+            Statement::Apply { name, subroutine, body, given } => {
                 given.iter().flatten().try_for_each(|value| self.expression(value))?;
-                let lengths = routine.kind.given().map(|own| own.length);
+                let lengths = subroutine.given().map(|own| own.length);
                 if given.each_ref().map(Vec::len) != lengths || lengths.contains(&0) {
                     return Err(format!("{name} has no arrays of the right length"));
                 }
-                checked(routine)?;
+                // It knows its two arrays alone.
+                let own = subroutine.given().map(|own| own.name.to_owned());
+                Seen { locals: set(own), ..Seen::default() }.block(body)?;
                 self.define(name)
             }
             Statement::Call { name, callback, array, times, .. } => {
@@ -212,11 +214,4 @@ impl Seen<'_> {
         };
         if known { Ok(()) } else { Err(format!("{name} is used before it is known")) }
     }
-}
-
-/// A routine knows its two arrays alone.
-fn checked(routine: &Routine) -> Result<(), String> {
-    let own = routine.kind.given();
-    let locals = set(own.iter().map(|own| own.name.to_owned()));
-    Seen { locals, ..Seen::default() }.block(&routine.body)
 }

@@ -24,7 +24,7 @@ pub(super) struct Frame<'a, 'b> {
     pub(super) callbacks: &'b [Called<'b>],
     /// What statements have given of each input: its u and its status, and the status of the call.
     pub(super) settled: Settled,
-    /// Whether a divisor of a routine was 0.
+    /// Whether a divisor of a subroutine was 0.
     pub(super) divided_by_zero: Cell<bool>,
     /// The branches taken so far, where they are recorded.
     pub(super) taken: Option<RefCell<Taken>>,

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::Held;
 use super::frame::Frame;
 use crate::code::branch::{Asked, at};
-use crate::code::{Expr, For, Kind, Place, Routine, Shape, Statement, Status, Whose};
+use crate::code::{Expr, For, Place, Shape, Statement, Status, Subroutine, Whose};
 use crate::collect::map;
 use crate::internal::fault;
 use crate::program::number;
@@ -60,7 +60,7 @@ impl<'b> Frame<'_, 'b> {
                     *field = value;
                 }
             }
-            Statement::Set(Place::Result(_, index), value) => {
+            Statement::Set(Place::Input(index), value) => {
                 let value = self.real(value);
                 self.settled.u.insert(*index, value);
             }
@@ -87,9 +87,9 @@ impl<'b> Frame<'_, 'b> {
                 Some(values) => self.define(name, values),
                 None => fault(format!("{array} is not known")),
             },
-            Statement::Apply { name, routine, given } => {
-                let values = self.apply_routine(routine, given);
-                if let Kind::Elimination(_) = routine.kind {
+            Statement::Apply { name, subroutine, body, given } => {
+                let values = self.applied((*subroutine, body), given);
+                if let Subroutine::Elimination(_) = subroutine {
                     let singular = self.divided_by_zero.take();
                     self.note(at(statement, Asked::Regular), !singular);
                 }
@@ -126,16 +126,20 @@ impl<'b> Frame<'_, 'b> {
         None
     }
 
-    /// What a routine gives, which knows no other names than its own.
-    fn apply_routine(&mut self, routine: &'b Routine, given: &[Vec<Expr>; 2]) -> Held {
-        let arrays = routine.kind.given().into_iter().zip(given);
+    /// The array that a subroutine gives, which knows no other names than its own.
+    fn applied(
+        &mut self,
+        (subroutine, body): (Subroutine, &'b [Statement]),
+        given: &[Vec<Expr>; 2],
+    ) -> Held {
+        let [gives, _] = subroutine.given();
+        let arrays = subroutine.given().into_iter().zip(given);
         let own = arrays.map(|(own, values)| (Cow::from(own.name), Held::Reals(self.list(values))));
         let own = map(own);
         let outer = std::mem::replace(&mut self.locals, own);
-        self.block(&routine.body);
-        let [gives, _] = routine.kind.given();
+        self.block(body);
         let mut inner = std::mem::replace(&mut self.locals, outer);
-        inner.remove(gives.name).unwrap_or_else(|| fault("a routine without its array"))
+        inner.remove(gives.name).unwrap_or_else(|| fault("a subroutine without its array"))
     }
 
     /// What a function of several values gives: it is asked for one at a time.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::ToPrimitive;
 
-use crate::code::{Expr, Kind, Routine as Private, Search, Shape, Statement, parameter_name};
+use crate::code::{Expr, Iteration, Shape, Statement, Subroutine, parameter_name};
 use crate::controller::plan::{Plan, Routine};
 use crate::internal::fault;
 use crate::program::{Input, Op, Root, Stage, Value};
@@ -151,12 +151,12 @@ impl Writer<'_> {
             }
             Op::Rows { tail, weights, fused } => {
                 let (tail, weights) = (self.all(tail), self.all(weights));
-                let kind = Kind::Rows { weights: weights.len(), fused: *fused };
-                self.apply(value, kind, [weights, tail])
+                let rows = Subroutine::Rows { weights: weights.len(), fused: *fused };
+                self.apply(value, rows, [weights, tail])
             }
             Op::Elimination { matrix, right } => {
                 let (matrix, right) = (self.all(matrix), self.all(right));
-                self.apply(value, Kind::Elimination(right.len()), [right, matrix])
+                self.apply(value, Subroutine::Elimination(right.len()), [right, matrix])
             }
             Op::Element(array, index) => match self.expression(*array) {
                 Expr::Local(array) => Expr::Element(array, *index),
@@ -210,10 +210,10 @@ impl Writer<'_> {
         });
     }
 
-    /// The local array that a routine gives.
-    fn apply(&mut self, value: Value, kind: Kind, given: [Vec<Expr>; 2]) -> Expr {
-        let (name, routine) = (self.fresh(value), Box::new(Private::new(kind)));
-        self.statements.push(Statement::Apply { name: name.clone(), routine, given });
+    /// The local array that a subroutine gives.
+    fn apply(&mut self, value: Value, subroutine: Subroutine, given: [Vec<Expr>; 2]) -> Expr {
+        let name = self.fresh(value);
+        self.statements.push(subroutine.apply(name.clone(), given));
         Expr::local(name)
     }
 
@@ -272,7 +272,7 @@ impl Writer<'_> {
             }
         }
         let body = std::mem::replace(&mut self.statements, outside);
-        let search = Search {
+        let iteration = Iteration {
             unknown: unknown.clone(),
             start: self.expression(root.start),
             bracket: [root.low, root.high].map(|end| self.expression(end)),
@@ -284,7 +284,7 @@ impl Writer<'_> {
             proposals: root.proposals,
             rounds: root.rounds,
         };
-        self.statements.extend(search.statements(self.plan.program.precision));
+        self.statements.extend(iteration.statements(self.plan.program.precision));
         Expr::local(unknown)
     }
 }

@@ -67,10 +67,10 @@ impl Short {
                     self.each(&mut values, &mut out);
                     Statement::Array(name, values)
                 }
-                Statement::Apply { name, routine, mut given } => {
+                Statement::Apply { name, subroutine, body, mut given } => {
                     // In the order in which they were computed.
                     given.iter_mut().rev().for_each(|values| self.each(values, &mut out));
-                    Statement::Apply { name, routine, given }
+                    Statement::Apply { name, subroutine, body, given }
                 }
                 Statement::Call { name, callback, array, mut times, count } => {
                     self.each(&mut times, &mut out);

@@ -1,6 +1,6 @@
 //! What a function calls of the mathematical library, and the gains that it gives one by one.
 
-use crate::code::{Code, Expr, Finish, Function, Statement};
+use crate::code::{Code, Expr, Finish, Function, Statement, Subroutine};
 use crate::expression::Function as Math;
 use crate::internal::fault;
 
@@ -25,7 +25,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
 
 /// Whether a function of a controller does; one of several axes is made of those for one.
 pub(super) fn calls_library(code: &Code, function: &Function) -> bool {
-    let mut found = function.routines().any(|routine| routine.kind.is_fused());
+    let mut found = function.subroutines().any(Subroutine::is_fused);
     function.visit(&mut |value| found |= is_call(value));
     let is_made = matches!(function.finish, Finish::Axes(_));
     let mut parts = ["tick", "axis"].iter().filter_map(|name| code.function(name));

@@ -161,15 +161,15 @@ fn sample(spec: &Spec, tau: f64) -> (Spec, bool) {
     let promises = &spec.promises;
     let free = !spec.fixed.contains_key(&Parameter::Eps) && promises.error.is_empty();
     let halves = if promises.sample_time.is_some() { 1 } else { 12 };
-    let bear = |h: i32, ends: bool, wanted: &'static [Verdict]| {
+    let judged = |h: i32, ends: bool, wanted: &'static [Verdict]| {
         let period = tau / 1000.0 / f64::from(1 << h);
         designs.iter().filter_map(move |design| borne(design, period, ends, wanted))
     };
-    let first = |ends, wanted| (0..halves).find_map(|h| bear(h, ends, wanted).next());
+    let first = |ends, wanted| (0..halves).find_map(|h| judged(h, ends, wanted).next());
     let ended = || if free { first(true, PROVED) } else { None };
-    // What no check decides is run, as long as that takes no more than seconds.
+    // What no check decides is run.
     let arriving = |design: &Spec| arrives(&with_eps(design.clone(), tau), tau);
-    let run = || (0..halves.min(RUN)).find_map(|h| bear(h, false, OPEN).find(arriving));
+    let run = || (0..halves).find_map(|h| judged(h, false, OPEN).find(arriving));
     let known = ended().or_else(|| first(false, PROVED)).or_else(run);
     let arrives = known.is_some();
     let found = known.or_else(|| first(false, OPEN)).or_else(|| designs.first().cloned());
@@ -187,21 +187,24 @@ fn with_eps(mut spec: Spec, tau: f64) -> Spec {
 const PROVED: &[Verdict] = &[Verdict::Sound];
 const OPEN: &[Verdict] = &[Verdict::Sound, Verdict::Undecided, Verdict::NotChecked];
 
-/// Halves of the period with which a loop is run.
-const RUN: i32 = 4;
+/// Most steps of a run that is tried: a second or two with the mappings that take longest.
+const STEPS: f64 = 16_000.0;
 
-/// Whether the run of a project arrives: from x1 = 1 the state comes to a hundredth of its largest size, with a linear
-/// law and without a bound of u that clips.
+/// The part of the largest state of a run at which a project says that it has arrived.
+pub(super) const ARRIVED: f64 = 0.01;
+
+/// Whether the run of a project from x1 = 1 arrives, with a linear law and without a bound of u that clips.
 fn arrives(spec: &Spec, tau: f64) -> bool {
     let value = |parameter| spec.fixed.get(&parameter).and_then(to_f64);
     let period = spec.promises.sample_time.as_ref().and_then(to_f64);
     let (Some(period), Some(eps)) = (period, value(Parameter::Eps)) else { return false };
-    let unbounded = value(Parameter::UMax).is_none_or(|limit| limit >= 1e30);
-    if spec.feedback != Feedback::Linear || !unbounded {
+    let unbounded = fixed(UNBOUNDED).as_ref().and_then(to_f64);
+    let clips = value(Parameter::UMax).is_some_and(|limit| Some(limit) < unbounded);
+    let steps = (tau / period).round();
+    if spec.feedback != Feedback::Linear || clips || steps > STEPS {
         return false;
     }
     let numbers = Numbers::new(spec, None);
-    let steps = (tau / period).round();
     let h = tau / steps;
     let mut x = vec![0.0; spec.n];
     x[0] = 1.0;
@@ -220,7 +223,7 @@ fn arrives(spec: &Spec, tau: f64) -> bool {
         largest = largest.max(size);
         step += 1.0;
     }
-    size <= 0.01 * largest
+    size <= ARRIVED * largest
 }
 
 /// The design with `period`, where it gives none, if its checks of eps have one of the verdicts

@@ -70,7 +70,7 @@ fn sides(test: &Test) -> [Option<&Expr>; 2] {
     }
 }
 
-/// The parameter that a local value is a copy of, or what is given.
+/// The parameter that a local value copies, else the value itself.
 fn given<'e>(value: &'e Expr, copies: &'e BTreeMap<String, Expr>) -> &'e Expr {
     match value {
         Expr::Local(name) => copies.get(name).unwrap_or(value),
@@ -78,7 +78,7 @@ fn given<'e>(value: &'e Expr, copies: &'e BTreeMap<String, Expr>) -> &'e Expr {
     }
 }
 
-/// A parameter, with its index in an array; what follows from parameters is none.
+/// A parameter, with its index in an array; `None` for a value computed from parameters.
 fn parameter(value: &Expr) -> Option<(String, Option<usize>)> {
     match value {
         Expr::Parameter(name) => Some((name.clone(), None)),

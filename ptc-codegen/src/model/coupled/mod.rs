@@ -8,6 +8,7 @@ use super::decide::is_zero;
 use super::determinant::{CLOSED, determinant, divided, inverse, is_regular, written_out};
 use super::lie::{Affine, Ill};
 use super::{Values, named};
+use crate::collect::listed;
 use crate::expression::effort::bounded;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Name;
@@ -204,9 +205,7 @@ impl Coupled {
             Inverse::Elimination { matrix, .. } => (matrix, [].as_slice()),
             Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
         };
-        // A list: its callers would each compile the walk.
-        let all: Vec<_> = chains.chain(matrix.iter().flatten()).chain(others).collect();
-        all.into_iter()
+        listed(chains.chain(matrix.iter().flatten()).chain(others))
     }
 
     /// The determinant of the decoupling matrix, where the law divides by it and it is short enough.

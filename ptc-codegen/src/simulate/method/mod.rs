@@ -19,8 +19,8 @@ pub(super) use implicit::radau;
 pub(super) type State = SVector<f64, MAX_ORDER>;
 
 /// An error of an integral that counts as nothing: its unit is another than that of the states, and what
-/// has been accumulated does not decay. Not less, as no step is short enough for the relative error of an integral that
-/// begins with a power of time, or that is made of rounding.
+/// has been accumulated does not decay. Not smaller: the relative error of an integral that begins as a power of time,
+/// or that consists of rounding, does not fall with the step.
 const NONE: f64 = 1e-24;
 
 /// A right-hand side of `order` equations, of which the first are of states and the rest of integrals.

@@ -28,8 +28,8 @@ pub struct Trial {
     inputs: usize,
     /// The integrals at t0.
     none: Vec<f64>,
-    /// An error of a state that counts as nothing where a run is not finished without: the rounding of the smallest of
-    /// the initial states. A state that is 0 but for what rounding leaves of f + g u has no digits that a step could keep.
+    /// The absolute error with which an unfinished run is repeated: the rounding of the smallest initial state. A state
+    /// that consists of the rounding of f + g u has no digits that a step could keep.
     floor: f64,
     /// Difference of the sides above which their integration may show: see [`is_blurred`].
     pub(super) blur: f64,
@@ -119,7 +119,7 @@ impl Trial {
             if is_blurred(&outcome, self.blur) {
                 return run(CLOSER);
             }
-            // What the law makes of such an error may be large, so that nothing fails by it.
+            // The law may amplify such an error, so a failure is not taken from this run.
             let holds = |own: &Outcome| (0..self.objectives).all(|one| own.worst(one) <= 0.0);
             let rests = outcome.status() == Status::Unfinished;
             let again = rests.then(|| run(Accuracy { absolute: self.floor, ..ACCURACY }));

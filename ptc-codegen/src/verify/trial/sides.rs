@@ -3,8 +3,8 @@
 use super::super::observer::Observer;
 use super::super::track::Track;
 use super::super::{Other, Outcome, Setting};
-use super::is_range;
 use super::watch::along;
+use super::{ACCURACY, is_range};
 use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run};
 
 /// Whether the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel,
@@ -29,14 +29,14 @@ pub(super) fn both(
     compared((&first, &infinite), (&second, direct))
 }
 
-/// A difference of the sides that is more than what their accuracy leaves.
+/// A difference of a component that accuracy does not explain: a thousand times the default tolerance.
 const GROSS: f64 = 1e-3;
 
-/// A difference of what objectives bound that is none, as a part of it.
-const NOTHING: f64 = 1e-9;
+/// The relative accuracy of a step, to which objectives may differ.
+const NEGLIGIBLE: f64 = ACCURACY.relative;
 
-/// How far the sides are apart. A component that is made of rounding alone, as u is where its terms cancel throughout,
-/// differs in all its digits: where no objective shows it, what the objectives show counts.
+/// How far the sides are apart. A component that consists of rounding, as u does where its terms cancel throughout,
+/// differs in all its digits; if no objective depends on it, the difference of the objectives counts.
 fn difference(first: &Track, second: &Track) -> f64 {
     let apart = first.difference(second);
     let both = first.excess.iter().zip(&second.excess);
@@ -46,7 +46,7 @@ fn difference(first: &Track, second: &Track) -> f64 {
         if part.is_nan() { f64::INFINITY } else { part }
     };
     let shown = both.filter(|(a, b)| a != b).map(part).fold(0.0, f64::max);
-    if apart > GROSS && shown <= NOTHING { shown } else { apart }
+    if apart > GROSS && shown <= NEGLIGIBLE { shown } else { apart }
 }
 
 /// What both sides say, with how each ended.

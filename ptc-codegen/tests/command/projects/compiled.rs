@@ -83,6 +83,20 @@ fn the_example_arrives() {
 }
 
 /// What the page shows of a run; the firmware prints the same (`cargo assure projects`).
+/// A run of 1e9 samples is not tried, and the file of values says that the period is open.
+#[test]
+fn a_run_that_takes_long_is_not_tried() {
+    let home = folder("projects_long");
+    let poles = ["--poles=-3.2,-6,-4,-2.5", "--sample-time=1e-9"];
+    made(
+        "cmake",
+        &[&["--n=4", "--mu=exp_sum(rates=[0.5,1.5,3])", "--name=stage"], &poles[..]].concat(),
+        &home,
+    );
+    let config = fs::read_to_string(home.join("example/config.h")).expect("there");
+    assert!(config.contains("Undecided: the run may end late"), "{config}");
+}
+
 #[test]
 fn the_page_shows_what_the_default_design_prints() {
     let home = folder("projects_page").join("stage");

@@ -125,7 +125,7 @@ impl<'a> Sample<'a> {
                 | Statement::For(_)
                 | Statement::Leave
                 | Statement::Root(..)
-                | Statement::Set(Place::Element(..) | Place::Result(..), _)
+                | Statement::Set(Place::Element(..) | Place::Input(_), _)
                 | Statement::Settle(..)
                 | Statement::View { .. } => return None,
             }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::code::{Shape, Statement};
 use crate::internal::fault;
 
-/// The local values of statements, each of one shape; those of routines are their own.
+/// The local values of statements, each of one shape; those of subroutines are their own.
 pub(in crate::emit) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, Shape>) {
     for statement in statements {
         match statement {
@@ -13,8 +13,8 @@ pub(in crate::emit) fn declared(statements: &[Statement], locals: &mut BTreeMap<
             | Statement::Variable(name, shape)
             | Statement::Begin(name, shape, _) => declare(name, *shape, locals),
             Statement::Array(name, values) => declare(name, Shape::Reals(values.len()), locals),
-            Statement::Apply { name, routine, .. } => {
-                declare(name, Shape::Reals(routine.kind.given()[0].length), locals);
+            Statement::Apply { name, subroutine, .. } => {
+                declare(name, Shape::Reals(subroutine.given()[0].length), locals);
             }
             Statement::Call { name, count, .. } => declare(name, Shape::Reals(*count), locals),
             Statement::For(each) => {

@@ -8,12 +8,12 @@ pub(in crate::emit) use locals::declared;
 pub(in crate::emit) use statement::of_statement;
 
 use super::text::{Lines, Text, bare};
-use crate::code::{Ending, Expr, Finish, For, Routine, Shape, Statement, Status, Test, Whose};
+use crate::code::{Ending, Expr, Finish, For, Shape, Statement, Status, Subroutine, Test, Whose};
 use crate::internal::fault;
 use finish::of_finish;
 
-/// The longest sum that routines of compiled languages write out: all of them at n = 9, where the code of a step of
-/// `exp_sum` takes 2623 bytes. docs/BENCHMARKS.md has other orders.
+/// The longest sum that subroutines of compiled languages write out: all sums at n = 9. docs/BENCHMARKS.md has the size of
+/// the code.
 pub(in crate::emit) const WRITTEN: usize = 8;
 
 /// The words around a test and its two blocks.
@@ -42,7 +42,9 @@ pub(in crate::emit) trait Block: Text {
     fn neither(&mut self) {}
 
     /// What opens and closes a comment.
-    fn comment(&self) -> (&'static str, &'static str);
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("// ", "")
+    }
 
     /// The name of a local value where it is defined.
     fn defined(&self, name: &str, _shape: Shape, _value: &Expr) -> String {
@@ -50,13 +52,17 @@ pub(in crate::emit) trait Block: Text {
     }
 
     /// A local value that does not change.
-    fn define(&self, name: &str, shape: Shape, value: &str) -> String;
+    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
+        self.assign(name, value)
+    }
 
     /// A local variable without a value, where the language declares it.
     fn declare(&self, name: &str, shape: Shape) -> Option<String>;
 
     /// An assignment.
-    fn assign(&self, place: &str, value: &str) -> String;
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value};")
+    }
 
     /// Ends the call unless the test holds.
     fn require(&mut self, test: &Test, status: Status);
@@ -98,21 +104,29 @@ pub(in crate::emit) trait Block: Text {
         }
     }
 
-    /// An element of a result that is given for several inputs.
-    fn result(&self, name: &str, index: usize) -> String {
-        self.element(name, index)
+    /// One of several inputs that a function gives, from 0.
+    fn input(&self, index: usize) -> String {
+        self.element("u", index)
     }
 
-    /// Settles a status, that of an input being the call's where none is given.
-    fn settle(&self, whose: Whose, status: Option<Status>) -> String;
+    /// A status.
+    fn status(&self, status: Status) -> String;
+
+    /// The variable that holds a status.
+    fn status_of(&self, whose: Whose) -> String {
+        match whose {
+            Whose::Call => "status".to_owned(),
+            Whose::Input(index) => self.element("axes", index),
+        }
+    }
 
     /// A local array that does not change.
     fn array(&mut self, name: &str, values: &[Expr]);
 
-    /// A local array that a routine gives.
-    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]);
+    /// A local array that a subroutine gives.
+    fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]);
 
-    /// A name by which a routine reads an array; in languages whose routines write sums out.
+    /// A name by which a subroutine reads an array; in languages whose subroutines write sums out.
     fn view(&self, name: &str, _array: &str, _first: bool) -> String {
         fault(format!("{name} stands for no array"))
     }
@@ -124,10 +138,14 @@ pub(in crate::emit) trait Block: Text {
     fn each(&self, each: &For) -> [String; 2];
 
     /// The line that leaves a loop.
-    fn leave(&self) -> &'static str;
+    fn leave(&self) -> &'static str {
+        "break;"
+    }
 
     /// A local variable with its first value.
-    fn begin(&self, name: &str, shape: Shape, value: &str) -> String;
+    fn begin(&self, name: &str, _shape: Shape, value: &str) -> String {
+        self.assign(name, value)
+    }
 
     /// A value that is assigned.
     fn value(&self, value: &Expr) -> String {

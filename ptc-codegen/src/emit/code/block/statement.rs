@@ -1,7 +1,7 @@
 //! Statements as lines, in the words of a language.
 
 use super::{Block, close};
-use crate::code::{For, Place, Statement};
+use crate::code::{For, Place, Statement, Whose};
 
 /// A statement.
 pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
@@ -27,14 +27,16 @@ pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
             let place = match place {
                 Place::Local(name) => to.local(name),
                 Place::Element(name, index) => to.at(&to.local(name), &to.place(index, to.first())),
-                Place::Result(name, index) => to.result(name, *index),
+                Place::Input(index) => to.input(*index),
                 Place::Field(name) => to.field(name),
             };
             let line = to.assign(&place, &to.value(value));
             to.out().line(line);
         }
         Statement::Settle(whose, status) => {
-            let line = to.settle(*whose, *status);
+            let of_call = || to.status_of(Whose::Call);
+            let status = status.map_or_else(of_call, |status| to.status(status));
+            let line = to.assign(&to.status_of(*whose), &status);
             to.out().line(line);
         }
         Statement::Require(test, status) => to.require(test, *status),
@@ -43,7 +45,7 @@ pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
             let line = to.view(name, array, *first);
             to.out().line(line);
         }
-        Statement::Apply { name, routine, given } => to.apply(name, routine, given),
+        Statement::Apply { name, subroutine, given, .. } => to.apply(name, *subroutine, given),
         Statement::Call { name, callback, array, times, count } => {
             let [time, rate] = times.each_ref().map(|value| to.alone(value));
             to.laws(name, callback, &[array, &time, &rate], *count);

@@ -4,7 +4,7 @@ use super::super::block::{Block, Branch, Ends, either};
 use super::super::gives::Gives;
 use super::super::text::{Level, Lines, Text};
 use super::{CHOICE, Rust};
-use crate::code::{Ending, Expr, For, Routine, Shape, Status, Test, Whose};
+use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test};
 use crate::internal::fault;
 
 impl Block for Rust<'_> {
@@ -26,10 +26,6 @@ impl Block for Rust<'_> {
         Branch { open: "if ", turn: "} else if ", then: " {", joint, otherwise, end }
     }
 
-    fn comment(&self) -> (&'static str, &'static str) {
-        ("// ", "")
-    }
-
     /// With its type if the value holds only literals, which have no type.
     fn defined(&self, name: &str, shape: Shape, value: &Expr) -> String {
         match value.is_constant() {
@@ -47,10 +43,6 @@ impl Block for Rust<'_> {
             Shape::Reals(length) => format!("let mut {name} = [0.0; {length}];"),
             shape => format!("let {name}: {};", self.type_of(shape)),
         })
-    }
-
-    fn assign(&self, place: &str, value: &str) -> String {
-        format!("{place} = {value};")
     }
 
     /// A choice is a block each way where rustfmt makes it one.
@@ -72,18 +64,11 @@ impl Block for Rust<'_> {
         format!("if {test} {{\n    {yes}\n}} else {{\n    {no}\n}}")
     }
 
-    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
+    fn status(&self, status: Status) -> String {
         let runtime = self.runtime;
-        let status = match status {
-            None => "status".to_owned(),
-            Some(status) if status.number() < 0 => {
-                format!("Err({runtime}Error::{})", status.name())
-            }
-            Some(status) => format!("Ok({runtime}Status::{})", status.name()),
-        };
-        match whose {
-            Whose::Call => format!("status = {status};"),
-            Whose::Input(index) => format!("axes[{index}] = {status};"),
+        match status.number() < 0 {
+            true => format!("Err({runtime}Error::{})", status.name()),
+            false => format!("Ok({runtime}Status::{})", status.name()),
         }
     }
 
@@ -114,14 +99,14 @@ impl Block for Rust<'_> {
         self.out.line(line);
     }
 
-    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
-        let own = routine.kind.given().map(|own| own.name);
+    fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]) {
+        let own = subroutine.given().map(|own| own.name);
         for (own, values) in own.into_iter().zip(given) {
             let list = self.list(values);
             let line = self.array_text(&format!("let {own} = ["), &list, "];");
             self.out.line(line);
         }
-        let (called, given) = (routine.kind.name(), own.join(", "));
+        let (called, given) = (subroutine.name(), own.join(", "));
         self.out.line(format!("let {name} = Self::{called}({given});"));
     }
 
@@ -141,10 +126,6 @@ impl Block for Rust<'_> {
             (step, _) => format!("({from}..{to}).step_by({step})"),
         };
         [format!("for {} in {range} {{", each.named()), "}".to_owned()]
-    }
-
-    fn leave(&self) -> &'static str {
-        "break;"
     }
 
     fn begin(&self, name: &str, _: Shape, value: &str) -> String {

@@ -31,7 +31,7 @@ impl Rust<'_> {
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             self.function(function);
         }
-        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
+        code.subroutines().into_iter().for_each(|of| self.subroutine(of));
         self.out.close("}");
         if !code.gains.is_empty() {
             self.out.line("");

@@ -2,21 +2,21 @@
 
 use super::super::block::{Block, WRITTEN};
 use super::Rust;
-use crate::code::{Function, Kind, Shape, Statement};
+use crate::code::{Function, Shape, Statement, Subroutine};
 
 impl Rust<'_> {
-    /// The function of a routine.
-    pub(super) fn routine(&mut self, kind: Kind) {
-        let given = kind.given();
+    /// The function of a subroutine.
+    pub(super) fn subroutine(&mut self, of: Subroutine) {
+        let given = of.given();
         let list = given.map(|own| {
             let changes = if own.changes { "mut " } else { "" };
             format!("{changes}{}: {}", own.name, self.type_of(Shape::Reals(own.length)))
         });
-        let (name, gives) = (kind.name(), self.type_of(Shape::Reals(given[0].length)));
+        let (name, gives) = (of.name(), self.type_of(Shape::Reals(given[0].length)));
         self.out.line("");
-        self.out.words("/// ", kind.about());
+        self.out.words("/// ", of.about());
         self.out.open(format!("fn {name}({}) -> {gives} {{", list.join(", ")));
-        self.block(&kind.body(WRITTEN));
+        self.block(&of.body(WRITTEN));
         self.out.line(given[0].name);
         self.out.close("}");
     }

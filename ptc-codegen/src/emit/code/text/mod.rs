@@ -199,7 +199,7 @@ pub(in crate::emit) trait Text {
         expression::place(self.as_text(), index, first)
     }
 
-    /// An end of a loop, or what is so much `behind` it.
+    /// An end of a loop, moved by `behind`.
     fn end(&self, index: &Index, behind: i32) -> String {
         match (index.terms.as_slice(), u32::try_from(index.constant + behind)) {
             ([], Ok(count)) => self.whole(count),

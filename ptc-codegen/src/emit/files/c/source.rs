@@ -26,7 +26,7 @@ impl C<'_> {
         }
         self.out.line("");
         self.init();
-        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
+        code.subroutines().into_iter().for_each(|of| self.subroutine(of));
         code.functions.iter().for_each(|function| self.function(function));
         self.out.text()
     }

@@ -4,11 +4,11 @@ use super::super::block::{Block, Branch, WRITTEN, counted, of_statement};
 use super::super::text::{Lines, Text, bare};
 use super::source::BUILT;
 use super::{C, word};
-use crate::code::{Expr, For, Kind, Routine, Shape, Statement, Status, Test, Whose};
+use crate::code::{Expr, For, Shape, Statement, Status, Subroutine, Test};
 use crate::internal::fault;
 
 impl C<'_> {
-    /// Statements: what is required first is a test around the others, and `then` ends the whole.
+    /// Statements: a requirement becomes a test around those behind it, and `then` ends the whole.
     pub(super) fn nested(&mut self, mut statements: &[Statement], then: &mut dyn FnMut(&mut Self)) {
         // Tests alone nest: the other statements may be tens of thousands.
         while let Some((first, rest)) = statements.split_first() {
@@ -84,16 +84,8 @@ impl Block for C<'_> {
         Some(format!("{} {name}{length};", self.type_of(shape)))
     }
 
-    fn assign(&self, place: &str, value: &str) -> String {
-        format!("{place} = {value};")
-    }
-
-    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
-        let status = status.map_or("status", word);
-        match whose {
-            Whose::Call => format!("status = {status};"),
-            Whose::Input(index) => format!("axes[{index}] = {status};"),
-        }
+    fn status(&self, status: Status) -> String {
+        word(status).to_owned()
     }
 
     fn require(&mut self, _: &Test, _: Status) {
@@ -109,11 +101,11 @@ impl Block for C<'_> {
         format!("{}{name} = {array};", if first { kind.as_str() } else { "" })
     }
 
-    fn apply(&mut self, name: &str, routine: &Routine, [changed, other]: &[Vec<Expr>; 2]) {
-        let [_, own] = routine.kind.given();
+    fn apply(&mut self, name: &str, subroutine: Subroutine, [changed, other]: &[Vec<Expr>; 2]) {
+        let [_, own] = subroutine.given();
         self.array_of("", name, changed);
         self.array_of(if own.changes { "" } else { "const " }, own.name, other);
-        let (code, called) = (&self.code.name, routine.kind.name());
+        let (code, called) = (&self.code.name, subroutine.name());
         self.out.line(format!("{code}_{called}({name}, {});", own.name));
     }
 
@@ -126,10 +118,6 @@ impl Block for C<'_> {
 
     fn each(&self, each: &For) -> [String; 2] {
         counted(self, each, "uint32_t")
-    }
-
-    fn leave(&self) -> &'static str {
-        "break;"
     }
 
     fn begin(&self, name: &str, shape: Shape, value: &str) -> String {
@@ -166,19 +154,19 @@ impl C<'_> {
         self.out.line(line);
     }
 
-    /// The function of a routine.
-    pub(super) fn routine(&mut self, kind: Kind) {
+    /// The function of a subroutine.
+    pub(super) fn subroutine(&mut self, of: Subroutine) {
         let (name, real) = (&self.code.name, self.type_of(Shape::Real));
-        let given = kind.given().map(|own| {
+        let given = of.given().map(|own| {
             let constant = if own.changes { "" } else { "const " };
             format!("{constant}{real} {}[{}]", own.name, own.length)
         });
-        let signature = format!("static void {name}_{}({})", kind.name(), given.join(", "));
+        let signature = format!("static void {name}_{}({})", of.name(), given.join(", "));
         self.out.line("");
-        self.remark(kind.about());
+        self.remark(of.about());
         self.out.line(signature);
         self.out.open("{");
-        self.block(&kind.body(WRITTEN));
+        self.block(&of.body(WRITTEN));
         self.out.close("}");
     }
 }

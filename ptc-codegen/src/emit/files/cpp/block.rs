@@ -4,7 +4,7 @@ use super::super::block::{Block, Branch, Ends, counted};
 use super::super::gives::Gives;
 use super::super::text::{Lines, Text};
 use super::{Cpp, word};
-use crate::code::{Ending, Expr, For, Routine, Shape, Status, Test, Whose};
+use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test, Whose};
 use crate::internal::fault;
 
 /// The type of indices.
@@ -33,10 +33,6 @@ impl Block for Cpp<'_> {
         "\n        && "
     }
 
-    fn comment(&self) -> (&'static str, &'static str) {
-        ("// ", "")
-    }
-
     fn define(&self, name: &str, shape: Shape, value: &str) -> String {
         format!("const {} {name} = {value};", self.type_of(shape))
     }
@@ -46,19 +42,18 @@ impl Block for Cpp<'_> {
         Some(format!("{} {name}{{}};", self.type_of(shape)))
     }
 
-    fn assign(&self, place: &str, value: &str) -> String {
-        format!("{place} = {value};")
+    fn input(&self, index: usize) -> String {
+        format!("all.u[{index}]")
     }
 
-    fn result(&self, name: &str, index: usize) -> String {
-        format!("all.{name}[{index}]")
+    fn status(&self, status: Status) -> String {
+        word(status)
     }
 
-    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
-        let status = status.map_or_else(|| "all.status".to_owned(), word);
+    fn status_of(&self, whose: Whose) -> String {
         match whose {
-            Whose::Call => format!("all.status = {status};"),
-            Whose::Input(index) => format!("all.axes[{index}] = {status};"),
+            Whose::Call => "all.status".to_owned(),
+            Whose::Input(index) => format!("all.axes[{index}]"),
         }
     }
 
@@ -76,12 +71,12 @@ impl Block for Cpp<'_> {
         self.out.line(line);
     }
 
-    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
+    fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]) {
         // The first may have the name of what it becomes.
-        let own = routine.kind.given().map(|own| format!("given_{}", own.name));
+        let own = subroutine.given().map(|own| format!("given_{}", own.name));
         let both = own.iter().zip(given).rev();
         both.for_each(|(own, values)| self.array(own, values));
-        let (called, given) = (routine.kind.name(), own.join(", "));
+        let (called, given) = (subroutine.name(), own.join(", "));
         self.out.line(format!("const auto {name} = {called}({given});"));
     }
 
@@ -97,10 +92,6 @@ impl Block for Cpp<'_> {
 
     fn each(&self, each: &For) -> [String; 2] {
         counted(self, each, INDEX)
-    }
-
-    fn leave(&self) -> &'static str {
-        "break;"
     }
 
     fn begin(&self, name: &str, shape: Shape, value: &str) -> String {

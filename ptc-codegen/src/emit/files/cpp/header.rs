@@ -6,7 +6,7 @@ use super::super::gives::Gives;
 use super::super::text::{Text, capital};
 use super::Cpp;
 use super::axes::AXES;
-use crate::code::{Code, Expr, Kind, Owner, Shape, Variable};
+use crate::code::{Code, Expr, Owner, Shape, Subroutine, Variable};
 use crate::expression::Function as Math;
 use crate::parameter::type_name;
 
@@ -117,7 +117,7 @@ impl Cpp<'_> {
         self.out.open("private:");
         self.finite();
         self.absolute(Owner::Controller);
-        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
+        code.subroutines().into_iter().for_each(|of| self.subroutine(of));
         self.out.line("");
         for field in &code.fields {
             self.member(field, "_", "//");
@@ -178,7 +178,7 @@ impl Cpp<'_> {
         let functions = code.functions.iter().filter(|function| function.owner == owner);
         functions.for_each(|function| function.visit(&mut look));
         if owner == Owner::Controller {
-            let bodies = code.routines().into_iter().flat_map(|routine| &routine.body);
+            let bodies = code.subroutines().into_iter().flat_map(|of| of.body(0));
             bodies.for_each(|statement| statement.visit(&mut look));
         }
         if taken {
@@ -192,22 +192,22 @@ impl Cpp<'_> {
         }
     }
 
-    /// The function of a routine.
-    fn routine(&mut self, kind: Kind) {
-        let given = kind.given();
+    /// The function of a subroutine.
+    fn subroutine(&mut self, of: Subroutine) {
+        let given = of.given();
         let list = given.map(|own| {
             let (shape, name) = (self.type_of(Shape::Reals(own.length)), own.name);
             if own.changes { format!("{shape} {name}") } else { format!("const {shape}& {name}") }
         });
         // std::fma is not constant.
-        let constant = if kind.is_fused() { "" } else { "constexpr " };
-        let (name, gives) = (kind.name(), self.type_of(Shape::Reals(given[0].length)));
+        let constant = if of.is_fused() { "" } else { "constexpr " };
+        let (name, gives) = (of.name(), self.type_of(Shape::Reals(given[0].length)));
         self.out.line("");
-        self.out.words("/// ", kind.about());
+        self.out.words("/// ", of.about());
         self.out
             .line(format!("static {constant}{gives} {name}(\n    {}) noexcept", list.join(", ")));
         self.out.open("{");
-        self.block(&kind.body(WRITTEN));
+        self.block(&of.body(WRITTEN));
         self.out.line(format!("return {};", given[0].name));
         self.out.close("}");
     }

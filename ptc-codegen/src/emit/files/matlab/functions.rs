@@ -6,7 +6,7 @@ use super::super::gives::Gives;
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;
-use crate::code::{Access, Finish, Function, Kind, Owner, Shape, Status};
+use crate::code::{Access, Finish, Function, Owner, Shape, Status, Subroutine};
 
 impl Matlab<'_> {
     pub(super) fn init(mut self) -> String {
@@ -140,17 +140,17 @@ impl Matlab<'_> {
         self.out.line("end");
         let code = self.code;
         let called =
-            function.routines().map(|of| Matlab::new(code, function.owner).routine(of.kind));
+            function.subroutines().map(|of| Matlab::new(code, function.owner).subroutine(of));
         self.out.text() + &called.collect::<String>()
     }
 
-    /// The function of a routine.
-    fn routine(mut self, kind: Kind) -> String {
-        let own = kind.given().map(|own| own.name);
+    /// The function of a subroutine.
+    fn subroutine(mut self, of: Subroutine) -> String {
+        let own = of.given().map(|own| own.name);
         self.out.line("");
-        self.out.words("% ", kind.about());
-        self.out.open(format!("function {} = {}({})", own[0], kind.name(), own.join(", ")));
-        self.block(&kind.body(0));
+        self.out.words("% ", of.about());
+        self.out.open(format!("function {} = {}({})", own[0], of.name(), own.join(", ")));
+        self.block(&of.body(0));
         self.out.close("end");
         self.out.text()
     }

@@ -5,7 +5,7 @@ use super::super::gives::Gives;
 use super::super::legal::checks;
 use super::super::text::{Lines, Text, bracketed};
 use super::Matlab;
-use crate::code::{Ending, Expr, For, Routine, Shape, Status, Test, Whose};
+use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test};
 use crate::internal::fault;
 
 impl Block for Matlab<'_> {
@@ -30,26 +30,13 @@ impl Block for Matlab<'_> {
         ("% ", "")
     }
 
-    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
-        format!("{name} = {value};")
-    }
-
     fn declare(&self, name: &str, shape: Shape) -> Option<String> {
         let (length, real) = (shape.length()?, self.real_type());
         Some(format!("{name} = zeros(1, {length}, '{real}');"))
     }
 
-    fn assign(&self, place: &str, value: &str) -> String {
-        format!("{place} = {value};")
-    }
-
-    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
-        let of_call = || "status".to_owned();
-        let status = status.map_or_else(of_call, |status| format!("int32({})", status.number()));
-        match whose {
-            Whose::Call => format!("status = {status};"),
-            Whose::Input(index) => format!("axes({}) = {status};", index + 1),
-        }
+    fn status(&self, status: Status) -> String {
+        format!("int32({})", status.number())
     }
 
     fn require(&mut self, test: &Test, status: Status) {
@@ -80,9 +67,9 @@ impl Block for Matlab<'_> {
         self.out.line(format!("{name} = [{list}];"));
     }
 
-    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
+    fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]) {
         let given = given.each_ref().map(|values| format!("[{}]", self.list(values).join(", ")));
-        self.out.line(format!("{name} = {}({});", routine.kind.name(), given.join(", ")));
+        self.out.line(format!("{name} = {}({});", subroutine.name(), given.join(", ")));
     }
 
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], _: usize) {
@@ -99,14 +86,6 @@ impl Block for Matlab<'_> {
             (step, _) => format!("{from}:{step}:{last}"),
         };
         [format!("for {} = {range}", each.index), "end".to_owned()]
-    }
-
-    fn leave(&self) -> &'static str {
-        "break;"
-    }
-
-    fn begin(&self, name: &str, _: Shape, value: &str) -> String {
-        format!("{name} = {value};")
     }
 }
 

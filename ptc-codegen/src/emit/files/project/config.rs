@@ -1,6 +1,6 @@
 //! The values with which a project runs, as text in its language.
 
-use super::super::example::{Example, SAMPLED, TIMED};
+use super::super::example::{ARRIVED, Example, SAMPLED, TIMED};
 use super::super::head::chain;
 use super::super::{Language, c, declared, literal, rust};
 use super::constant;
@@ -125,7 +125,7 @@ impl Config {
             half: words.number(0.5),
             settings: settings(spec, parameters, &example, &words),
             x0: [first].into_iter().chain(others).collect(),
-            arrived: words.number(0.01),
+            arrived: words.number(ARRIVED),
             defaults,
             command: spec.command(),
             language,

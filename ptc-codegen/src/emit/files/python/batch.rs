@@ -74,8 +74,16 @@ impl Python<'_> {
             _ => None,
         });
         let legal: Vec<_> = legal.collect();
+        if function.finish == Finish::Stands {
+            self.unset_inputs();
+        }
+        for statement in &function.body {
+            if !matches!(statement, Statement::Require(..)) {
+                self.chosen(statement);
+            }
+        }
         match function.finish {
-            Finish::Stands => self.inputs(function, &legal),
+            Finish::Stands => self.inputs(&legal),
             _ => self.end(function, &legal),
         }
         self.out.leave();
@@ -94,11 +102,6 @@ impl Python<'_> {
     }
 
     fn end(&mut self, function: &Function, legal: &[(&Test, Status)]) {
-        for statement in &function.body {
-            if !matches!(statement, Statement::Require(..)) {
-                self.chosen(statement);
-            }
-        }
         let mut count = 0;
         let mut end = match self.gives {
             Gives::Control | Gives::Value => self.ends(&function.finish, &mut count),

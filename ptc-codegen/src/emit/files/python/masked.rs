@@ -2,60 +2,49 @@
 
 use super::super::block::Block;
 use super::super::text::Text;
-use super::{Python, word};
-use crate::code::{Expr, For, Function, Kind, Place, Statement, Status, Test, Whose};
+use super::Python;
+use crate::code::{Expr, For, Place, Statement, Status, Subroutine, Test, Whose};
 
 /// Where an element of a batch has left a loop.
 const DONE: &str = "done";
 
 impl Python<'_> {
-    /// The function of a routine.
-    pub(super) fn routine(&mut self, kind: Kind) {
-        let given = kind.given();
+    /// The function of a subroutine.
+    pub(super) fn subroutine(&mut self, of: Subroutine) {
+        let given = of.given();
         let list = given.map(|own| format!("given_{}: Sequence[ArrayLike]", own.name));
-        self.out.open(format!("def _{}({}) -> list[Array]:", kind.name(), list.join(", ")));
-        self.out.words("", &format!("\"\"\"{}", kind.about()));
+        self.out.open(format!("def _{}({}) -> list[Array]:", of.name(), list.join(", ")));
+        self.out.words("", &format!("\"\"\"{}", of.about()));
         self.out.line("\"\"\"");
         for own in given.map(|own| own.name) {
             self.out.line(format!("{own} = [np.asarray(v, dtype=_R) for v in given_{own}]"));
         }
         self.batch = true;
-        kind.body(0).iter().for_each(|statement| self.chosen(statement));
+        of.body(0).iter().for_each(|statement| self.chosen(statement));
         self.batch = false;
         self.out.line(format!("return {}", given[0].name));
         self.out.leave();
         self.out.line("\n");
     }
 
-    /// The place of a status, and what it becomes.
-    pub(super) fn settled(&self, whose: Whose, status: Option<Status>) -> (String, String) {
-        let status = status.map_or_else(|| "status".to_owned(), |s| format!("Status.{}", word(s)));
-        match (whose, self.batch) {
-            (Whose::Call, _) => ("status".to_owned(), status),
-            (Whose::Input(index), true) => (format!("axis{}", index + 1), status),
-            (Whose::Input(index), false) => (format!("axes[{index}]"), status),
+    /// Several inputs before statements set them in parts of a batch.
+    pub(super) fn unset_inputs(&mut self) {
+        for index in 0..self.code.axes().unwrap_or_default() {
+            let (u, status) = (self.input(index), self.status_of(Whose::Input(index)));
+            self.out.line(format!("{u} = np.asarray(_R(0.0))\n{status} = np.asarray(Status.OK)"));
         }
     }
 
-    /// Several inputs, which statements give, for each element of a batch.
-    pub(super) fn inputs(&mut self, function: &Function, legal: &[(&Test, Status)]) {
+    /// Several inputs, which statements have set, for each element of a batch.
+    pub(super) fn inputs(&mut self, legal: &[(&Test, Status)]) {
         let count = self.code.axes().unwrap_or_default();
-        for place in 1..=count {
-            self.out.line(format!("u{place} = np.asarray(_R(0.0))"));
-            self.out.line(format!("axis{place} = np.asarray(Status.OK)"));
-        }
-        for statement in &function.body {
-            if !matches!(statement, Statement::Require(..)) {
-                self.chosen(statement);
-            }
-        }
-        let [u, axes] = ["u", "axis"]
-            .map(|name| (1..=count).map(|place| format!("{name}{place}")).collect::<Vec<_>>());
+        let u: Vec<_> = (0..count).map(|index| self.input(index)).collect();
+        let axes: Vec<_> = (0..count).map(|index| self.status_of(Whose::Input(index))).collect();
         for (test, status) in legal.iter().rev() {
-            let (test, status) = (self.test(test), word(*status));
+            let (test, status) = (self.test(test), self.status(*status));
             self.out.line(format!("legal = {test}"));
             for name in axes.iter().map(String::as_str).chain(["status"]) {
-                self.out.line(format!("{name} = np.where(legal, {name}, Status.{status})"));
+                self.out.line(format!("{name} = np.where(legal, {name}, {status})"));
             }
         }
         for (name, each) in [("u", u), ("axes", axes)] {
@@ -69,11 +58,11 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
         );
     }
 
-    /// What a call gives that is refused before it has computed any input.
-    pub(super) fn refused_inputs(&self, word: &str) -> String {
-        let count = self.code.axes().unwrap_or_default();
+    /// The result of a call that is refused before any input is computed.
+    pub(super) fn refused_inputs(&self, status: Status) -> String {
+        let (count, status) = (self.code.axes().unwrap_or_default(), self.status(status));
         format!(
-            "Axes(\n    np.zeros({count}, dtype=_R),\n    np.full({count}, Status.{word}, dtype=np.int8),\n    np.asarray(Status.{word}, dtype=np.int8),\n)"
+            "Axes(\n    np.zeros({count}, dtype=_R),\n    np.full({count}, {status}, dtype=np.int8),\n    np.asarray({status}, dtype=np.int8),\n)"
         )
     }
 
@@ -164,7 +153,7 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
         self.out.line(format!("{DONE} = {DONE} | ({test})\nif {DONE}.all():\n    break"));
     }
 
-    /// Whether a test is one of all elements: it asks for the indices of loops alone.
+    /// Whether a test is one of all elements: it compares indices of loops alone.
     fn is_of_all(&self, test: &Test) -> bool {
         let mut all = true;
         test.visit(&mut |value| {
@@ -180,14 +169,18 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
     /// What a statement sets, and its value.
     fn sets(&self, statement: &Statement) -> Option<(String, String)> {
         let (place, value) = match statement {
-            Statement::Settle(whose, status) => return Some(self.settled(*whose, *status)),
+            Statement::Settle(whose, status) => {
+                let of_call = || self.status_of(Whose::Call);
+                let status = status.map_or_else(of_call, |status| self.status(status));
+                return Some((self.status_of(*whose), status));
+            }
             Statement::Set(place, value) => (place, value),
             _ => return None,
         };
         let place = match place {
             Place::Local(name) => self.local(name),
             Place::Element(name, index) => self.at(name, &self.place(index, self.first())),
-            Place::Result(name, index) => self.result(name, *index),
+            Place::Input(index) => self.input(*index),
             Place::Field(name) => self.field(name),
         };
         Some((place, self.value(value)))

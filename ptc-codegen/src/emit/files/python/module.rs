@@ -15,7 +15,7 @@ impl Python<'_> {
         }
         self.out.line("\"\"\"\n\nfrom __future__ import annotations\n");
         let controls = code.function("update").is_none();
-        let lists = !code.routines().is_empty();
+        let lists = !code.subroutines().is_empty();
         let arrays = code.parameters.iter().any(|p| p.shape.length().is_some());
         let calls = code.functions.iter().any(|function| !function.callbacks.is_empty());
         let imported = [(calls, "Callable"), (arrays || lists, "Sequence")];
@@ -105,7 +105,7 @@ impl Python<'_> {
         if arguments.into_iter().any(|argument| matches!(argument.shape, Shape::Lists(..))) {
             self.out.line(format!("{LISTS}\n"));
         }
-        code.routines().into_iter().for_each(|routine| self.routine(routine.kind));
+        code.subroutines().into_iter().for_each(|of| self.subroutine(of));
     }
 
     fn gains_class(&mut self) {

@@ -5,7 +5,7 @@ use super::super::gives::Gives;
 use super::super::legal::checks;
 use super::super::text::{Lines, Text};
 use super::{Python, boxed, word};
-use crate::code::{Ending, Expr, For, Routine, Shape, Status, Test, Whose};
+use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test, Whose};
 
 impl Block for Python<'_> {
     fn as_block(&mut self) -> &mut dyn Block {
@@ -27,10 +27,6 @@ impl Block for Python<'_> {
 
     fn comment(&self) -> (&'static str, &'static str) {
         ("# ", "")
-    }
-
-    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
-        format!("{name} = {value}")
     }
 
     /// The numbers of an array that changes are those of a batch, one by one.
@@ -63,16 +59,23 @@ impl Block for Python<'_> {
         }
     }
 
-    fn result(&self, name: &str, index: usize) -> String {
+    fn input(&self, index: usize) -> String {
         match self.batch {
-            true => format!("{name}{}", index + 1),
-            false => format!("{name}[{index}]"),
+            true => format!("u{}", index + 1),
+            false => self.element("u", index),
         }
     }
 
-    fn settle(&self, whose: Whose, status: Option<Status>) -> String {
-        let (place, status) = self.settled(whose, status);
-        format!("{place} = {status}")
+    fn status(&self, status: Status) -> String {
+        format!("Status.{}", word(status))
+    }
+
+    fn status_of(&self, whose: Whose) -> String {
+        match (whose, self.batch) {
+            (Whose::Call, _) => "status".to_owned(),
+            (Whose::Input(index), true) => format!("axis{}", index + 1),
+            (Whose::Input(index), false) => self.element("axes", index),
+        }
     }
 
     fn require(&mut self, test: &Test, status: Status) {
@@ -108,9 +111,9 @@ impl Block for Python<'_> {
         self.out.line(format!("{name} = np.stack(np.broadcast_arrays({list}), axis=-1)"));
     }
 
-    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
+    fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]) {
         let given = given.each_ref().map(|values| format!("[{}]", self.list(values).join(", ")));
-        self.out.line(format!("{name} = _{}({})", routine.kind.name(), given.join(", ")));
+        self.out.line(format!("{name} = _{}({})", subroutine.name(), given.join(", ")));
     }
 
     fn laws(&mut self, name: &str, callback: &str, [array, time, rate]: &[&str; 3], count: usize) {
@@ -175,7 +178,7 @@ impl Ends for Python<'_> {
         let word = word(status);
         self.out.line(match self.gives {
             Gives::Progress => format!("return Status.{word}"),
-            Gives::Axes => format!("return {}", self.refused_inputs(&word)),
+            Gives::Axes => format!("return {}", self.refused_inputs(status)),
             _ => format!("return Control(_R(0.0), Status.{word})"),
         });
     }

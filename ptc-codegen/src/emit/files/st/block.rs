@@ -202,13 +202,13 @@ impl StructuredText<'_> {
             |(name, shape): (String, _)| Member::new(self.local(&name), self.kind(shape), "");
         let mut members: Vec<_> = locals.into_iter().map(local).collect();
         let mut own = BTreeMap::new();
-        for routine in step.routines() {
-            let [_, other] = routine.kind.given();
+        for subroutine in step.subroutines() {
+            let [_, other] = subroutine.given();
             own.insert(other.name.to_owned(), Shape::Reals(other.length));
-            declared(&routine.body, &mut own);
+            declared(&subroutine.body(0), &mut own);
         }
         let local = |(name, shape): (String, Shape)| {
-            Member::new(helpers::of_routine(&name), self.kind(shape), "")
+            Member::new(helpers::of_subroutine(&name), self.kind(shape), "")
         };
         members.extend(own.into_iter().map(local));
         members

@@ -54,8 +54,8 @@ END_IF;"
     unit
 }
 
-/// The name of a local value of a routine, whose statements are among those of the block.
-pub(super) fn of_routine(name: &str) -> String {
+/// The name of a local value of a subroutine, whose statements are among those of the block.
+pub(super) fn of_subroutine(name: &str) -> String {
     format!("row_{name}")
 }
 

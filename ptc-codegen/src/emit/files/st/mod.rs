@@ -9,7 +9,7 @@ mod target;
 use super::block::{Block, Branch, Ends};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, For, Routine, Shape, Status, Test, Whose};
+use crate::code::{Code, Ending, Expr, For, Shape, Status, Subroutine, Test};
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -22,7 +22,7 @@ pub(super) struct StructuredText<'a> {
     real: &'static str,
     /// The structure whose fields are set.
     owner: &'static str,
-    /// In the statements of a routine, the array that it changes, and the one that stands for it.
+    /// In the statements of a subroutine, the array that it changes, and the one that stands for it.
     applied: Option<(&'static str, String)>,
     out: Lines,
 }
@@ -58,7 +58,7 @@ impl Text for StructuredText<'_> {
         if let Some((changed, to)) = &self.applied {
             return match name == *changed {
                 true => self.named(to),
-                false => helpers::of_routine(name),
+                false => helpers::of_subroutine(name),
             };
         }
         self.named(name)
@@ -174,10 +174,6 @@ impl Block for StructuredText<'_> {
         ("(* ", " *)")
     }
 
-    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
-        format!("{name} := {value};")
-    }
-
     /// All variables are declared before the statements.
     fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
         None
@@ -187,8 +183,8 @@ impl Block for StructuredText<'_> {
         format!("{place} := {value};")
     }
 
-    fn settle(&self, _: Whose, _: Option<Status>) -> String {
-        fault("plants with several inputs are refused")
+    fn status(&self, status: Status) -> String {
+        status.number().to_string()
     }
 
     fn require(&mut self, test: &Test, status: Status) {
@@ -207,15 +203,15 @@ impl Block for StructuredText<'_> {
     }
 
     /// A function gives no array, so the statements are written where they are needed.
-    fn apply(&mut self, name: &str, routine: &Routine, given: &[Vec<Expr>; 2]) {
-        let [changed, other] = routine.kind.given().map(|own| own.name);
+    fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]) {
+        let [changed, other] = subroutine.given().map(|own| own.name);
         self.array(name, &given[0]);
         self.applied = Some((changed, name.to_owned()));
         let other = self.local(other);
         self.applied = None;
         self.array(&other, &given[1]);
         self.applied = Some((changed, name.to_owned()));
-        self.block(&routine.body);
+        self.block(&subroutine.body(0));
         self.applied = None;
     }
 
@@ -240,10 +236,6 @@ impl Block for StructuredText<'_> {
 
     fn leave(&self) -> &'static str {
         "EXIT;"
-    }
-
-    fn begin(&self, name: &str, _: Shape, value: &str) -> String {
-        format!("{name} := {value};")
     }
 }
 

@@ -8,7 +8,7 @@ use crate::program::{Root, number};
 
 /// A bracketed iteration for a root, as [`program::Root`](crate::program::Root) says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Search {
+pub struct Iteration {
     /// The unknown, and then the root.
     pub unknown: String,
     /// Where it starts.
@@ -31,7 +31,7 @@ pub struct Search {
     pub rounds: u32,
 }
 
-impl Search {
+impl Iteration {
     /// The number of a round, from 0.
     pub const ROUND: &'static str = "attempt";
 

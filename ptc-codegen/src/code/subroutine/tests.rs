@@ -1,6 +1,6 @@
-//! Routines against what the program of a controller means by them.
+//! Subroutines against what the program of a controller means by them.
 
-use super::{Kind, Routine};
+use super::Subroutine;
 use crate::code::{
     Access, Code, Expr, Finish, Function, Instance, Owner, Shape, Statement, Status, Variable,
 };
@@ -8,14 +8,19 @@ use crate::parameter::Precision;
 use crate::program::elimination::eliminate;
 use crate::program::rows::of_numbers;
 
-/// What a routine gives, with sums of up to `written` products written out.
-fn applied(kind: Kind, written: usize, precision: Precision, arrays: [&[f64]; 2]) -> Vec<f64> {
+/// What a subroutine gives, with sums of up to `written` products written out.
+fn applied(
+    subroutine: Subroutine,
+    written: usize,
+    precision: Precision,
+    arrays: [&[f64]; 2],
+) -> Vec<f64> {
     let names = ["first", "second"];
     let elements = |name: &str, length: usize| -> Vec<_> {
         (0..length).map(|place| Expr::Element(name.to_owned(), place)).collect()
     };
     let given = [0, 1].map(|which| elements(names[which], arrays[which].len()));
-    let routine = Box::new(Routine { kind, body: kind.body(written) });
+    let (name, body) = ("found".to_owned(), subroutine.body(written));
     let variable =
         |which: usize| Variable::new(names[which], Shape::Reals(arrays[which].len()), "an array");
     let length = arrays[0].len();
@@ -28,7 +33,7 @@ fn applied(kind: Kind, written: usize, precision: Precision, arrays: [&[f64]; 2]
         callbacks: Vec::new(),
         results: vec![Variable::new("all", Shape::Reals(length), "what it gives")],
         failures: Vec::new(),
-        body: vec![Statement::Apply { name: "found".to_owned(), routine, given }],
+        body: vec![Statement::Apply { name, subroutine, body, given }],
         finish: Finish::give(elements("found", length), Status::Ok),
         guarded: false,
     };
@@ -71,8 +76,8 @@ fn rows_are_those_of_the_program_however_they_are_written() {
             for fused in [false, true] {
                 let wanted = of_numbers(&p, &row, fused, precision);
                 for written in [0, 1, 3, 8] {
-                    let kind = Kind::Rows { weights, fused };
-                    let found = applied(kind, written, precision, [&row, &p]);
+                    let rows = Subroutine::Rows { weights, fused };
+                    let found = applied(rows, written, precision, [&row, &p]);
                     assert_eq!(bits(&found), bits(&wanted), "{weights} {fused} {written}");
                 }
             }
@@ -95,7 +100,7 @@ fn an_elimination_is_that_of_the_program() {
                     _ => {}
                 }
                 let wanted = &eliminate(&a, &b, precision)[..m];
-                let found = applied(Kind::Elimination(m), 0, precision, [&b, &a]);
+                let found = applied(Subroutine::Elimination(m), 0, precision, [&b, &a]);
                 let number = |values: &[f64]| -> Vec<_> {
                     values
                         .iter()

@@ -7,18 +7,9 @@ mod tests;
 
 use super::{Expr, For, Index, Place, Statement};
 
-/// A function of two arrays, each of which is its own: it gives the first.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Routine {
-    /// What it does.
-    pub kind: Kind,
-    /// Its statements, with as many loops as they can have.
-    pub body: Vec<Statement>,
-}
-
-/// What a routine does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+/// A private function of two arrays, each of which is its own: it gives the first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subroutine {
     /// From weights and the coefficients of z^2, z^3, ... of a series: what
     /// [`program::rows`](crate::program::rows) forms.
     Rows {
@@ -32,7 +23,7 @@ pub enum Kind {
     Elimination(usize),
 }
 
-/// An array of a routine.
+/// An array of a subroutine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Given {
     /// Its name.
@@ -43,14 +34,12 @@ pub struct Given {
     pub changes: bool,
 }
 
-impl Routine {
-    /// A routine.
-    pub fn new(kind: Kind) -> Self {
-        Self { kind, body: kind.body(0) }
+impl Subroutine {
+    /// A local array that it gives.
+    pub fn apply(self, name: String, given: [Vec<Expr>; 2]) -> Statement {
+        Statement::Apply { name, subroutine: self, body: self.body(0), given }
     }
-}
 
-impl Kind {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
@@ -66,7 +55,7 @@ impl Kind {
                 "Loops over the powers of the Taylor series of mu, for the gains of all states at once; q is p^2."
             }
             Self::Elimination(_) => {
-                "Solves a x = b, with a row by row, by elimination with the largest pivot of each column: x is what becomes of b, no numbers where a is singular."
+                "Solves a x = b, with a row by row, by elimination with the largest pivot of each column: b becomes x, NaN where a is singular."
             }
         }
     }
