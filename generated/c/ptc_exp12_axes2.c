@@ -292,9 +292,6 @@ ptc_status ptc_exp12_axes2_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        ptc_exp12_axes2_gains gains;
-
-        gains.u_max = 0.0;
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
@@ -304,64 +301,62 @@ ptc_status ptc_exp12_axes2_step(
             const double v3 = v2 * inv_T;
             const double v4 = v3 * inv_T;
             const double v5 = v4 * inv_T;
-            gains.gain[0] = self->c1 * v5 * v5;
-            gains.gain[1] = self->c2 * v5 * v4;
-            gains.gain[2] = self->c3 * v4 * v4;
-            gains.gain[3] = self->c4 * v4 * v3;
-            gains.gain[4] = self->c5 * v3 * v3;
-            gains.gain[5] = self->c6 * v3 * v2;
-            gains.gain[6] = self->c7 * v2 * v2;
-            gains.gain[7] = self->c8 * v2 * v1;
-            gains.gain[8] = self->c9 * v1 * v1;
-            gains.gain[9] = self->c10 * v1 * inv_T;
-            gains.gain[10] = self->c11 * inv_T * inv_T;
-            gains.gain[11] = self->c12 * inv_T;
-            gains.u_max = self->u_max;
+            double gain[12];
+            gain[0] = self->c1 * v5 * v5;
+            gain[1] = self->c2 * v5 * v4;
+            gain[2] = self->c3 * v4 * v4;
+            gain[3] = self->c4 * v4 * v3;
+            gain[4] = self->c5 * v3 * v3;
+            gain[5] = self->c6 * v3 * v2;
+            gain[6] = self->c7 * v2 * v2;
+            gain[7] = self->c8 * v2 * v1;
+            gain[8] = self->c9 * v1 * v1;
+            gain[9] = self->c10 * v1 * inv_T;
+            gain[10] = self->c11 * inv_T * inv_T;
+            gain[11] = self->c12 * inv_T;
             if (late < self->hold_from) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
             }
-        }
-        if (status >= PTC_OK) {
-            const ptc_status now = status;
-            const double bound = (gains.u_max < 1.7976931348623157e308) ? gains.u_max : 1.7976931348623157e308;
-            double part[2][4];
-
+            double part[8];
             for (uint32_t axis = 0U; axis < 2U; axis++) {
-                const double s1 = (gains.gain[0] * x[axis][0]) + (gains.gain[4] * x[axis][4]);
-                const double s2 = (gains.gain[1] * x[axis][1]) + (gains.gain[5] * x[axis][5]);
-                const double s3 = (gains.gain[2] * x[axis][2]) + (gains.gain[6] * x[axis][6]);
-                const double s4 = (gains.gain[3] * x[axis][3]) + (gains.gain[7] * x[axis][7]);
-                part[axis][0] = s1 + (gains.gain[8] * x[axis][8]);
-                part[axis][1] = s2 + (gains.gain[9] * x[axis][9]);
-                part[axis][2] = s3 + (gains.gain[10] * x[axis][10]);
-                part[axis][3] = s4 + (gains.gain[11] * x[axis][11]);
+                const double s1 = (gain[0] * x[axis][0]) + (gain[4] * x[axis][4]);
+                part[4U * axis] = s1 + (gain[8] * x[axis][8]);
+                const double s2 = (gain[1] * x[axis][1]) + (gain[5] * x[axis][5]);
+                part[(4U * axis) + 1U] = s2 + (gain[9] * x[axis][9]);
+                const double s3 = (gain[2] * x[axis][2]) + (gain[6] * x[axis][6]);
+                part[(4U * axis) + 2U] = s3 + (gain[10] * x[axis][10]);
+                const double s4 = (gain[3] * x[axis][3]) + (gain[7] * x[axis][7]);
+                part[(4U * axis) + 3U] = s4 + (gain[11] * x[axis][11]);
             }
-            double half[2][2];
-
+            double half[4];
             for (uint32_t axis = 0U; axis < 2U; axis++) {
-                half[axis][0] = part[axis][0] + part[axis][2];
-                half[axis][1] = part[axis][1] + part[axis][3];
+                half[2U * axis] = part[4U * axis] + part[(4U * axis) + 2U];
+                half[(2U * axis) + 1U] = part[(4U * axis) + 1U] + part[(4U * axis) + 3U];
             }
-            double v[2];
-
+            double wanted[2];
             for (uint32_t axis = 0U; axis < 2U; axis++) {
-                v[axis] = half[axis][0] + half[axis][1];
+                wanted[axis] = half[2U * axis] + half[(2U * axis) + 1U];
             }
-            u[0] = v[0];
-            u[1] = v[1];
+            const double bound = (self->u_max < 1.7976931348623157e308) ? self->u_max : 1.7976931348623157e308;
+            u[0] = wanted[0];
+            u[1] = wanted[1];
             for (uint32_t axis = 0U; axis < 2U; axis++) {
-                axes[axis] = now;
+                axes[axis] = status;
             }
-
-            uint32_t within = 0U;
-            while ((within < 2U) && (fabs(u[within]) <= bound)) {
-                within++;
+            uint32_t outside = 0U;
+            for (uint32_t axis = 0U; axis < 2U; axis++) {
+                const double v = wanted[axis];
+                if (!(fabs(v) <= bound)) {
+                    outside = 1U;
+                    break;
+                }
             }
-            if (within < 2U) {
-                for (uint32_t axis = within; axis < 2U; axis++) {
-                    if (!(fabs(u[axis]) <= bound)) {
+            if (outside == 1U) {
+                for (uint32_t axis = 0U; axis < 2U; axis++) {
+                    const double v = wanted[axis];
+                    if (!(fabs(v) <= bound)) {
                         if ((isfinite(x[axis][0]) != 0)
                             && (isfinite(x[axis][1]) != 0)
                             && (isfinite(x[axis][2]) != 0)
@@ -374,18 +369,16 @@ ptc_status ptc_exp12_axes2_step(
                             && (isfinite(x[axis][9]) != 0)
                             && (isfinite(x[axis][10]) != 0)
                             && (isfinite(x[axis][11]) != 0)) {
-                            if (gains.u_max < u[axis]) {
-                                u[axis] = gains.u_max;
+                            if (self->u_max < v) {
+                                u[axis] = self->u_max;
                                 axes[axis] = PTC_SATURATED;
-                            } else if (u[axis] < -gains.u_max) {
-                                u[axis] = -gains.u_max;
+                            } else if (v < -self->u_max) {
+                                u[axis] = -self->u_max;
                                 axes[axis] = PTC_SATURATED;
                             } else {
-                                u[axis] = 0.0;
                                 axes[axis] = PTC_E_RANGE;
                             }
                         } else {
-                            u[axis] = 0.0;
                             axes[axis] = PTC_E_INPUT;
                         }
                         if (status >= PTC_OK) {
@@ -400,9 +393,9 @@ ptc_status ptc_exp12_axes2_step(
                 }
             }
         } else {
-            for (uint32_t axis = 0U; axis < 2U; axis++) {
-                u[axis] = 0.0;
-                axes[axis] = status;
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
             }
         }
     } else {

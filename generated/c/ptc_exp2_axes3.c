@@ -145,57 +145,52 @@ ptc_status ptc_exp2_axes3_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        ptc_exp2_axes3_gains gains;
-
-        gains.u_max = 0.0;
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
-            gains.gain[0] = self->c1 * inv_T * inv_T;
-            gains.gain[1] = self->c2 * inv_T;
-            gains.u_max = self->u_max;
+            double gain[2];
+            gain[0] = self->c1 * inv_T * inv_T;
+            gain[1] = self->c2 * inv_T;
             if (late < self->hold_from) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
             }
-        }
-        if (status >= PTC_OK) {
-            const ptc_status now = status;
-            const double bound = (gains.u_max < 1.7976931348623157e308) ? gains.u_max : 1.7976931348623157e308;
-            double v[3];
-
-            v[0] = (gains.gain[0] * x[0][0]) + (gains.gain[1] * x[0][1]);
-            v[1] = (gains.gain[0] * x[1][0]) + (gains.gain[1] * x[1][1]);
-            v[2] = (gains.gain[0] * x[2][0]) + (gains.gain[1] * x[2][1]);
-            u[0] = v[0];
-            u[1] = v[1];
-            u[2] = v[2];
+            double wanted[3];
+            wanted[0] = (gain[0] * x[0][0]) + (gain[1] * x[0][1]);
+            wanted[1] = (gain[0] * x[1][0]) + (gain[1] * x[1][1]);
+            wanted[2] = (gain[0] * x[2][0]) + (gain[1] * x[2][1]);
+            const double bound = (self->u_max < 1.7976931348623157e308) ? self->u_max : 1.7976931348623157e308;
+            u[0] = wanted[0];
+            u[1] = wanted[1];
+            u[2] = wanted[2];
             for (uint32_t axis = 0U; axis < 3U; axis++) {
-                axes[axis] = now;
+                axes[axis] = status;
             }
-
-            uint32_t within = 0U;
-            while ((within < 3U) && (fabs(u[within]) <= bound)) {
-                within++;
+            uint32_t outside = 0U;
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                const double v = wanted[axis];
+                if (!(fabs(v) <= bound)) {
+                    outside = 1U;
+                    break;
+                }
             }
-            if (within < 3U) {
-                for (uint32_t axis = within; axis < 3U; axis++) {
-                    if (!(fabs(u[axis]) <= bound)) {
+            if (outside == 1U) {
+                for (uint32_t axis = 0U; axis < 3U; axis++) {
+                    const double v = wanted[axis];
+                    if (!(fabs(v) <= bound)) {
                         if ((isfinite(x[axis][0]) != 0) && (isfinite(x[axis][1]) != 0)) {
-                            if (gains.u_max < u[axis]) {
-                                u[axis] = gains.u_max;
+                            if (self->u_max < v) {
+                                u[axis] = self->u_max;
                                 axes[axis] = PTC_SATURATED;
-                            } else if (u[axis] < -gains.u_max) {
-                                u[axis] = -gains.u_max;
+                            } else if (v < -self->u_max) {
+                                u[axis] = -self->u_max;
                                 axes[axis] = PTC_SATURATED;
                             } else {
-                                u[axis] = 0.0;
                                 axes[axis] = PTC_E_RANGE;
                             }
                         } else {
-                            u[axis] = 0.0;
                             axes[axis] = PTC_E_INPUT;
                         }
                         if (status >= PTC_OK) {
@@ -210,9 +205,9 @@ ptc_status ptc_exp2_axes3_step(
                 }
             }
         } else {
-            for (uint32_t axis = 0U; axis < 3U; axis++) {
-                u[axis] = 0.0;
-                axes[axis] = status;
+            for (uint32_t i = 0U; i < 3U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
             }
         }
     } else {

@@ -162,8 +162,6 @@ ptc_status ptc_exp3_axes3_own_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        ptc_exp3_axes3_own_gains gains;
-
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
@@ -172,68 +170,67 @@ ptc_status ptc_exp3_axes3_own_step(
             const double v2 = (-120.0) * v1 * inv_T;
             const double v3 = (-60.0) * inv_T * inv_T;
             const double v4 = (-12.0) * inv_T;
-            gains.gain[0] = v2;
-            gains.gain[1] = v3;
-            gains.gain[2] = v4;
-            gains.gain[3] = v2;
-            gains.gain[4] = v3;
-            gains.gain[5] = v4;
-            gains.gain[6] = (-336.0) * v1 * inv_T;
-            gains.gain[7] = (-126.0) * inv_T * inv_T;
-            gains.gain[8] = (-18.0) * inv_T;
-            gains.input_gain[0] = self->input_gain;
-            gains.input_gain[1] = self->input_gain;
-            gains.input_gain[2] = 2.0;
-            gains.u_max[0] = 40.0;
-            gains.u_max[1] = 40.0;
-            gains.u_max[2] = 15.0;
+            double gain[9];
+            gain[0] = v2;
+            gain[1] = v3;
+            gain[2] = v4;
+            gain[3] = v2;
+            gain[4] = v3;
+            gain[5] = v4;
+            gain[6] = (-336.0) * v1 * inv_T;
+            gain[7] = (-126.0) * inv_T * inv_T;
+            gain[8] = (-18.0) * inv_T;
+            double input_gain[3];
+            input_gain[0] = self->input_gain;
+            input_gain[1] = self->input_gain;
+            input_gain[2] = 2.0;
+            double u_max[3];
+            u_max[0] = 40.0;
+            u_max[1] = 40.0;
+            u_max[2] = 15.0;
             if (late < self->hold_from) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
             }
-        }
-        if (status >= PTC_OK) {
-            const ptc_status now = status;
-            double v[3];
-
+            double wanted[3];
             for (uint32_t axis = 0U; axis < 3U; axis++) {
-                const double s1 = gains.gain[3U * axis] * x[axis][0];
-                const double s2 = s1 + (gains.gain[(3U * axis) + 1U] * x[axis][1]);
-                const double v1 = s2 + (gains.gain[(3U * axis) + 2U] * x[axis][2]);
-                const double g = gains.input_gain[axis];
-                v[axis] = v1 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
+                const double s1 = (gain[3U * axis] * x[axis][0]) + (gain[(3U * axis) + 1U] * x[axis][1]);
+                const double v5 = s1 + (gain[(3U * axis) + 2U] * x[axis][2]);
+                const double g = input_gain[axis];
+                wanted[axis] = v5 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
             }
-            u[0] = v[0];
-            u[1] = v[1];
-            u[2] = v[2];
+            u[0] = wanted[0];
+            u[1] = wanted[1];
+            u[2] = wanted[2];
             for (uint32_t axis = 0U; axis < 3U; axis++) {
-                axes[axis] = now;
+                axes[axis] = status;
             }
-
-            uint32_t within = 0U;
-            while ((within < 3U)
-                && ((isfinite(u[within]) != 0) && (fabs(u[within]) <= gains.u_max[within]))) {
-                within++;
+            uint32_t outside = 0U;
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                const double v = wanted[axis];
+                if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
+                    outside = 1U;
+                    break;
+                }
             }
-            if (within < 3U) {
-                for (uint32_t axis = within; axis < 3U; axis++) {
-                    if (!((isfinite(u[axis]) != 0) && (fabs(u[axis]) <= gains.u_max[axis]))) {
+            if (outside == 1U) {
+                for (uint32_t axis = 0U; axis < 3U; axis++) {
+                    const double v = wanted[axis];
+                    if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
                         if ((isfinite(x[axis][0]) != 0)
                             && (isfinite(x[axis][1]) != 0)
                             && (isfinite(x[axis][2]) != 0)) {
-                            if (gains.u_max[axis] < u[axis]) {
-                                u[axis] = gains.u_max[axis];
+                            if (u_max[axis] < v) {
+                                u[axis] = u_max[axis];
                                 axes[axis] = PTC_SATURATED;
-                            } else if (u[axis] < -gains.u_max[axis]) {
-                                u[axis] = -gains.u_max[axis];
+                            } else if (v < -u_max[axis]) {
+                                u[axis] = -u_max[axis];
                                 axes[axis] = PTC_SATURATED;
                             } else {
-                                u[axis] = 0.0;
                                 axes[axis] = PTC_E_RANGE;
                             }
                         } else {
-                            u[axis] = 0.0;
                             axes[axis] = PTC_E_INPUT;
                         }
                         if (status >= PTC_OK) {
@@ -248,9 +245,9 @@ ptc_status ptc_exp3_axes3_own_step(
                 }
             }
         } else {
-            for (uint32_t axis = 0U; axis < 3U; axis++) {
-                u[axis] = 0.0;
-                axes[axis] = status;
+            for (uint32_t i = 0U; i < 3U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
             }
         }
     } else {

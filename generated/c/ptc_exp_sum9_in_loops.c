@@ -434,8 +434,8 @@ ptc_status ptc_exp_sum9_in_loops_step(
                 self->w9,
                 -362880.0,
             };
-            const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
-            ptc_exp_sum9_in_loops_row_sums(row, p);
+            const double row_p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
+            ptc_exp_sum9_in_loops_row_sums(row, row_p);
             const double row3 = row[1] * 0.5;
             const double row4 = row[2] * 0.16666666666666666;
             const double row5 = row[3] * 0.041666666666666664;
@@ -561,8 +561,8 @@ ptc_status ptc_exp_sum9_in_loops_tick(
                 self->w9,
                 -362880.0,
             };
-            const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
-            ptc_exp_sum9_in_loops_row_sums(row, p);
+            const double row_p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
+            ptc_exp_sum9_in_loops_row_sums(row, row_p);
             const double row3 = row[1] * 0.5;
             const double row4 = row[2] * 0.16666666666666666;
             const double row5 = row[3] * 0.041666666666666664;

@@ -505,27 +505,121 @@ impl PtcExp12Axes2 {
             axes: [Err(error); 2],
             status: Err(error),
         };
-        let gains = match self.tick(t) {
-            Ok(gains) => gains,
-            Err(error) => return failed(error),
+        let mut u = [0.0; 2];
+        let mut axes = [Ok(Status::Ok); 2];
+        let mut status;
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return failed(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
         };
-        let mut all = Axes {
-            u: [0.0; 2],
-            axes: [Ok(gains.status); 2],
-            status: Ok(gains.status),
-        };
+        let inv_T = (-1.0) / late;
+        let v1 = inv_T * inv_T;
+        let v2 = v1 * inv_T;
+        let v3 = v2 * inv_T;
+        let v4 = v3 * inv_T;
+        let v5 = v4 * inv_T;
+        let mut gain = [0.0; 12];
+        gain[0] = self.c1 * v5 * v5;
+        gain[1] = self.c2 * v5 * v4;
+        gain[2] = self.c3 * v4 * v4;
+        gain[3] = self.c4 * v4 * v3;
+        gain[4] = self.c5 * v3 * v3;
+        gain[5] = self.c6 * v3 * v2;
+        gain[6] = self.c7 * v2 * v2;
+        gain[7] = self.c8 * v2 * v1;
+        gain[8] = self.c9 * v1 * v1;
+        gain[9] = self.c10 * v1 * inv_T;
+        gain[10] = self.c11 * inv_T * inv_T;
+        gain[11] = self.c12 * inv_T;
+        if late < self.hold_from {
+            status = Ok(Status::Ok);
+        } else {
+            status = Ok(Status::Hold);
+        }
+        let mut part = [0.0; 8];
         for axis in 0..2 {
-            let control = gains.axis(&x[axis]);
-            all.axes[axis] = control.map(|control| control.status);
-            all.u[axis] = control.map_or(0.0, |control| control.u);
-            if all.status.is_ok() && matches!(all.axes[axis], Err(_) | Ok(Status::Saturated)) {
-                all.status = all.axes[axis];
+            let s1 = (gain[0] * x[axis][0]) + (gain[4] * x[axis][4]);
+            part[4 * axis] = s1 + (gain[8] * x[axis][8]);
+            let s2 = (gain[1] * x[axis][1]) + (gain[5] * x[axis][5]);
+            part[(4 * axis) + 1] = s2 + (gain[9] * x[axis][9]);
+            let s3 = (gain[2] * x[axis][2]) + (gain[6] * x[axis][6]);
+            part[(4 * axis) + 2] = s3 + (gain[10] * x[axis][10]);
+            let s4 = (gain[3] * x[axis][3]) + (gain[7] * x[axis][7]);
+            part[(4 * axis) + 3] = s4 + (gain[11] * x[axis][11]);
+        }
+        let mut half = [0.0; 4];
+        for axis in 0..2 {
+            half[2 * axis] = part[4 * axis] + part[(4 * axis) + 2];
+            half[(2 * axis) + 1] = part[(4 * axis) + 1] + part[(4 * axis) + 3];
+        }
+        let mut wanted = [0.0; 2];
+        for axis in 0..2 {
+            wanted[axis] = half[2 * axis] + half[(2 * axis) + 1];
+        }
+        let bound = if self.u_max < 1.7976931348623157e308 {
+            self.u_max
+        } else {
+            1.7976931348623157e308
+        };
+        u[0] = wanted[0];
+        u[1] = wanted[1];
+        for axis in 0..2 {
+            axes[axis] = status;
+        }
+        let mut outside = 0;
+        for axis in 0..2 {
+            let v = wanted[axis];
+            if !(v.abs() <= bound) {
+                outside = 1;
+                break;
             }
         }
-        if all.status.is_err() {
-            all.u = [0.0; 2];
+        if outside == 1 {
+            for axis in 0..2 {
+                let v = wanted[axis];
+                if !(v.abs() <= bound) {
+                    if x[axis][0].is_finite()
+                        && x[axis][1].is_finite()
+                        && x[axis][2].is_finite()
+                        && x[axis][3].is_finite()
+                        && x[axis][4].is_finite()
+                        && x[axis][5].is_finite()
+                        && x[axis][6].is_finite()
+                        && x[axis][7].is_finite()
+                        && x[axis][8].is_finite()
+                        && x[axis][9].is_finite()
+                        && x[axis][10].is_finite()
+                        && x[axis][11].is_finite()
+                    {
+                        if self.u_max < v {
+                            u[axis] = self.u_max;
+                            axes[axis] = Ok(Status::Saturated);
+                        } else if v < -self.u_max {
+                            u[axis] = -self.u_max;
+                            axes[axis] = Ok(Status::Saturated);
+                        } else {
+                            axes[axis] = Err(Error::Range);
+                        }
+                    } else {
+                        axes[axis] = Err(Error::Input);
+                    }
+                    if status.is_ok() {
+                        status = axes[axis];
+                    }
+                }
+            }
+            if status.is_err() {
+                for axis in 0..2 {
+                    u[axis] = 0.0;
+                }
+            }
         }
-        all
+        Axes { u, axes, status }
     }
 }
 

@@ -321,27 +321,79 @@ impl PtcExp2Axes3 {
             axes: [Err(error); 3],
             status: Err(error),
         };
-        let gains = match self.tick(t) {
-            Ok(gains) => gains,
-            Err(error) => return failed(error),
+        let mut u = [0.0; 3];
+        let mut axes = [Ok(Status::Ok); 3];
+        let mut status;
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return failed(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
         };
-        let mut all = Axes {
-            u: [0.0; 3],
-            axes: [Ok(gains.status); 3],
-            status: Ok(gains.status),
+        let inv_T = (-1.0) / late;
+        let mut gain = [0.0; 2];
+        gain[0] = self.c1 * inv_T * inv_T;
+        gain[1] = self.c2 * inv_T;
+        if late < self.hold_from {
+            status = Ok(Status::Ok);
+        } else {
+            status = Ok(Status::Hold);
+        }
+        let mut wanted = [0.0; 3];
+        wanted[0] = (gain[0] * x[0][0]) + (gain[1] * x[0][1]);
+        wanted[1] = (gain[0] * x[1][0]) + (gain[1] * x[1][1]);
+        wanted[2] = (gain[0] * x[2][0]) + (gain[1] * x[2][1]);
+        let bound = if self.u_max < 1.7976931348623157e308 {
+            self.u_max
+        } else {
+            1.7976931348623157e308
         };
+        u[0] = wanted[0];
+        u[1] = wanted[1];
+        u[2] = wanted[2];
         for axis in 0..3 {
-            let control = gains.axis(&x[axis]);
-            all.axes[axis] = control.map(|control| control.status);
-            all.u[axis] = control.map_or(0.0, |control| control.u);
-            if all.status.is_ok() && matches!(all.axes[axis], Err(_) | Ok(Status::Saturated)) {
-                all.status = all.axes[axis];
+            axes[axis] = status;
+        }
+        let mut outside = 0;
+        for axis in 0..3 {
+            let v = wanted[axis];
+            if !(v.abs() <= bound) {
+                outside = 1;
+                break;
             }
         }
-        if all.status.is_err() {
-            all.u = [0.0; 3];
+        if outside == 1 {
+            for axis in 0..3 {
+                let v = wanted[axis];
+                if !(v.abs() <= bound) {
+                    if x[axis][0].is_finite() && x[axis][1].is_finite() {
+                        if self.u_max < v {
+                            u[axis] = self.u_max;
+                            axes[axis] = Ok(Status::Saturated);
+                        } else if v < -self.u_max {
+                            u[axis] = -self.u_max;
+                            axes[axis] = Ok(Status::Saturated);
+                        } else {
+                            axes[axis] = Err(Error::Range);
+                        }
+                    } else {
+                        axes[axis] = Err(Error::Input);
+                    }
+                    if status.is_ok() {
+                        status = axes[axis];
+                    }
+                }
+            }
+            if status.is_err() {
+                for axis in 0..3 {
+                    u[axis] = 0.0;
+                }
+            }
         }
-        all
+        Axes { u, axes, status }
     }
 }
 

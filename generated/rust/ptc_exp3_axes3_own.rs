@@ -323,27 +323,96 @@ impl PtcExp3Axes3Own {
             axes: [Err(error); 3],
             status: Err(error),
         };
-        let gains = match self.tick(t) {
-            Ok(gains) => gains,
-            Err(error) => return failed(error),
+        let mut u = [0.0; 3];
+        let mut axes = [Ok(Status::Ok); 3];
+        let mut status;
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return failed(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
         };
-        let mut all = Axes {
-            u: [0.0; 3],
-            axes: [Ok(gains.status); 3],
-            status: Ok(gains.status),
-        };
+        let inv_T = (-1.0) / late;
+        let v1 = inv_T * inv_T;
+        let v2 = (-120.0) * v1 * inv_T;
+        let v3 = (-60.0) * inv_T * inv_T;
+        let v4 = (-12.0) * inv_T;
+        let mut gain = [0.0; 9];
+        gain[0] = v2;
+        gain[1] = v3;
+        gain[2] = v4;
+        gain[3] = v2;
+        gain[4] = v3;
+        gain[5] = v4;
+        gain[6] = (-336.0) * v1 * inv_T;
+        gain[7] = (-126.0) * inv_T * inv_T;
+        gain[8] = (-18.0) * inv_T;
+        let mut input_gain = [0.0; 3];
+        input_gain[0] = self.input_gain;
+        input_gain[1] = self.input_gain;
+        input_gain[2] = 2.0;
+        let mut u_max = [0.0; 3];
+        u_max[0] = 40.0;
+        u_max[1] = 40.0;
+        u_max[2] = 15.0;
+        if late < self.hold_from {
+            status = Ok(Status::Ok);
+        } else {
+            status = Ok(Status::Hold);
+        }
+        let mut wanted = [0.0; 3];
         for axis in 0..3 {
-            let control = gains.axis(axis as u32, &x[axis]);
-            all.axes[axis] = control.map(|control| control.status);
-            all.u[axis] = control.map_or(0.0, |control| control.u);
-            if all.status.is_ok() && matches!(all.axes[axis], Err(_) | Ok(Status::Saturated)) {
-                all.status = all.axes[axis];
+            let s1 = (gain[3 * axis] * x[axis][0]) + (gain[(3 * axis) + 1] * x[axis][1]);
+            let v5 = s1 + (gain[(3 * axis) + 2] * x[axis][2]);
+            let g = input_gain[axis];
+            wanted[axis] = if g < 0.0 || g > 0.0 { v5 / g } else { f64::NAN };
+        }
+        u[0] = wanted[0];
+        u[1] = wanted[1];
+        u[2] = wanted[2];
+        for axis in 0..3 {
+            axes[axis] = status;
+        }
+        let mut outside = 0;
+        for axis in 0..3 {
+            let v = wanted[axis];
+            if !(v.is_finite() && (v.abs() <= u_max[axis])) {
+                outside = 1;
+                break;
             }
         }
-        if all.status.is_err() {
-            all.u = [0.0; 3];
+        if outside == 1 {
+            for axis in 0..3 {
+                let v = wanted[axis];
+                if !(v.is_finite() && (v.abs() <= u_max[axis])) {
+                    if x[axis][0].is_finite() && x[axis][1].is_finite() && x[axis][2].is_finite() {
+                        if u_max[axis] < v {
+                            u[axis] = u_max[axis];
+                            axes[axis] = Ok(Status::Saturated);
+                        } else if v < -u_max[axis] {
+                            u[axis] = -u_max[axis];
+                            axes[axis] = Ok(Status::Saturated);
+                        } else {
+                            axes[axis] = Err(Error::Range);
+                        }
+                    } else {
+                        axes[axis] = Err(Error::Input);
+                    }
+                    if status.is_ok() {
+                        status = axes[axis];
+                    }
+                }
+            }
+            if status.is_err() {
+                for axis in 0..3 {
+                    u[axis] = 0.0;
+                }
+            }
         }
-        all
+        Axes { u, axes, status }
     }
 }
 

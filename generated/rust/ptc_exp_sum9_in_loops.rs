@@ -627,11 +627,11 @@ impl PtcExpSum9InLoops {
         let p7 = ((self.b7_1 * v22) + (self.b7_2 * v24)) * inv_r1;
         let p8 = ((self.b8_1 * v22) + (self.b8_2 * v24)) * inv_r1;
         let p9 = ((self.b9_1 * v22) + (self.b9_2 * v24)) * inv_r1;
-        let row = [
+        let given_row = [
             self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0,
         ];
-        let p = [p2, p3, p4, p5, p6, p7, p8, p9];
-        let row = Self::row_sums(row, p);
+        let row_p = [p2, p3, p4, p5, p6, p7, p8, p9];
+        let row = Self::row_sums(given_row, row_p);
         let row3 = row[1] * 0.5;
         let row4 = row[2] * 0.16666666666666666;
         let row5 = row[3] * 0.041666666666666664;
@@ -745,11 +745,11 @@ impl PtcExpSum9InLoops {
         let p7 = ((self.b7_1 * v22) + (self.b7_2 * v24)) * inv_r1;
         let p8 = ((self.b8_1 * v22) + (self.b8_2 * v24)) * inv_r1;
         let p9 = ((self.b9_1 * v22) + (self.b9_2 * v24)) * inv_r1;
-        let row = [
+        let given_row = [
             self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0,
         ];
-        let p = [p2, p3, p4, p5, p6, p7, p8, p9];
-        let row = Self::row_sums(row, p);
+        let row_p = [p2, p3, p4, p5, p6, p7, p8, p9];
+        let row = Self::row_sums(given_row, row_p);
         let row3 = row[1] * 0.5;
         let row4 = row[2] * 0.16666666666666666;
         let row5 = row[3] * 0.041666666666666664;

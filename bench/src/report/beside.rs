@@ -14,8 +14,8 @@ One controller for several axes, `axes = m`: exp in C and f64, guard `full`, cou
 a `step` of all axes, and `tick` once with `axis` for each axis, without the loop and the statuses of all that a
 caller needs, compiled by `gcc -std=c99` with the flags above the column. `step` forms the gains in place and computes
 u of all axes before it tests one: at n = 12 as four sums of three products each, whose states are adjacent, so
-that four of them fill a vector of AVX2; at lower orders as a line for each axis. It looks at an axis by itself
-only from the first on that is not within its bounds. Where there are no vectors, the four sums cost more than
+that four of them fill a vector of AVX2; at lower orders as a line for each axis. It looks at each axis by itself
+only where one is not within its bounds. Where there are no vectors, the four sums cost more than
 one.";
 
 pub(super) fn axes(text: &mut String, steps: &[Step]) {

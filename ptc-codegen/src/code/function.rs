@@ -72,32 +72,8 @@ pub enum Finish {
     Give(Vec<Expr>, Ending),
     /// A negative status; the results are 0, or nothing where they are arrays.
     Fail(Status),
-    /// For so many axes what `axis` gives with the gains of `tick`: all u, and the status of each. The
-    /// status of the call is that of the first axis that fails, and then every u is 0; else that u was
-    /// clipped, where one was; else that of the gains.
-    Axes(Box<Axes>),
     /// The results and the status are what statements have set.
     Stands,
-}
-
-/// What `axis` does, for several axes at once: what it computes, without a branch but those of a quotient, and
-/// its tests behind it. In the terms of `axis`: each array that it is given is the row of an axis, the fields
-/// are those of the gains, and u before the tests is the local value v. Arrays in its body are the sums of
-/// which v is made.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Axes {
-    /// How many.
-    pub count: usize,
-    /// What is computed before v.
-    pub body: Vec<Statement>,
-    /// v.
-    pub value: Expr,
-    /// The local value `bound` of all axes, if the tests know one.
-    pub bound: Option<Expr>,
-    /// Whether v is given, with the status of the gains.
-    pub legal: Test,
-    /// What is given where it is not.
-    pub otherwise: Finish,
 }
 
 /// The status of a call that does not fail.
@@ -150,7 +126,7 @@ impl Finish {
                 no.give_all(results);
             }
             Self::Give(values, _) => *values = results.to_vec(),
-            Self::Fail(_) | Self::Axes(_) | Self::Stands => {}
+            Self::Fail(_) | Self::Stands => {}
         }
     }
 

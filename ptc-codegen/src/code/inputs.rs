@@ -1,6 +1,6 @@
 //! The end of a call that gives the inputs of one plant, as statements.
 
-use super::{Expr, Place, Statement, Status, Test};
+use super::{Expr, Index, Place, Statement, Status, Test};
 
 /// The inputs of one plant.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,12 +14,21 @@ pub struct Inputs {
 }
 
 /// Whose status it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Whose {
     /// The call's.
     Call,
-    /// That of one of several inputs, from 0.
-    Input(usize),
+    /// That of one of several inputs.
+    Input(Index),
+}
+
+/// A status that is assigned.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// A known one.
+    Known(Status),
+    /// That of the call or of an input.
+    Of(Whose),
 }
 
 impl Inputs {
@@ -29,9 +38,10 @@ impl Inputs {
     /// Each u within its bound and the status of each. Where one of them is no finite number, every u is 0, and the
     /// status of the call is that of range; else that u was clipped, where one was.
     pub fn statements(self) -> Vec<Statement> {
-        let give = |index, value| Statement::Set(Place::Input(index), value);
-        let settle = |whose, status| Statement::Settle(whose, Some(status));
-        let same = |index| Statement::Settle(Whose::Input(index), None);
+        let give = |index, value| Statement::Set(Place::Input(Index::at(index)), value);
+        let settle = |whose, status| Statement::Settle(whose, Standing::Known(status));
+        let of = |index| Whose::Input(Index::at(index));
+        let same = |index| Statement::Settle(of(index), Standing::Of(Whose::Call));
         let finite = |value: &Expr| Test::Finite(value.clone());
         let every = Test::All(self.values.iter().map(finite).collect());
 
@@ -39,7 +49,7 @@ impl Inputs {
         let mut refused = Vec::new();
         for (index, value) in self.values.iter().enumerate() {
             given.extend([give(index, value.clone()), same(index)]);
-            let range = settle(Whose::Input(index), Status::Range);
+            let range = settle(of(index), Status::Range);
             refused.push(give(index, Expr::integer(0)));
             refused.push(Statement::If(finite(value), vec![same(index)], vec![range]));
         }
@@ -49,7 +59,7 @@ impl Inputs {
             let clipped = |bound: &Expr| {
                 vec![
                     give(index, bound.clone()),
-                    settle(Whose::Input(index), Status::Saturated),
+                    settle(of(index), Status::Saturated),
                     settle(Whose::Call, Status::Saturated),
                 ]
             };

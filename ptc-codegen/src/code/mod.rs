@@ -22,9 +22,9 @@ mod visit;
 
 pub use branch::{Branch, Condition, Taken};
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
-pub use function::{Access, Axes, Callback, Ending, Finish, Function, Owner};
+pub use function::{Access, Callback, Ending, Finish, Function, Owner};
 pub use index::Index;
-pub use inputs::{Inputs, Whose};
+pub use inputs::{Inputs, Standing, Whose};
 #[cfg(feature = "files")]
 pub use interpret::{Argument, Called, Instance, Outcome};
 pub use iteration::Iteration;
@@ -132,17 +132,8 @@ impl Code {
 
     /// The number of its axes, or of the inputs of its plant, where `step` is that of several.
     pub fn axes(&self) -> Option<usize> {
-        let step = self.function("step")?;
-        match &step.finish {
-            Finish::Axes(axes) => Some(axes.count),
-            Finish::Stands => step.results.first()?.shape.length(),
-            _ => None,
-        }
-    }
-
-    /// Whether its axes are the inputs of one plant, which `step` computes together.
-    pub fn has_inputs(&self) -> bool {
-        self.function("step").is_some_and(|step| step.finish == Finish::Stands)
+        let step = self.function("step").filter(|step| step.finish == Finish::Stands)?;
+        step.results.first()?.shape.length()
     }
 
     /// Whether `axis` is given the number of its axis, which has gains, limits or g of its own.

@@ -1,6 +1,6 @@
 //! The statements of a function.
 
-use super::{Expr, Index, Shape, Status, Subroutine, Test, Whose};
+use super::{Expr, Index, Shape, Standing, Status, Subroutine, Test, Whose};
 
 /// A place to which a function assigns.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,8 +9,8 @@ pub enum Place {
     Local(String),
     /// An element of a local array.
     Element(String, Index),
-    /// One of several inputs that a function gives, from 0.
-    Input(usize),
+    /// One of several inputs that a function gives.
+    Input(Index),
     /// A field of the controller.
     Field(String),
 }
@@ -26,8 +26,8 @@ pub enum Statement {
     Begin(String, Shape, Expr),
     /// An assignment.
     Set(Place, Expr),
-    /// A status, that of an input being the call's where none is given.
-    Settle(Whose, Option<Status>),
+    /// The status of the call, or of one of several inputs.
+    Settle(Whose, Standing),
     /// Statements for either outcome of a test; the second may be empty.
     If(Test, Vec<Statement>, Vec<Statement>),
     /// Statements for each index.
@@ -100,6 +100,11 @@ impl For {
         Self { index: index.to_owned(), from, to, step: 1, down: false, body }
     }
 
+    /// Whether a statement leaves it.
+    pub fn is_left(&self) -> bool {
+        leaves(&self.body)
+    }
+
     /// Its index, or `_` where nothing reads it.
     pub fn named(&self) -> &str {
         if self.body.iter().any(|statement| statement.reads(&self.index)) {
@@ -108,4 +113,13 @@ impl For {
             "_"
         }
     }
+}
+
+/// Whether statements leave the loop that they are in.
+fn leaves(statements: &[Statement]) -> bool {
+    statements.iter().any(|statement| match statement {
+        Statement::Leave => true,
+        Statement::If(_, yes, no) => leaves(yes) || leaves(no),
+        _ => false,
+    })
 }

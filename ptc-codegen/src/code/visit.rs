@@ -1,6 +1,6 @@
 //! Walks over statements and ends.
 
-use super::{Code, Expr, Finish, Index, Place, Statement, Subroutine};
+use super::{Cell, Code, Expr, Finish, Index, Place, Statement, Subroutine, Whose};
 
 impl Statement {
     /// Calls `look` on every expression of the statement, those in it included.
@@ -36,14 +36,15 @@ impl Statement {
         self.visit(&mut |value| {
             found |= match value {
                 Expr::Local(name) => name == index,
-                Expr::At(_, place) => has(place),
+                Expr::At(_, place) | Expr::Entry(_, Cell { row: place, .. }) => has(place),
                 _ => false,
             };
         });
         let within = |all: &[Self]| all.iter().any(|statement| statement.reads(index));
         found
             || match self {
-                Self::Set(Place::Element(_, place), _) => has(place),
+                Self::Set(Place::Element(_, place) | Place::Input(place), _) => has(place),
+                Self::Settle(Whose::Input(place), _) => has(place),
                 Self::If(_, yes, no) => within(yes) || within(no),
                 Self::For(each) => has(&each.from) || has(&each.to) || within(&each.body),
                 _ => false,
@@ -61,8 +62,7 @@ impl Finish {
                 no.visit(look);
             }
             Self::Give(values, _) => values.iter().for_each(|value| value.visit(look)),
-            // What axes compute is that of `axis`.
-            Self::Fail(_) | Self::Axes(_) | Self::Stands => {}
+            Self::Fail(_) | Self::Stands => {}
         }
     }
 }

@@ -3,7 +3,8 @@
 use super::controller::Builder;
 use super::model::AtSample;
 use crate::code::{
-    Access, Cell, Expr, Finish, Function, Inputs, Owner, Shape, Statement, Status, Test, Variable,
+    Access, Cell, Expr, Finish, Function, Index, Inputs, Owner, Shape, Statement, Status, Test,
+    Variable,
 };
 use crate::parameter::Name;
 
@@ -130,7 +131,7 @@ impl Builder<'_> {
         match self.spec.decoupled() {
             Some(_) => Expr::Element("x".to_owned(), place),
             None => {
-                let (row, column) = (place / columns, place % columns);
+                let (row, column) = (Index::at(place / columns), place % columns);
                 Expr::Entry("x".to_owned(), Cell { row, column, columns })
             }
         }

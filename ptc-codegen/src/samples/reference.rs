@@ -15,7 +15,7 @@ use super::controller::Builder;
 use super::predicted::weighted;
 use super::staged::{Names, Staged};
 use crate::algebra::{BigRational, integer};
-use crate::code::{Cell, Expr, Place, Shape, Statement, Variable};
+use crate::code::{Cell, Expr, Index, Place, Shape, Statement, Variable};
 use crate::lower::reference_at_sample;
 use crate::parameter::Parameter;
 use crate::request::{Reference, Spec};
@@ -46,7 +46,8 @@ impl Builder<'_> {
         let columns = self.spec.references();
         let r = || "r".to_owned();
         let of_row = |(row, own): (usize, &Spec)| {
-            (0..=own.n).map(|column| Expr::Entry(r(), Cell { row, column, columns })).collect()
+            let cell = |column| Cell { row: Index::at(row), column, columns };
+            (0..=own.n).map(|column| Expr::Entry(r(), cell(column))).collect()
         };
         match self.designs {
             _ if columns == 0 => Vec::new(),

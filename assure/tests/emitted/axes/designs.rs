@@ -19,6 +19,11 @@ pub(super) fn specs() -> Vec<Spec> {
         ("g", "[2, b, 1]"),
     ];
     let with = |keys: &[(&str, &str)], further: &[(&str, &str)]| spec(&[keys, further].concat());
+    let poles = [10, 11].map(|first| {
+        let own: Vec<_> = (first..first + 9).map(|pole| format!("-{pole}.5")).collect();
+        format!("[{}]", own.join(","))
+    });
+    let poles = format!("[{}]", poles.join(","));
     vec![
         with(&[("n", "3"), ("mu", "exp")], &[("axes", "3"), ("name", "shared")]),
         with(
@@ -35,6 +40,11 @@ pub(super) fn specs() -> Vec<Spec> {
             &[("axes", "2"), ("name", "two"), ("u_max", "inf"), ("g", "1/mass")],
         ),
         with(&[("n", "12"), ("mu", "exp(a=4)")], &[("axes", "3"), ("name", "high")]),
+        // The sums of gains in a subroutine, which is applied for each axis.
+        with(
+            &[("n", "9"), ("mu", "exp_sum(rates=[0.75,0.875])"), ("poles", &poles)],
+            &[("axes", "2"), ("name", "sums"), ("limits", "20,30")],
+        ),
         with(
             &[("n", "12"), ("mu", "exp(a=4)"), ("reference", "input"), ("precision", "f32")],
             &[("axes", "3"), ("name", "high_own"), ("g", "[2, b, 1]"), ("limits", "20,30,0.5")],

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::code::{AXIS, Ending, Expr, Finish, For, Index, Owner, Place, Statement, Test};
+use crate::code::{
+    AXIS, Cell, Ending, Expr, Finish, For, Index, Owner, Place, Standing, Statement, Test, Whose,
+};
 use crate::collect::set;
 
 /// What the statements of one function have seen so far.
@@ -45,7 +47,17 @@ impl Seen<'_> {
                 self.index(index)?;
                 self.is_declared(name)
             }
-            Statement::Set(Place::Input(_), value) => self.expression(value),
+            Statement::Set(Place::Input(index), value) => {
+                self.expression(value)?;
+                self.index(index)
+            }
+            Statement::Settle(whose, standing) => {
+                self.status(whose)?;
+                match standing {
+                    Standing::Of(other) => self.status(other),
+                    Standing::Known(_) => Ok(()),
+                }
+            }
             Statement::Root(name, tolerance) => {
                 self.expression(tolerance)?;
                 self.is_declared(name)
@@ -101,7 +113,7 @@ impl Seen<'_> {
                 0 => Err("a loop is left outside of any".to_owned()),
                 _ => Ok(()),
             },
-            Statement::Note(_) | Statement::Settle(..) => Ok(()),
+            Statement::Note(_) => Ok(()),
         }
     }
 
@@ -122,6 +134,13 @@ impl Seen<'_> {
 
     fn index(&self, index: &Index) -> Result<(), String> {
         index.terms.iter().try_for_each(|(_, name)| self.is_declared(name))
+    }
+
+    fn status(&self, of: &Whose) -> Result<(), String> {
+        match of {
+            Whose::Input(index) => self.index(index),
+            Whose::Call => Ok(()),
+        }
     }
 
     fn is_declared(&self, name: &str) -> Result<(), String> {
@@ -153,9 +172,7 @@ impl Seen<'_> {
                 values.iter().try_for_each(|value| self.expression(value))
             }
             Finish::Fail(_) => self.may_fail(),
-            Finish::Axes(_) | Finish::Stands => {
-                Err("several inputs are the whole of a function".to_owned())
-            }
+            Finish::Stands => Err("several inputs are the whole of a function".to_owned()),
         }
     }
 
@@ -190,10 +207,8 @@ impl Seen<'_> {
 
     fn known(&self, value: &Expr) -> Result<(), String> {
         let (known, name) = match value {
-            Expr::Local(name) | Expr::Element(name, _) | Expr::Entry(name, _) => {
-                (self.locals.contains(name), name)
-            }
-            Expr::At(name, index) => {
+            Expr::Local(name) | Expr::Element(name, _) => (self.locals.contains(name), name),
+            Expr::At(name, index) | Expr::Entry(name, Cell { row: index, .. }) => {
                 self.index(index)?;
                 (self.locals.contains(name), name)
             }

@@ -85,10 +85,10 @@ pub enum Expr {
 }
 
 /// A place in an array of arrays, from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cell {
     /// Which array.
-    pub row: usize,
+    pub row: Index,
     /// Its element.
     pub column: usize,
     /// How many elements each array has.

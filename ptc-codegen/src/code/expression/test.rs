@@ -1,6 +1,7 @@
 //! What is true or false of values.
 
 use super::Expr;
+use crate::code::Whose;
 
 /// What is true or false of values.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,10 @@ pub enum Test {
     Finite(Expr),
     /// No number.
     NotNumber(Expr),
+    /// Its status is not negative.
+    Stands(Whose),
+    /// Its status is negative.
+    Fails(Whose),
     /// All of them; holds where there is none.
     All(Vec<Test>),
 }
@@ -43,6 +48,7 @@ impl Test {
             Self::Finite(a) => Self::Finite(a.local_fields()),
             Self::NotNumber(a) => Self::NotNumber(a.local_fields()),
             Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
+            of_status @ (Self::Stands(_) | Self::Fails(_)) => of_status.clone(),
         }
     }
 
@@ -58,6 +64,7 @@ impl Test {
             }
             Self::Finite(a) | Self::NotNumber(a) => a.visit(visit),
             Self::All(tests) => tests.iter().for_each(|test| test.visit(visit)),
+            Self::Stands(_) | Self::Fails(_) => {}
         }
     }
 }

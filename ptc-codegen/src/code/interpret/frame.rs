@@ -8,7 +8,7 @@ use super::{Called, Held, Outcome};
 use crate::code::branch::{Asked, At, Taken, at};
 use crate::code::{
     AXIS, Cell as Entry, Ending, Expr, Finish, Function, Index, Operator, Shape, Status, Test,
-    Variable,
+    Variable, Whose,
 };
 use crate::collect::map;
 use crate::internal::fault;
@@ -76,9 +76,7 @@ impl<'b> Frame<'_, 'b> {
                 Finish::Give(values, Ending::Known(status)) => break (values, *status),
                 Finish::Give(values, Ending::OfGains) => break (values, standing),
                 Finish::Fail(status) => return failed(*status),
-                Finish::Axes(_) | Finish::Stands => {
-                    fault("several inputs are given together".to_owned())
-                }
+                Finish::Stands => fault("several inputs are given together"),
             }
         };
         let mut values = values.iter().map(|value| self.real(value));
@@ -204,7 +202,7 @@ impl<'b> Frame<'_, 'b> {
             Expr::Local(name) => (self.locals.get(name.as_str()), 0),
             Expr::Element(name, index) => (self.locals.get(name.as_str()), *index),
             Expr::Entry(name, Entry { row, column, columns }) => {
-                (self.locals.get(name.as_str()), row * columns + column)
+                (self.locals.get(name.as_str()), self.place(row) * columns + column)
             }
             Expr::Field(name) => (self.fields.get(name.as_str()), 0),
             Expr::FieldElement(name, index) => (self.fields.get(name.as_str()), *index),
@@ -226,10 +224,21 @@ impl<'b> Frame<'_, 'b> {
             Test::CountEqual(a, b) => self.count(a) == self.count(b),
             Test::Finite(a) => self.real(a).is_finite(),
             Test::NotNumber(a) => self.real(a).is_nan(),
+            Test::Stands(whose) => self.status(whose).number() >= 0,
+            Test::Fails(whose) => self.status(whose).number() < 0,
             Test::All(tests) => return tests.iter().all(|test| self.test(test)),
         };
         self.note(at(test, Asked::Test), holds);
         holds
+    }
+
+    /// A status that statements have settled.
+    pub(super) fn status(&self, of: &Whose) -> Status {
+        let found = match of {
+            Whose::Call => self.settled.call,
+            Whose::Input(index) => self.settled.each.get(&self.place(index)).copied(),
+        };
+        found.unwrap_or_else(|| fault(format!("{of:?} has no status yet")))
     }
 
     pub(super) fn note(&self, place: At, holds: bool) {

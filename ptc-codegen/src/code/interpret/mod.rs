@@ -1,6 +1,5 @@
 //! The interpreter: whole controllers, in the operations and the precision of the emitted code.
 
-mod axes;
 mod frame;
 mod statements;
 
@@ -9,7 +8,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
 use super::branch::Taken;
-use super::{Access, Code, Finish, Shape, Status, Variable};
+use super::{Access, Code, Shape, Status, Variable};
 use crate::collect::map;
 use crate::internal::fault;
 use crate::parameter::{Parameter, Precision};
@@ -147,9 +146,6 @@ impl<'a> Instance<'a> {
         callbacks: &[Called<'_>],
     ) -> Outcome {
         let Some(function) = self.code.function(name) else { fault(format!("no function {name}")) };
-        if let Finish::Axes(axes) = &function.finish {
-            return axes::each(self, function, axes.count, arguments);
-        }
         let mut changed = self.fields.clone();
         let mut frame = Frame {
             precision: self.code.precision,

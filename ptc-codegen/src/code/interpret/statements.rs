@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::Held;
 use super::frame::Frame;
 use crate::code::branch::{Asked, at};
-use crate::code::{Expr, For, Place, Shape, Statement, Status, Subroutine, Whose};
+use crate::code::{Expr, For, Place, Shape, Standing, Statement, Status, Subroutine, Whose};
 use crate::collect::map;
 use crate::internal::fault;
 use crate::program::number;
@@ -61,14 +61,21 @@ impl<'b> Frame<'_, 'b> {
                 }
             }
             Statement::Set(Place::Input(index), value) => {
-                let value = self.real(value);
-                self.settled.u.insert(*index, value);
+                let (place, value) = (self.place(index), self.real(value));
+                self.settled.u.insert(place, value);
             }
-            Statement::Settle(Whose::Call, status) => self.settled.call = *status,
-            Statement::Settle(Whose::Input(index), status) => {
-                let of_call = || fault("a status that no call has yet");
-                let status = status.or(self.settled.call).unwrap_or_else(of_call);
-                self.settled.each.insert(*index, status);
+            Statement::Settle(whose, standing) => {
+                let status = match standing {
+                    Standing::Known(status) => *status,
+                    Standing::Of(other) => self.status(other),
+                };
+                match whose {
+                    Whose::Call => self.settled.call = Some(status),
+                    Whose::Input(index) => {
+                        let place = self.place(index);
+                        self.settled.each.insert(place, status);
+                    }
+                }
             }
             Statement::If(test, then, otherwise) => {
                 let block = if self.test(test) { then } else { otherwise };

@@ -71,6 +71,12 @@ impl Subroutine {
         }
     }
 
+    /// Names of what it is given where it gives the local array `name`: a function may apply it several times.
+    pub fn arguments(self, name: &str) -> [String; 2] {
+        let [_, other] = self.given();
+        [format!("given_{name}"), format!("{name}_{}", other.name)]
+    }
+
     /// Whether it rounds products and sums once.
     pub fn is_fused(self) -> bool {
         matches!(self, Self::Rows { fused: true, .. })

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use num_traits::ToPrimitive;
 
-use crate::code::{Expr, Iteration, Shape, Statement, Subroutine, parameter_name};
+use super::given::Given;
+use crate::code::{Expr, Index, Iteration, Place, Shape, Statement, Subroutine, parameter_name};
 use crate::controller::plan::{Plan, Routine};
 use crate::internal::fault;
 use crate::program::{Input, Op, Root, Stage, Value};
@@ -14,30 +15,22 @@ pub(super) struct Body {
     pub(super) statements: Vec<Statement>,
     /// One expression for each root, in order.
     pub(super) roots: Vec<Expr>,
+    /// How many local values have a number for a name.
+    pub(super) temporaries: usize,
 }
 
-/// What `routine` computes. The states and references `local` are local values, the others elements of
-/// x and r; the array xi is given to the infinite-time system. Behind the roots of the routine stand
-/// those of `further` values; those of `parts` stand in arrays.
-pub(super) fn body(
-    plan: &Plan<'_>,
-    routine: Routine,
-    (local, xi_is_given): (&[Input], bool),
-    further: &[Value],
-    parts: &[Vec<Value>],
-) -> Body {
-    let roots = [plan.roots(routine).as_slice(), further].concat();
+/// What `routine` computes, from what is `given`.
+pub(super) fn body(plan: &Plan<'_>, routine: Routine, given: Given<'_>) -> Body {
+    let roots = [plan.roots(routine).as_slice(), given.further].concat();
     let mut writer = Writer {
         plan,
         routine,
-        local,
-        xi_is_given,
-        parts,
+        temporaries: given.temporaries,
+        given,
         elements: Vec::new(),
         uses: uses(plan, routine, &roots),
         known: BTreeMap::new(),
         statements: Vec::new(),
-        temporaries: 0,
     };
     for value in plan.program.needed(&roots) {
         if !plan.program.get(value).looped && writer.uses.contains_key(&value) {
@@ -45,7 +38,7 @@ pub(super) fn body(
         }
     }
     let roots = roots.iter().map(|value| writer.expression(*value)).collect();
-    Body { statements: writer.statements, roots }
+    Body { statements: writer.statements, roots, temporaries: writer.temporaries }
 }
 
 /// How often each value is used in the function; values that only fields need are left out.
@@ -68,18 +61,19 @@ fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, u
 /// What the laws of all outputs give.
 const LAWS: &str = "laws";
 
+/// The gains of all axes, one axis after the other, or those that they share.
+pub(super) const GAIN: &str = "gain";
+
 /// The field of the gains by which u of an axis is divided.
 pub(super) const INPUT_GAIN: &str = "input_gain";
 
 /// The sums of which u of an axis is made, level by level.
-const PARTS: [&str; 2] = ["part", "half"];
+pub(super) const PARTS: [&str; 2] = ["part", "half"];
 
 struct Writer<'a> {
     plan: &'a Plan<'a>,
     routine: Routine,
-    local: &'a [Input],
-    xi_is_given: bool,
-    parts: &'a [Vec<Value>],
+    given: Given<'a>,
     /// Those of the array that is being filled.
     elements: Vec<Expr>,
     uses: BTreeMap<Value, usize>,
@@ -121,9 +115,11 @@ impl Writer<'_> {
         let known = match &definition.op {
             // Its tests name it several times.
             Op::Input(Input::Divisor) => {
-                let own = match self.plan.program.divisors.len() {
-                    1 => Expr::field(INPUT_GAIN),
-                    _ => Expr::OfAxis(INPUT_GAIN.to_owned(), 1, 0),
+                let own = match (self.plan.program.divisors.len(), self.given.of_all) {
+                    (1, Some(_)) => Expr::local(INPUT_GAIN),
+                    (1, None) => Expr::field(INPUT_GAIN),
+                    (_, Some(axis)) => Expr::At(INPUT_GAIN.to_owned(), axis.place(1, 0)),
+                    (_, None) => Expr::OfAxis(INPUT_GAIN.to_owned(), 1, 0),
                 };
                 let name = Input::Divisor.name();
                 self.statements.push(Statement::Let(name.clone(), Shape::Real, own));
@@ -144,7 +140,7 @@ impl Writer<'_> {
                 let (time, xi) =
                     arguments.split_last().unwrap_or_else(|| fault("a law without time"));
                 let (time, xi) = (self.expression(*time), self.all(xi));
-                if !self.xi_is_given {
+                if !self.given.xi {
                     self.statements.push(Statement::Array("xi".to_owned(), xi));
                 }
                 self.define(value, Expr::Callback("pi0", "xi".to_owned(), Box::new(time)))
@@ -176,21 +172,25 @@ impl Writer<'_> {
         self.known.insert(value, known);
     }
 
-    /// What stands for a value whose expression is `known`: an element, where it is one of the parts, and the
-    /// array behind the last one.
+    /// What stands for a value whose expression is `known`: an element, where it is one of the parts; those of a
+    /// level are set behind the last one.
     fn element(&mut self, value: Value, known: Expr) -> Expr {
-        let level = self.parts.iter().zip(PARTS).find(|(level, _)| level.contains(&value));
+        let level = self.given.parts.iter().zip(PARTS).find(|(level, _)| level.contains(&value));
         let Some((level, name)) = level else { return known };
         let place = self.elements.len();
         if level.get(place) != Some(&value) {
             fault("the sums of an axis are not computed in their order");
         }
+        let axis = self.given.of_all.unwrap_or_else(|| fault("parts of one axis"));
+        let of_axis = |place| axis.place(level.len(), place);
         self.elements.push(known);
         if level.last() == Some(&value) {
-            let elements = std::mem::take(&mut self.elements);
-            self.statements.push(Statement::Array(name.to_owned(), elements));
+            for (place, sum) in std::mem::take(&mut self.elements).into_iter().enumerate() {
+                let place = Place::Element(name.to_owned(), of_axis(place));
+                self.statements.push(Statement::Set(place, sum));
+            }
         }
-        Expr::Element(name.to_owned(), place)
+        Expr::At(name.to_owned(), of_axis(place))
     }
 
     /// Calls the law of all outputs, once.
@@ -225,7 +225,7 @@ impl Writer<'_> {
 
     fn fresh(&mut self, value: Value) -> String {
         if let Some(name) = self.plan.name(value) {
-            return name.to_owned();
+            return self.given.of_all.map_or(name.to_owned(), |axis| axis.name(name));
         }
         self.temporaries += 1;
         format!("v{}", self.temporaries)
@@ -237,23 +237,34 @@ impl Writer<'_> {
             Input::StartTime => Expr::local("t0"),
             Input::Time => Expr::local("t"),
             Input::State(_) | Input::Reference(_) | Input::StateAtStart(_)
-                if self.local.contains(&input) =>
+                if self.given.local.contains(&input) =>
             {
                 Expr::local(input.name())
             }
-            Input::State(j) => Expr::Element("x".to_owned(), j - 1),
-            Input::Reference(order) => Expr::Element("r".to_owned(), order),
+            Input::State(j) => self.element_of("x", j - 1, input),
+            Input::Reference(order) => self.element_of("r", order, input),
             Input::ReferenceOf(..) => Expr::local(input.name()),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
-            Input::Gain(j) => match self.plan.program.gains_of_axis() {
-                own if own < self.plan.program.gains.len() => {
-                    Expr::OfAxis("gain".to_owned(), own, j - 1)
+            Input::Gain(j) => {
+                let own = self.plan.program.gains_of_axis();
+                match (own < self.plan.program.gains.len(), self.given.of_all) {
+                    (true, Some(axis)) => Expr::At(GAIN.to_owned(), axis.place(own, j - 1)),
+                    (true, None) => Expr::OfAxis(GAIN.to_owned(), own, j - 1),
+                    (false, Some(_)) => Expr::At(GAIN.to_owned(), Index::at(j - 1)),
+                    (false, None) => Expr::FieldElement(GAIN.to_owned(), j - 1),
                 }
-                _ => Expr::FieldElement("gain".to_owned(), j - 1),
-            },
+            }
             Input::Divisor => fault("an input gain that is not read first"),
             Input::Drift => Expr::local("f"),
             Input::Control | Input::Wanted(_) => fault("a controller does not take u"),
+        }
+    }
+
+    /// An element of the array `name`, or of that of an axis.
+    fn element_of(&self, name: &str, place: usize, input: Input) -> Expr {
+        match self.given.of_all {
+            Some(axis) => axis.element(input, self.plan.program.gains_of_axis()),
+            None => Expr::Element(name.to_owned(), place),
         }
     }
 

@@ -1,16 +1,14 @@
-//! `tick` and `axis`: the gains at one time, for several axes that share one deadline, and u from them;
-//! and the `step` of all axes.
+//! `tick` and `axis`: the gains at one time, for several axes that share one deadline, and u from them.
 
 use super::Builder;
-use super::body::{INPUT_GAIN, body};
+use super::body::{GAIN, INPUT_GAIN};
 use crate::code::{
-    AXIS, Access, Axes, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status,
-    Test, Variable,
+    AXIS, Access, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test,
+    Variable,
 };
 use crate::controller::plan::Routine;
-use crate::expression::Function::Abs;
 use crate::internal::fault;
-use crate::program::{Input, Value, number};
+use crate::program::Value;
 use crate::request;
 
 impl Builder<'_> {
@@ -39,7 +37,7 @@ impl Builder<'_> {
             true => format!("u = {sum}"),
             false => format!("u input_gain = {sum}"),
         };
-        let mut gains = vec![Variable::new("gain", Shape::Reals(program.gains.len()), about)];
+        let mut gains = vec![Variable::new(GAIN, Shape::Reals(program.gains.len()), about)];
         if !program.divisors.is_empty() {
             gains.push(Variable::new(INPUT_GAIN, shape(&program.divisors), "g"));
         }
@@ -55,80 +53,6 @@ impl Builder<'_> {
     /// Whether `axis` has to know which axis it is.
     fn numbers_axes(&self) -> bool {
         self.spec.axes.as_ref().is_some_and(request::Axes::differ)
-    }
-
-    /// `step` of all axes.
-    pub(super) fn all_axes(&self, count: usize) -> Function {
-        let axis = self.axis();
-        let rows = axis.arguments.into_iter().filter_map(|argument| match argument.shape {
-            Shape::Reals(length) => Some(Variable {
-                shape: Shape::Lists(count, length),
-                about: format!("for each axis its {}", argument.about),
-                ..argument
-            }),
-            _ => None,
-        });
-        let time = Variable::new("t", Shape::Real, "time, s");
-        Function {
-            name: "step",
-            about: match self.reference() {
-                None => format!(
-                    "u of {count} axes at time t [s], from the state x = (x1, x1', ...) of each."
-                ),
-                Some(_) => format!(
-                    "u of {count} axes at time t [s], from the state x = (x1, x1', ...) and the reference r = (r, r', ...) of each."
-                ),
-            } + " Its status is that of the first axis that fails, and then every u is 0; else SATURATED where an axis is.",
-            owner: Owner::Controller,
-            access: Access::Read,
-            arguments: std::iter::once(time).chain(rows).collect(),
-            callbacks: Vec::new(),
-            results: vec![
-                Variable::new("u", Shape::Reals(count), "inputs of the plants"),
-                Variable::new("axes", Shape::Statuses(count), "status of each axis"),
-            ],
-            failures: axis.failures,
-            body: Vec::new(),
-            finish: Finish::Axes(Box::new(self.of_all_axes(count))),
-            guarded: self.guarded(),
-        }
-    }
-
-    /// What [`Builder::axis`] does, for all axes at once.
-    fn of_all_axes(&self, count: usize) -> Axes {
-        let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
-        let inputs = self.inputs_of_axis(axis);
-        let parts = &self.controller.program.parts;
-        let mut body = body(&self.plan, Routine::Axis, (&[], false), &[], parts);
-        let Some(value) = body.roots.pop() else { fault("an axis without u") };
-        let limit = self.limit_of_axis();
-        // One test for both, that v is finite and that it is within a bound which may be infinite.
-        let greatest = Expr::Number(number::finite(self.spec.precision.greatest()));
-        let shared = limit.clone().filter(|limit| matches!(limit, Expr::Field(_)));
-        let bound = shared.map(|limit| {
-            let less = Test::Less(limit.clone(), greatest.clone());
-            Expr::choose(less, limit, greatest)
-        });
-        let size = || Expr::Call(Abs, Box::new(Expr::local("v")));
-        let within = match bound {
-            Some(_) => vec![Test::AtMost(size(), Expr::local("bound"))],
-            None => Self::within(limit.clone()),
-        };
-        let finite = |input: &Input| Test::Finite(self.element(*input));
-        let first: Vec<_> = inputs.local.iter().map(finite).collect();
-        let legal: Vec<_> = first.iter().cloned().chain(inputs.waiting).collect();
-        let clipped = self.clipped_at(Finish::Fail(Status::Range), limit);
-        Axes {
-            count,
-            body: body.statements,
-            value,
-            bound,
-            legal: Test::All(first.into_iter().chain(within).collect()),
-            otherwise: match legal.is_empty() {
-                true => clipped,
-                false => Finish::choose(Test::All(legal), clipped, Finish::Fail(Status::Input)),
-            },
-        }
     }
 
     /// The bound of |u| of an axis, if there is one.

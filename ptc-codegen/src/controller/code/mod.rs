@@ -1,8 +1,11 @@
 //! The controller as one program: the functions around the values of the staged program.
 
 mod associated;
+mod axes;
 mod body;
+mod clip;
 mod gains;
+mod given;
 mod guard;
 mod inputs;
 mod start;
@@ -10,12 +13,13 @@ mod step;
 
 use super::Controller;
 use super::plan::{Field, Plan, Routine};
-use crate::code::{Callback, Cell, Code, Expr, Shape, Statement, Test, Variable};
+use crate::code::{Callback, Cell, Code, Expr, Index, Shape, Statement, Test, Variable};
 use crate::internal::fault;
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
 use crate::request::{After, Feedback, Guard, Spec, What};
 use body::{Body, body};
+use given::Given;
 
 /// The controller as a program that the interpreter runs.
 pub fn whole(controller: &Controller<'_>) -> Code {
@@ -93,7 +97,7 @@ impl Builder<'_> {
     /// What `routine` computes; of the elements of x and r those that are `local` are local values.
     fn body(&self, routine: Routine, local: &[Input]) -> Body {
         let given = self.spec.what == What::Associated;
-        body(&self.plan, routine, (local, given), &[], &[])
+        body(&self.plan, routine, Given { local, xi: given, ..Given::default() })
     }
 
     /// Whether arguments are checked.
@@ -135,7 +139,7 @@ impl Builder<'_> {
             }
             Input::State(j) => match self.row() {
                 Some(columns) => {
-                    let (row, column) = ((j - 1) / columns, (j - 1) % columns);
+                    let (row, column) = (Index::at((j - 1) / columns), (j - 1) % columns);
                     Expr::Entry("x".to_owned(), Cell { row, column, columns })
                 }
                 None => Expr::Element("x".to_owned(), j - 1),
@@ -143,7 +147,8 @@ impl Builder<'_> {
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
             Input::ReferenceOf(output, order) => {
-                let cell = Cell { row: output - 1, column: order, columns: self.spec.references() };
+                let row = Index::at(output - 1);
+                let cell = Cell { row, column: order, columns: self.spec.references() };
                 Expr::Entry("r".to_owned(), cell)
             }
             other => fault(format!("{other:?} is in no array")),

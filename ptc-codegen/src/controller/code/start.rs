@@ -1,6 +1,8 @@
 //! `init` and `arm`: parameters and start time to fields.
 
-use super::{Body, Builder, Field, body};
+use super::body::{Body, body};
+use super::given::Given;
+use super::{Builder, Field};
 use crate::algebra::BigRational;
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Start, Statement, Status, Test, Variable,
@@ -32,7 +34,8 @@ impl Builder<'_> {
         }
         let checks = digits::checks(self.spec, self.controller.program);
         let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
-        let mut body = body(&self.plan, Routine::Init, (&[], false), &values, &[]);
+        let mut body =
+            body(&self.plan, Routine::Init, Given { further: &values, ..Given::default() });
         let mut checked = body.roots.split_off(body.roots.len() - values.len()).into_iter();
         let kept = |check: &Condition| self.kept(check, &mut checked, &mut body.statements);
         let kept = checks.iter().map(kept).collect();

@@ -21,7 +21,8 @@ pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
         Expr::Local(name) => (Level::Atom, text.local(name)),
         Expr::Element(name, index) => (Level::Atom, text.element(&text.local(name), *index)),
         Expr::Entry(name, cell) => {
-            (Level::Atom, text.entry(&text.local(name), cell.row, cell.column))
+            let row = text.place(&cell.row, text.first());
+            (Level::Atom, text.entry(&text.local(name), &row, cell.column))
         }
         Expr::At(name, index) => {
             let place = text.place(index, text.first());
@@ -122,6 +123,8 @@ pub(in crate::emit) fn parts(text: &dyn Text, test: &Test) -> Vec<String> {
         Test::CountEqual(a, b) => two(a, text.equal(), b),
         Test::Finite(a) => vec![text.finite(&text.within(a, Level::Atom))],
         Test::NotNumber(a) => vec![text.not_number(&text.within(a, Level::Atom))],
+        Test::Stands(whose) => vec![text.stands(&text.status_of(whose))],
+        Test::Fails(whose) => vec![text.fails(&text.status_of(whose))],
         Test::All(tests) if tests.len() == 1 => text.parts(&tests[0]),
         Test::All(tests) => text.all(tests),
     }

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::block::declared;
-use crate::code::{Code, Expr, Finish, Operator, Shape, Statement, Test};
+use crate::code::{Code, Expr, Operator, Shape, Statement, Test};
 use crate::parameter::Precision;
 use crate::program::number;
 
@@ -20,13 +20,7 @@ pub(in crate::emit) fn short(mut code: Code) -> Code {
         let mut short = Short::new(precision, &body);
         short.used.extend(function.arguments.iter().map(|argument| argument.name.clone()));
         function.body = short.block(body);
-        if let Finish::Axes(axes) = &mut function.finish {
-            let body = std::mem::take(&mut axes.body);
-            short.used.extend(["v", "bound"].map(str::to_owned));
-            axes.body = short.block(body);
-            let value = std::mem::replace(&mut axes.value, Expr::integer(0));
-            axes.value = short.whole(value, &mut axes.body);
-        } else if let Some(values) = function.finish.results() {
+        if let Some(values) = function.finish.results() {
             let mut values = values.to_vec();
             short.each(&mut values, &mut function.body);
             function.finish.give_all(&values);

@@ -1,6 +1,6 @@
 //! What a function calls of the mathematical library, and the gains that it gives one by one.
 
-use crate::code::{Code, Expr, Finish, Function, Statement, Subroutine};
+use crate::code::{Expr, Function, Statement, Subroutine};
 use crate::expression::Function as Math;
 use crate::internal::fault;
 
@@ -23,13 +23,11 @@ pub(super) fn calls(statement: &Statement) -> bool {
     found
 }
 
-/// Whether a function of a controller does; one of several axes is made of those for one.
-pub(super) fn calls_library(code: &Code, function: &Function) -> bool {
+/// Whether a function of a controller does.
+pub(super) fn calls_library(function: &Function) -> bool {
     let mut found = function.subroutines().any(Subroutine::is_fused);
     function.visit(&mut |value| found |= is_call(value));
-    let is_made = matches!(function.finish, Finish::Axes(_));
-    let mut parts = ["tick", "axis"].iter().filter_map(|name| code.function(name));
-    found || (is_made && parts.any(|part| calls_library(code, part)))
+    found
 }
 
 fn is_call(value: &Expr) -> bool {

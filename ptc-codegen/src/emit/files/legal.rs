@@ -66,7 +66,7 @@ fn sides(test: &Test) -> [Option<&Expr>; 2] {
         Test::Less(a, b) | Test::AtMost(a, b) | Test::CountLess(a, b) | Test::CountEqual(a, b) => {
             [Some(a), Some(b)]
         }
-        Test::All(_) => [None, None],
+        Test::All(_) | Test::Stands(_) | Test::Fails(_) => [None, None],
     }
 }
 

@@ -42,7 +42,10 @@ fn table() -> String {
         ("Pow", Expr::Pow(Box::new(a()), Box::new(b()))),
         ("Callback", Expr::Callback("pi0", "xi".to_owned(), Box::new(Expr::local("t")))),
         ("Element", Expr::Element("row".to_owned(), 0)),
-        ("Entry", Expr::Entry("r".to_owned(), Cell { row: 0, column: 1, columns: 2 })),
+        (
+            "Entry",
+            Expr::Entry("r".to_owned(), Cell { row: Index::of("axis"), column: 1, columns: 2 }),
+        ),
         ("At", Expr::At("p".to_owned(), Index::of("k") - Index::of("m") - Index::at(1))),
         ("Field", Expr::field("c1")),
         ("FieldElement", Expr::FieldElement("gain".to_owned(), 0)),

@@ -10,7 +10,7 @@ pub(super) fn of_finish(to: &mut dyn Ends, finish: &Finish) {
     let mut rest = match finish {
         Finish::Give(values, ending) => return to.give(values, *ending),
         Finish::Fail(status) => return to.fail(*status),
-        Finish::Axes(_) | Finish::Stands => fault("several inputs are the whole of an end"),
+        Finish::Stands => fault("several inputs are the whole of an end"),
         finish => finish,
     };
     let mut first = true;

@@ -8,7 +8,7 @@ pub(in crate::emit) use locals::declared;
 pub(in crate::emit) use statement::of_statement;
 
 use super::text::{Lines, Text, bare};
-use crate::code::{Ending, Expr, Finish, For, Shape, Statement, Status, Subroutine, Test, Whose};
+use crate::code::{Ending, Expr, Finish, For, Shape, Statement, Status, Subroutine, Test};
 use crate::internal::fault;
 use finish::of_finish;
 
@@ -19,6 +19,8 @@ pub(in crate::emit) const WRITTEN: usize = 8;
 /// The words around a test and its two blocks.
 pub(in crate::emit) struct Branch {
     pub(in crate::emit) open: &'static str,
+    /// Between the first of them and a test that does not hold.
+    pub(in crate::emit) not: &'static str,
     pub(in crate::emit) turn: &'static str,
     pub(in crate::emit) then: &'static str,
     /// Between the parts of a test that takes several lines.
@@ -67,23 +69,9 @@ pub(in crate::emit) trait Block: Text {
     /// Ends the call unless the test holds.
     fn require(&mut self, test: &Test, status: Status);
 
-    /// The line that opens what happens where `test` does not hold: `not` and the words behind it, a
-    /// line for each part where it is long.
-    fn unless(&self, not: &str, test: &Test, then: &str) -> String {
-        let branch = self.branch();
-        let parts = self.parts(test);
-        match parts.as_slice() {
-            [one] if is_finite(test) => format!("{}{not}{one}{then}", branch.open),
-            parts => {
-                let before = format!("{}{not}(", branch.open);
-                self.lines().joined(
-                    &before,
-                    parts,
-                    (self.and(), self.joint_of_not()),
-                    &format!("){then}"),
-                )
-            }
-        }
+    /// The line that opens what happens where `test` does not hold.
+    fn refused(&self, test: &Test) -> String {
+        refused(self, test)
     }
 
     /// What joins the parts of a long test that is negated as a whole.
@@ -101,22 +89,6 @@ pub(in crate::emit) trait Block: Text {
                 self.lines().joined(start, &parts, (self.and(), branch.joint), branch.then)
             }
             tests => format!("{start}{}{}", bare(either(self, tests)), branch.then),
-        }
-    }
-
-    /// One of several inputs that a function gives, from 0.
-    fn input(&self, index: usize) -> String {
-        self.element("u", index)
-    }
-
-    /// A status.
-    fn status(&self, status: Status) -> String;
-
-    /// The variable that holds a status.
-    fn status_of(&self, whose: Whose) -> String {
-        match whose {
-            Whose::Call => "status".to_owned(),
-            Whose::Input(index) => self.element("axes", index),
         }
     }
 
@@ -226,6 +198,19 @@ pub(in crate::emit) fn either(text: &(impl Text + ?Sized), tests: &[&Test]) -> S
             let each: Vec<_> =
                 several.iter().map(|test| format!("({})", text.test(test))).collect();
             each.join(&format!(" {} ", text.or()))
+        }
+    }
+}
+
+/// The line that opens what happens where `test` does not hold: a line for each part where it is long.
+pub(in crate::emit) fn refused(text: &(impl Block + ?Sized), test: &Test) -> String {
+    let Branch { open, not, then, .. } = text.branch();
+    let parts = text.parts(test);
+    match parts.as_slice() {
+        [one] if is_finite(test) => format!("{open}{not}{one}{then}"),
+        parts => {
+            let joint = (text.and(), text.joint_of_not());
+            text.lines().joined(&format!("{open}{not}("), parts, joint, &format!("){then}"))
         }
     }
 }

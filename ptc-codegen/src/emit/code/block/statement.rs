@@ -1,7 +1,7 @@
 //! Statements as lines, in the words of a language.
 
 use super::{Block, close};
-use crate::code::{For, Place, Statement, Whose};
+use crate::code::{For, Place, Statement};
 
 /// A statement.
 pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
@@ -27,16 +27,15 @@ pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
             let place = match place {
                 Place::Local(name) => to.local(name),
                 Place::Element(name, index) => to.at(&to.local(name), &to.place(index, to.first())),
-                Place::Input(index) => to.input(*index),
+                Place::Input(index) => to.input(index),
                 Place::Field(name) => to.field(name),
             };
             let line = to.assign(&place, &to.value(value));
             to.out().line(line);
         }
         Statement::Settle(whose, status) => {
-            let of_call = || to.status_of(Whose::Call);
-            let status = status.map_or_else(of_call, |status| to.status(status));
-            let line = to.assign(&to.status_of(*whose), &status);
+            let status = to.standing(status);
+            let line = to.assign(&to.status_of(whose), &status);
             to.out().line(line);
         }
         Statement::Require(test, status) => to.require(test, *status),
@@ -54,6 +53,13 @@ pub(in crate::emit) fn of_statement(to: &mut dyn Block, statement: &Statement) {
         Statement::Leave => {
             let line = to.leave();
             to.out().line(line);
+        }
+        Statement::If(test, yes, no) if yes.is_empty() => {
+            let line = to.refused(test);
+            to.out().open(line);
+            to.block(no);
+            let end = to.branch().end;
+            close(to.out(), end);
         }
         Statement::If(test, yes, no) => {
             let line = to.opened(to.branch().open, &[test]);

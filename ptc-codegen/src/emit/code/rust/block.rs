@@ -1,6 +1,6 @@
 //! Statements in Rust.
 
-use super::super::block::{Block, Branch, Ends, either};
+use super::super::block::{Block, Branch, Ends, either, refused};
 use super::super::gives::Gives;
 use super::super::text::{Level, Lines, Text};
 use super::{CHOICE, Rust};
@@ -23,7 +23,7 @@ impl Block for Rust<'_> {
     fn branch(&self) -> Branch {
         let joint = "\n    && ";
         let (otherwise, end) = ("} else {", "}");
-        Branch { open: "if ", turn: "} else if ", then: " {", joint, otherwise, end }
+        Branch { open: "if ", not: "!", turn: "} else if ", then: " {", joint, otherwise, end }
     }
 
     /// With its type if the value holds only literals, which have no type.
@@ -64,21 +64,17 @@ impl Block for Rust<'_> {
         format!("if {test} {{\n    {yes}\n}} else {{\n    {no}\n}}")
     }
 
-    fn status(&self, status: Status) -> String {
-        let runtime = self.runtime;
-        match status.number() < 0 {
-            true => format!("Err({runtime}Error::{})", status.name()),
-            false => format!("Ok({runtime}Status::{})", status.name()),
-        }
-    }
-
     fn require(&mut self, test: &Test, status: Status) {
-        let one = format!("if !({})", self.parts(test).join(" && "));
-        let line = self.unless("!", test, " {");
-        self.out.open(self.with_brace(line, one));
+        let line = self.refused(test);
+        self.out.open(line);
         let failed = if self.gives == Gives::Axes { "failed" } else { "Err" };
         self.out.line(format!("return {failed}({}Error::{});", self.runtime, status.name()));
         self.out.close("}");
+    }
+
+    fn refused(&self, test: &Test) -> String {
+        let one = format!("if !({})", self.parts(test).join(" && "));
+        self.with_brace(refused(self, test), one)
     }
 
     fn opened(&self, start: &str, tests: &[&Test]) -> String {
@@ -100,8 +96,8 @@ impl Block for Rust<'_> {
     }
 
     fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]) {
-        let own = subroutine.given().map(|own| own.name);
-        for (own, values) in own.into_iter().zip(given) {
+        let own = subroutine.arguments(name);
+        for (own, values) in own.iter().zip(given) {
             let list = self.list(values);
             let line = self.array_text(&format!("let {own} = ["), &list, "];");
             self.out.line(line);
@@ -161,7 +157,7 @@ impl Ends for Rust<'_> {
             }
             Gives::Value => self.out.line(format!("Ok({})", list.join(", "))),
             Gives::Number => self.out.line(list.join(", ")),
-            Gives::Axes => fault("axes are the whole of a function"),
+            Gives::Axes => fault("several inputs are the whole of a function"),
         }
     }
 

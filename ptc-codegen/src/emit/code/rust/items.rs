@@ -191,7 +191,6 @@ impl Rust<'_> {
                 };
                 self.out.line(format!("Ok({runtime}Control {{ {u}, status }})"));
             }
-            Gives::Axes => self.axes(function, self.code.axes().unwrap_or_default()),
             _ => self.finish(&function.finish),
         }
         self.out.close("}");

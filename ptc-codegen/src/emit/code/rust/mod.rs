@@ -1,6 +1,5 @@
 //! Rust: `no_std`, no allocation, no panic, no unsafe code.
 
-mod axes;
 mod block;
 mod items;
 mod private;

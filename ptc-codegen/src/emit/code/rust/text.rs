@@ -2,7 +2,7 @@
 
 use super::super::text::{Level, Text, bare, bracketed};
 use super::Rust;
-use crate::code::{AXIS, Shape};
+use crate::code::{AXIS, Shape, Status};
 use crate::parameter::Precision;
 
 impl Text for Rust<'_> {
@@ -93,6 +93,22 @@ impl Text for Rust<'_> {
 
     fn not_zero(&self, a: &str) -> String {
         format!("{a} < 0.0 || {a} > 0.0")
+    }
+
+    fn status(&self, status: Status) -> String {
+        let runtime = self.runtime;
+        match status.number() < 0 {
+            true => format!("Err({runtime}Error::{})", status.name()),
+            false => format!("Ok({runtime}Status::{})", status.name()),
+        }
+    }
+
+    fn stands(&self, status: &str) -> String {
+        format!("{status}.is_ok()")
+    }
+
+    fn fails(&self, status: &str) -> String {
+        format!("{status}.is_err()")
     }
 
     fn finite(&self, value: &str) -> String {

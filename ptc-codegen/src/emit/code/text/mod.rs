@@ -5,7 +5,7 @@ mod lines;
 pub(in crate::emit) use lines::Lines;
 
 use super::expression;
-use crate::code::{AXIS, Expr, Index, Test};
+use crate::code::{AXIS, Expr, Index, Standing, Status, Test, Whose};
 use crate::parameter::Precision;
 
 /// How tightly an expression holds together.
@@ -78,7 +78,7 @@ pub(in crate::emit) trait Text {
     }
 
     /// An element of an array of arrays, both counted from 0.
-    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+    fn entry(&self, array: &str, row: &str, column: usize) -> String {
         format!("{array}[{row}][{column}]")
     }
 
@@ -157,6 +157,40 @@ pub(in crate::emit) trait Text {
 
     /// Whether it is no number.
     fn not_number(&self, value: &str) -> String;
+
+    /// A status.
+    fn status(&self, status: Status) -> String;
+
+    /// The variable that holds a status.
+    fn status_of(&self, whose: &Whose) -> String {
+        match whose {
+            Whose::Call => "status".to_owned(),
+            Whose::Input(index) => self.at("axes", &self.place(index, self.first())),
+        }
+    }
+
+    /// A status that is assigned.
+    fn standing(&self, standing: &Standing) -> String {
+        match standing {
+            Standing::Known(status) => self.status(*status),
+            Standing::Of(whose) => self.status_of(whose),
+        }
+    }
+
+    /// One of several inputs that a function gives.
+    fn input(&self, index: &Index) -> String {
+        self.at("u", &self.place(index, self.first()))
+    }
+
+    /// That a status is not negative.
+    fn stands(&self, status: &str) -> String {
+        format!("{status} >= {}", self.status(Status::Ok))
+    }
+
+    /// That a status is negative.
+    fn fails(&self, status: &str) -> String {
+        format!("{status} < {}", self.status(Status::Ok))
+    }
 
     /// The operator between tests that must all hold.
     fn and(&self) -> &'static str {

@@ -48,7 +48,7 @@ impl C<'_> {
 
     fn about(&self, function: &Function) -> String {
         let about = function.about.trim_end();
-        let code_axes = matches!(function.finish, Finish::Axes(_) | Finish::Stands);
+        let code_axes = function.finish == Finish::Stands;
         let handed = match function.callbacks.is_empty() {
             true => "",
             false => " context is passed on unchanged.",

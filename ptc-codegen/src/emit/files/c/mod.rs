@@ -1,6 +1,5 @@
 //! C99: a header and a source file.
 
-mod axes;
 mod conditions;
 mod header;
 mod source;
@@ -14,7 +13,7 @@ pub(in crate::emit) use target::{TARGET, files_with_proof, real, sampled_files_w
 
 use super::apart::apart;
 use super::text::{Level, Lines, Text};
-use crate::code::{AXIS, Access, Callback, Code, Function, Owner, Shape, Status};
+use crate::code::{Access, Callback, Code, Function, Owner, Shape, Status};
 use crate::emit::File;
 use crate::parameter::Precision;
 
@@ -62,16 +61,12 @@ pub(super) struct C<'a> {
     owner: &'static str,
     /// What the variable `status` holds, where it is known.
     standing: Option<Status>,
+    /// How many inputs the function gives, if several.
+    inputs: Option<usize>,
     /// Whether results that are one number are 0 from the start.
     zeroed: bool,
     /// The local value that is stored as soon as it is known, and the result that it is.
     stored: Option<(String, String)>,
-    /// In what is done for each axis, the names of what has an element, or an array, for each.
-    rows: Vec<String>,
-    /// Which axis that is.
-    axis: String,
-    /// What leads to a field of the gains that `tick` gives.
-    gains: &'static str,
     out: Lines,
 }
 
@@ -82,25 +77,6 @@ impl Text for C<'_> {
 
     fn precision(&self) -> Precision {
         self.code.precision
-    }
-
-    fn local(&self, name: &str) -> String {
-        match (self.rows.iter().any(|row| row == name), name) {
-            // What is read of it has been stored.
-            (true, "v") => format!("u[{}]", self.axis),
-            (true, name) => format!("{name}[{}]", self.axis),
-            (false, name) => name.to_owned(),
-        }
-    }
-
-    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
-        let place = match (self.axis.parse::<usize>(), stride, index) {
-            (Ok(axis), ..) => (stride * axis + index).to_string(),
-            (_, 1, _) => self.axis.clone(),
-            (_, stride, 0) => format!("{stride}U * {}", self.axis),
-            (_, stride, index) => format!("({stride}U * {}) + {index}U", self.axis),
-        };
-        format!("{}[{place}]", self.field(name))
     }
 
     fn field(&self, name: &str) -> String {
@@ -144,6 +120,10 @@ impl Text for C<'_> {
         (Level::Sign, format!("({}){count}", self.type_of(Shape::Real)))
     }
 
+    fn status(&self, status: Status) -> String {
+        word(status).to_owned()
+    }
+
     fn finite(&self, value: &str) -> String {
         format!("(isfinite({value}) != 0)")
     }
@@ -161,11 +141,9 @@ impl<'a> C<'a> {
             notes,
             owner: "self->",
             standing: None,
+            inputs: None,
             zeroed: false,
             stored: None,
-            rows: Vec::new(),
-            axis: AXIS.to_owned(),
-            gains: "gains->",
             out,
         }
     }

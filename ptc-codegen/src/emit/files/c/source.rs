@@ -20,8 +20,7 @@ impl C<'_> {
         self.out.line(format!("#include \"{name}.h\"\n\n#include <math.h>\n#include <stddef.h>"));
         let is_list = |result: &Variable| matches!(result.shape, Shape::Reals(_));
         let lists = |f: &Function| f.guarded && f.results.iter().any(is_list);
-        let loops = code.axes().is_some() && !code.has_inputs() || code.functions.iter().any(lists);
-        if loops || code.counts() {
+        if code.functions.iter().any(lists) || code.counts() {
             self.out.line("#include <stdint.h>");
         }
         self.out.line("");
@@ -90,9 +89,8 @@ impl C<'_> {
             let tests = self.pointers(function);
             self.out.open(format!("if ({tests}) {{"));
         }
-        if function.finish == Finish::Stands && fails {
-            self.no_inputs(function, first);
-        }
+        let several = function.results.first().filter(|_| function.finish == Finish::Stands);
+        self.inputs = several.and_then(|u| u.shape.length());
         self.nested(&function.body, &mut |this| {
             let done = this.stored.is_some() && function.finish.results().is_some();
             this.finish(function, &function.finish, done && !this.zeroed);
@@ -106,15 +104,6 @@ impl C<'_> {
         }
         self.out.line("return status;");
         self.out.close("}");
-    }
-
-    /// What the call gives of several inputs where it ends early.
-    fn no_inputs(&mut self, function: &Function, status: Status) {
-        let (zero, status) = (self.literal("0.0"), word(status));
-        let count = function.results.first().and_then(|result| result.shape.length());
-        for index in 0..count.unwrap_or_default() {
-            self.out.line(format!("u[{index}] = {zero};\naxes[{index}] = {status};"));
-        }
     }
 
     /// A list of results is 0 where a pointer is missing, as one is from the start.
@@ -181,7 +170,6 @@ impl C<'_> {
                 self.settle(*ending);
             }
             Finish::Fail(status) => self.fail(function, *status),
-            Finish::Axes(axes) => self.axes(function, axes),
             Finish::Stands => {}
             Finish::If(..) => {
                 // One store for all ends, but where the result is 0 from the start.
@@ -243,30 +231,17 @@ impl C<'_> {
             Ending::Known(status) => word(status),
             Ending::OfGains => "gains->status",
         };
-        let place = self.place("status");
-        self.out.line(format!("{place} = {status};"));
-    }
-
-    /// Where a result that is one number goes, or the status: in the loop over axes into the array of all.
-    fn place(&self, name: &str) -> String {
-        match (self.rows.is_empty(), name) {
-            (true, "status") => name.to_owned(),
-            (true, _) => format!("*{name}"),
-            (false, "status") => "axes[axis]".to_owned(),
-            (false, _) => format!("{name}[axis]"),
-        }
+        self.out.line(format!("status = {status};"));
     }
 
     fn fail(&mut self, function: &Function, status: Status) {
         if !self.zeroed || self.stored.is_some() {
             let zero = self.literal("0.0");
             for result in function.results.iter().filter(|result| result.shape == Shape::Real) {
-                let place = self.place(&result.name);
-                self.out.line(format!("{place} = {zero};"));
+                self.out.line(format!("*{} = {zero};", result.name));
             }
         }
-        let place = self.place("status");
-        self.out.line(format!("{place} = {};", word(status)));
+        self.out.line(format!("status = {};", word(status)));
     }
 
     fn hand_over(&mut self, function: &Function, values: &[Expr]) {
@@ -280,14 +255,14 @@ impl C<'_> {
                 }
                 Shape::Lists(..) => fault("an array of arrays is given"),
                 Shape::Gains => {
-                    let (fields, gains) = (self.code.gains.iter(), self.gains);
+                    let (fields, gains) = (self.code.gains.iter(), "gains->");
                     let place = |field: &Variable| match field.shape.length() {
                         Some(n) => (0..n).map(|i| format!("{gains}{}[{i}]", field.name)).collect(),
                         None => vec![format!("{gains}{}", field.name)],
                     };
                     fields.flat_map(place).collect()
                 }
-                Shape::Real | Shape::Count => vec![self.place(name)],
+                Shape::Real | Shape::Count => vec![format!("*{name}")],
             };
             for (place, value) in places.into_iter().zip(values.by_ref()) {
                 self.out.line(format!("{place} = {value};"));

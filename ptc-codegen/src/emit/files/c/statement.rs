@@ -42,6 +42,14 @@ impl C<'_> {
         let line = self.out.joined("if (", &parts, ("&&", "\n    && "), ") {");
         self.out.open(line);
         self.nested(rest, then);
+        if let Some(count) = self.inputs {
+            // Not before, as u may lie where x does.
+            let (zero, status) = (self.literal("0.0"), word(status));
+            self.out.turn("} else {");
+            self.out.open(format!("for (uint32_t i = 0U; i < {count}U; i++) {{"));
+            self.out.line(format!("u[i] = {zero};\naxes[i] = {status};"));
+            self.out.close("}");
+        }
         self.out.close("}");
     }
 }
@@ -62,7 +70,7 @@ impl Block for C<'_> {
     fn branch(&self) -> Branch {
         let joint = "\n    && ";
         let (otherwise, end) = ("} else {", "}");
-        Branch { open: "if (", turn: "} else if (", then: ") {", joint, otherwise, end }
+        Branch { open: "if (", not: "!", turn: "} else if (", then: ") {", joint, otherwise, end }
     }
 
     /// Rules of MISRA end every chain with `else`.
@@ -84,10 +92,6 @@ impl Block for C<'_> {
         Some(format!("{} {name}{length};", self.type_of(shape)))
     }
 
-    fn status(&self, status: Status) -> String {
-        word(status).to_owned()
-    }
-
     fn require(&mut self, _: &Test, _: Status) {
         fault("what a test guards is inside it")
     }
@@ -103,10 +107,11 @@ impl Block for C<'_> {
 
     fn apply(&mut self, name: &str, subroutine: Subroutine, [changed, other]: &[Vec<Expr>; 2]) {
         let [_, own] = subroutine.given();
+        let [_, given] = subroutine.arguments(name);
         self.array_of("", name, changed);
-        self.array_of(if own.changes { "" } else { "const " }, own.name, other);
+        self.array_of(if own.changes { "" } else { "const " }, &given, other);
         let (code, called) = (&self.code.name, subroutine.name());
-        self.out.line(format!("{code}_{called}({name}, {});", own.name));
+        self.out.line(format!("{code}_{called}({name}, {given});"));
     }
 
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize) {

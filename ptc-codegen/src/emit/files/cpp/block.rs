@@ -4,7 +4,7 @@ use super::super::block::{Block, Branch, Ends, counted};
 use super::super::gives::Gives;
 use super::super::text::{Lines, Text};
 use super::{Cpp, word};
-use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test, Whose};
+use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test};
 use crate::internal::fault;
 
 /// The type of indices.
@@ -26,7 +26,7 @@ impl Block for Cpp<'_> {
     fn branch(&self) -> Branch {
         let joint = "\n    && ";
         let (otherwise, end) = ("} else {", "}");
-        Branch { open: "if (", turn: "} else if (", then: ") {", joint, otherwise, end }
+        Branch { open: "if (", not: "!", turn: "} else if (", then: ") {", joint, otherwise, end }
     }
 
     fn joint_of_not(&self) -> &'static str {
@@ -42,23 +42,8 @@ impl Block for Cpp<'_> {
         Some(format!("{} {name}{{}};", self.type_of(shape)))
     }
 
-    fn input(&self, index: usize) -> String {
-        format!("all.u[{index}]")
-    }
-
-    fn status(&self, status: Status) -> String {
-        word(status)
-    }
-
-    fn status_of(&self, whose: Whose) -> String {
-        match whose {
-            Whose::Call => "all.status".to_owned(),
-            Whose::Input(index) => format!("all.axes[{index}]"),
-        }
-    }
-
     fn require(&mut self, test: &Test, status: Status) {
-        let line = self.unless("!", test, ") {");
+        let line = self.refused(test);
         self.out.open(line);
         self.fail(status);
         self.out.close("}");
@@ -72,8 +57,7 @@ impl Block for Cpp<'_> {
     }
 
     fn apply(&mut self, name: &str, subroutine: Subroutine, given: &[Vec<Expr>; 2]) {
-        // The first may have the name of what it becomes.
-        let own = subroutine.given().map(|own| format!("given_{}", own.name));
+        let own = subroutine.arguments(name);
         let both = own.iter().zip(given).rev();
         both.for_each(|(own, values)| self.array(own, values));
         let (called, given) = (subroutine.name(), own.join(", "));
@@ -120,7 +104,7 @@ impl Ends for Cpp<'_> {
             Gives::Gains => format!("gains.status = {status};"),
             Gives::Array => format!("return {{{{{values}}}}};"),
             Gives::Number => format!("return {values};"),
-            Gives::Axes => fault("axes are the whole of a function"),
+            Gives::Axes => fault("several inputs are the whole of a function"),
         });
     }
 

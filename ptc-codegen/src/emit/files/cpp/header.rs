@@ -5,7 +5,6 @@ use super::super::called::{calls, calls_library};
 use super::super::gives::Gives;
 use super::super::text::{Text, capital};
 use super::Cpp;
-use super::axes::AXES;
 use crate::code::{Code, Expr, Owner, Shape, Subroutine, Variable};
 use crate::expression::Function as Math;
 use crate::parameter::type_name;
@@ -21,16 +20,15 @@ impl Cpp<'_> {
         self.out.line(format!(" */\n#ifndef {guard}_HPP\n#define {guard}_HPP\n"));
         self.out.line("#include <array>");
         for (header, needed) in [
-            (
-                "cmath",
-                code.functions.iter().any(|function| calls_library(code, function))
-                    || init_calls(code),
-            ),
+            ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
             ("cstddef", code.axes().is_some() || code.counts()),
             (
                 "cstdint",
-                (code.axes().is_some() && !code.has_inputs())
-                    || code.fields.iter().any(|field| field.shape == Shape::Count),
+                code.functions
+                    .iter()
+                    .flat_map(|function| &function.arguments)
+                    .chain(&code.fields)
+                    .any(|variable| variable.shape == Shape::Count),
             ),
             ("limits", true),
         ] {
@@ -44,7 +42,7 @@ impl Cpp<'_> {
             self.out.line(include_str!("../../../../templates/value.hpp.txt"));
         }
         if code.axes().is_some() {
-            self.out.line(AXES.trim_start());
+            self.out.line(include_str!("../../../../templates/axes.hpp.txt"));
         }
         self.out.line("/// Run-time parameters.");
         self.out.open(format!("struct {kind}Params {{"));
@@ -132,7 +130,7 @@ impl Cpp<'_> {
         let mut list = vec![format!("const Params&{params}")];
         let state = code.start.as_ref().and_then(|start| start.state.as_ref());
         list.extend(state.map(|state| format!("const State& {}", state.name)));
-        let arm = code.function("arm").is_some_and(|arm| calls_library(code, arm));
+        let arm = code.function("arm").is_some_and(calls_library);
         let constant = if init_calls(code) || arm { "" } else { "constexpr " };
         let list = list.join(", ");
         self.out.line(format!("[[nodiscard]] {constant}Status init({list}) noexcept"));

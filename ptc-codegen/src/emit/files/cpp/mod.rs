@@ -1,6 +1,5 @@
 //! C++17: one header, in which all that calls no function of a library is `constexpr`.
 
-mod axes;
 mod block;
 mod header;
 mod target;
@@ -115,7 +114,7 @@ impl<'a> Cpp<'a> {
                 | Gives::Axes
         );
         let discard = if typed { "" } else { "[[nodiscard]] " };
-        let constant = if calls_library(self.code, function) { "" } else { "constexpr " };
+        let constant = if calls_library(function) { "" } else { "constexpr " };
         let access = if function.access == Access::Read { " const" } else { "" };
         let throws = if kinds.is_empty() { " noexcept" } else { "" };
         let (name, list) = (function.name, list.join(", "));
@@ -130,9 +129,6 @@ impl<'a> Cpp<'a> {
             let zero = self.literal("0.0");
             self.out
                 .line(format!("if (status < Status::Ok) {{\n    return {{{zero}, status}};\n}}"));
-        }
-        if let Finish::Axes(axes) = &function.finish {
-            return self.axes(function, axes.count);
         }
         if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
             let real = self.real_type();

@@ -1,7 +1,8 @@
 //! Expressions in C++.
 
 use super::super::text::{Level, Text};
-use super::Cpp;
+use super::{Cpp, word};
+use crate::code::{Index, Status, Whose};
 use crate::parameter::Precision;
 
 impl Text for Cpp<'_> {
@@ -45,6 +46,21 @@ impl Text for Cpp<'_> {
 
     fn real(&self, count: &str) -> (Level, String) {
         (Level::Atom, format!("static_cast<{}>({count})", self.real_type()))
+    }
+
+    fn input(&self, index: &Index) -> String {
+        format!("all.u[{}]", self.place(index, 0))
+    }
+
+    fn status(&self, status: Status) -> String {
+        word(status)
+    }
+
+    fn status_of(&self, whose: &Whose) -> String {
+        match whose {
+            Whose::Call => "all.status".to_owned(),
+            Whose::Input(index) => format!("all.axes[{}]", self.place(index, 0)),
+        }
     }
 
     fn finite(&self, value: &str) -> String {

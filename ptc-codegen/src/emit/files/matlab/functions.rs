@@ -76,11 +76,6 @@ impl Matlab<'_> {
         let result = function.results.first();
         self.result = result.map(|result| result.name.clone()).unwrap_or_default();
         self.signature(function);
-        if let Finish::Axes(axes) = &function.finish {
-            self.axes(function, axes.count);
-            self.out.line("end");
-            return self.out.text();
-        }
         if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
             self.inputs(function, count);
             return self.with_helpers(function);

@@ -1,7 +1,6 @@
 //! MATLAB and GNU Octave: a function file for each function. Integers saturate there, and a quotient
 //! of them is rounded: differences of counts are taken in doubles, which hold them exactly.
 
-mod axes;
 mod functions;
 mod helpers;
 mod statement;
@@ -14,7 +13,7 @@ pub(in crate::emit) use target::TARGET;
 use super::gives::Gives;
 use super::literal::through_double;
 use super::text::{Level, Lines, Text};
-use crate::code::{AXIS, Code, Expr, Owner};
+use crate::code::{AXIS, Code, Expr, Owner, Status};
 use crate::emit::File;
 use crate::parameter::Precision;
 
@@ -79,8 +78,8 @@ impl Text for Matlab<'_> {
         format!("{array}({})", index + 1)
     }
 
-    fn entry(&self, array: &str, row: usize, column: usize) -> String {
-        format!("{array}({}, {})", row + 1, column + 1)
+    fn entry(&self, array: &str, row: &str, column: usize) -> String {
+        format!("{array}({row}, {})", column + 1)
     }
 
     fn first(&self) -> i32 {
@@ -158,6 +157,10 @@ impl Text for Matlab<'_> {
 
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
         format!("{}({name}({array}, {time}))", self.real_type())
+    }
+
+    fn status(&self, status: Status) -> String {
+        format!("int32({})", status.number())
     }
 
     fn finite(&self, value: &str) -> String {

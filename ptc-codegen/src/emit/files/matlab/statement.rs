@@ -23,7 +23,15 @@ impl Block for Matlab<'_> {
 
     fn branch(&self) -> Branch {
         let joint = " ...\n    && ";
-        Branch { open: "if ", turn: "elseif ", then: "", joint, otherwise: "else", end: "end" }
+        Branch {
+            open: "if ",
+            not: "~",
+            turn: "elseif ",
+            then: "",
+            joint,
+            otherwise: "else",
+            end: "end",
+        }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -35,20 +43,16 @@ impl Block for Matlab<'_> {
         Some(format!("{name} = zeros(1, {length}, '{real}');"))
     }
 
-    fn status(&self, status: Status) -> String {
-        format!("int32({})", status.number())
-    }
-
     fn require(&mut self, test: &Test, status: Status) {
         let Some(wrong) = self.raises.clone() else {
-            let line = self.unless("~", test, "");
+            let line = self.refused(test);
             self.out.open(line);
             self.out.line(format!("status = int32({});\nreturn;", status.number()));
             return self.out.close("end");
         };
         let name = &self.code.name;
         for check in checks(test, &self.copies) {
-            let line = self.unless("~", &check.test, "");
+            let line = self.refused(&check.test);
             self.out.open(line);
             let parameter = check.parameter.map(|(name, index)| match index {
                 Some(index) => format!("{name}({})", index + 1),
@@ -107,7 +111,7 @@ impl Ends for Matlab<'_> {
                 self.out.line(format!("{result} = [{}];", list.join("; ")))
             }
             Gives::Gains => {}
-            Gives::Axes => fault("axes are the whole of a function"),
+            Gives::Axes => fault("several inputs are the whole of a function"),
         }
         match ending {
             _ if !self.has_status() => {}

@@ -38,11 +38,15 @@ impl Python<'_> {
         self.out.line("");
         self.out.open(format!("def {}({}) -> {result}:", function.name, list.join(", ")));
         self.out.words("", &format!("\"\"\"{}", function.about));
-        let lists = function.arguments.iter().any(|a| matches!(a.shape, Shape::Lists(..)));
-        let of_outputs = if lists { ", r along the last two" } else { "" };
-        self.out.line(format!(
-            "\nEach argument may be a batch; states stand along the last axis{of_outputs}."
-        ));
+        let is_list = |name| {
+            function.arguments.iter().any(|a| a.name == name && matches!(a.shape, Shape::Lists(..)))
+        };
+        let stand = match (is_list("x"), is_list("r")) {
+            (true, _) => "axes and what each is given stand along the last two axes",
+            (false, true) => "states stand along the last axis, r along the last two",
+            (false, false) => "states stand along the last axis",
+        };
+        self.out.line(format!("\nEach argument may be a batch; {stand}."));
         for callback in &function.callbacks {
             self.out.line("");
             let (name, about) = (callback.name, callback.about);
@@ -170,7 +174,7 @@ impl Python<'_> {
                     Ending::OfGains => "self.status".to_owned(),
                 },
             },
-            Finish::Axes(_) | Finish::Stands => fault("several inputs are the whole of an end"),
+            Finish::Stands => fault("several inputs are the whole of an end"),
             Finish::Fail(status) => {
                 End { value: None, status: format!("Status.{}", word(*status)) }
             }
@@ -200,6 +204,6 @@ fn without_values(finish: &Finish) -> Finish {
             Finish::choose(test.clone(), without_values(yes), without_values(no))
         }
         Finish::Give(_, ending) => Finish::Give(Vec::new(), *ending),
-        Finish::Fail(_) | Finish::Axes(_) | Finish::Stands => finish.clone(),
+        Finish::Fail(_) | Finish::Stands => finish.clone(),
     }
 }

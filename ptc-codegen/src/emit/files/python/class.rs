@@ -19,9 +19,6 @@ impl Python<'_> {
         self.init();
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             match code.start {
-                _ if matches!(function.finish, Finish::Axes(_)) => {
-                    self.axes(function, code.axes().unwrap_or_default());
-                }
                 Some(_) if Gives::of(function) != Gives::Status => self.batch_function(function),
                 _ => self.function(function),
             }

@@ -3,7 +3,8 @@
 use super::super::block::Block;
 use super::super::text::Text;
 use super::Python;
-use crate::code::{Expr, For, Place, Statement, Status, Subroutine, Test, Whose};
+use crate::code::{Expr, For, Place, Statement, Status, Subroutine, Test};
+use crate::internal::fault;
 
 /// Where an element of a batch has left a loop.
 const DONE: &str = "done";
@@ -29,33 +30,31 @@ impl Python<'_> {
 
     /// Several inputs before statements set them in parts of a batch.
     pub(super) fn unset_inputs(&mut self) {
-        for index in 0..self.code.axes().unwrap_or_default() {
-            let (u, status) = (self.input(index), self.status_of(Whose::Input(index)));
-            self.out.line(format!("{u} = np.asarray(_R(0.0))\n{status} = np.asarray(Status.OK)"));
-        }
+        let count = self.code.axes().unwrap_or_default();
+        self.out.line(format!("u: list[Array] = [np.asarray(_R(0.0))] * {count}"));
+        self.out.line(format!("axes = [np.asarray(Status.OK)] * {count}"));
     }
 
     /// Several inputs, which statements have set, for each element of a batch.
     pub(super) fn inputs(&mut self, legal: &[(&Test, Status)]) {
-        let count = self.code.axes().unwrap_or_default();
-        let u: Vec<_> = (0..count).map(|index| self.input(index)).collect();
-        let axes: Vec<_> = (0..count).map(|index| self.status_of(Whose::Input(index))).collect();
         for (test, status) in legal.iter().rev() {
             let (test, status) = (self.test(test), self.status(*status));
-            self.out.line(format!("legal = {test}"));
-            for name in axes.iter().map(String::as_str).chain(["status"]) {
-                self.out.line(format!("{name} = np.where(legal, {name}, {status})"));
-            }
+            self.out.line(format!(
+                "legal = {test}
+axes = [np.where(legal, each, {status}) for each in axes]
+status = np.where(legal, status, {status})"
+            ));
         }
-        for (name, each) in [("u", u), ("axes", axes)] {
-            let each = each.join(", ");
-            self.out.line(format!("each = np.broadcast_arrays({each}, status)[:-1]"));
-            self.out.line(format!("{name} = np.stack(each, axis=-1)"));
-        }
-        self.out.line(
-            "u = np.where((status < 0)[..., np.newaxis], _R(0.0), u)
-return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
-        );
+        let count = self.code.axes().unwrap_or_default();
+        self.out.line(format!(
+            "every = np.broadcast_arrays(*u, *axes, status)
+given = np.stack(every[:{count}], axis=-1)
+return Axes(
+    np.where((status < 0)[..., np.newaxis], _R(0.0), given),
+    np.stack(every[{count}:-1], axis=-1).astype(np.int8),
+    every[-1].astype(np.int8),
+)"
+        ));
     }
 
     /// The result of a call that is refused before any input is computed.
@@ -69,12 +68,18 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
     /// A statement of a batch.
     pub(super) fn chosen(&mut self, statement: &Statement) {
         match (statement, self.mask.clone()) {
-            (Statement::Set(..) | Statement::Settle(..), Some(mask)) => {
+            (Statement::Set(..) | Statement::Settle(..), mask) => {
                 let Some((place, value)) = self.sets(statement) else { return };
-                self.out.line(format!("{place} = np.where({mask}, {value}, {place})"));
+                self.out.line(match mask {
+                    Some(mask) => format!("{place} = np.where({mask}, {value}, {place})"),
+                    None => format!("{place} = {value}"),
+                });
             }
             (Statement::If(test, yes, no), mask) => match (yes.as_slice(), no.as_slice()) {
-                ([Statement::Leave], []) => self.leaves(test),
+                ([Statement::Leave], []) => {
+                    let test = self.test(test);
+                    self.leaves(&test);
+                }
                 _ if self.is_of_all(test) => {
                     let line = format!("if {}:", self.test(test));
                     self.out.open(line);
@@ -95,6 +100,7 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
                 },
             },
             (Statement::For(each), mask) => self.loops(each, mask),
+            (Statement::Leave, Some(mask)) => self.leaves(&mask),
             (statement, _) => self.statement(statement),
         }
     }
@@ -121,22 +127,35 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
         let holds = format!("holds{}", if depth == 0 { String::new() } else { depth.to_string() });
         let test = self.test(test);
         self.out.line(format!("{holds} = np.asarray({test})"));
+        // Most often all are as they should be.
+        let rare = match ways {
+            [[], _] if mask.is_none() => Some(format!("if not {holds}.all():")),
+            [_, []] if mask.is_none() => Some(format!("if {holds}.any():")),
+            _ => None,
+        };
+        if let Some(open) = &rare {
+            self.out.open(open);
+        }
         let own = [holds.clone(), format!("~{holds}")];
         for (own, way) in own.into_iter().zip(ways) {
             self.mask = Some(mask.as_ref().map_or(own.clone(), |outer| format!("{own} & {outer}")));
             way.iter().for_each(|statement| self.chosen(statement));
+        }
+        if rare.is_some() {
+            self.out.leave();
         }
         self.mask = mask;
     }
 
     /// A loop; where elements leave it, those that have keep what they have.
     fn loops(&mut self, each: &For, mask: Option<String>) {
-        let is_left = each.body.iter().any(|statement| {
-            matches!(statement, Statement::If(_, yes, _) if yes.as_slice() == [Statement::Leave])
-        });
-        if is_left {
+        if each.is_left() {
+            let outer = mask.as_ref().map(|mask| format!(" & {mask}"));
+            if outer.as_ref().is_some_and(|outer| outer.contains(DONE)) {
+                fault("a loop that is left within another one");
+            }
             self.out.line(format!("{DONE} = np.asarray(False)"));
-            self.mask = Some(format!("~{DONE}"));
+            self.mask = Some(format!("~{DONE}{}", outer.unwrap_or_default()));
         }
         let [open, _] = Block::each(self, each);
         self.out.open(open);
@@ -148,13 +167,15 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
     }
 
     /// Ends the loop for the elements for which the test holds.
-    fn leaves(&mut self, test: &Test) {
-        let test = self.test(test);
+    fn leaves(&mut self, test: &str) {
         self.out.line(format!("{DONE} = {DONE} | ({test})\nif {DONE}.all():\n    break"));
     }
 
     /// Whether a test is one of all elements: it compares indices of loops alone.
     fn is_of_all(&self, test: &Test) -> bool {
+        if matches!(test, Test::Stands(_) | Test::Fails(_)) {
+            return false;
+        }
         let mut all = true;
         test.visit(&mut |value| {
             all &= match value {
@@ -170,24 +191,28 @@ return Axes(u, axes.astype(np.int8), status.astype(np.int8))",
     fn sets(&self, statement: &Statement) -> Option<(String, String)> {
         let (place, value) = match statement {
             Statement::Settle(whose, status) => {
-                let of_call = || self.status_of(Whose::Call);
-                let status = status.map_or_else(of_call, |status| self.status(status));
-                return Some((self.status_of(*whose), status));
+                return Some((self.status_of(whose), self.standing(status)));
             }
             Statement::Set(place, value) => (place, value),
             _ => return None,
         };
+        let is_of_list = matches!(place, Place::Element(..) | Place::Input(_));
         let place = match place {
             Place::Local(name) => self.local(name),
             Place::Element(name, index) => self.at(name, &self.place(index, self.first())),
-            Place::Input(index) => self.input(*index),
+            Place::Input(index) => self.input(index),
             Place::Field(name) => self.field(name),
         };
-        Some((place, self.value(value)))
+        let value = match (is_of_list, value) {
+            (true, Expr::Number(_)) => format!("np.asarray({})", self.value(value)),
+            _ => self.value(value),
+        };
+        Some((place, value))
     }
 
-    /// What a branch sets last, and its value.
+    /// What a branch sets last, and its value, where that is all it sets.
     fn sets_last(&self, branch: &[Statement]) -> Option<(String, String)> {
-        self.sets(branch.last()?)
+        let (last, before) = branch.split_last()?;
+        before.iter().all(|statement| self.sets(statement).is_none()).then(|| self.sets(last))?
     }
 }

@@ -1,6 +1,5 @@
 //! Python: one typed module on NumPy, whose scalars round to their precision and divide by zero.
 
-mod axes;
 mod batch;
 mod class;
 mod masked;
@@ -12,7 +11,6 @@ use std::collections::BTreeMap;
 
 pub(in crate::emit) use target::TARGET;
 
-use super::block::Block;
 use super::gives::Gives;
 use super::literal::through_double;
 use super::text::{Level, Lines, Text, bare};
@@ -153,7 +151,7 @@ impl Text for Python<'_> {
         format!("{}[..., {place}]", self.field(name))
     }
 
-    fn entry(&self, array: &str, row: usize, column: usize) -> String {
+    fn entry(&self, array: &str, row: &str, column: usize) -> String {
         format!("{array}[..., {row}, {column}]")
     }
 
@@ -170,6 +168,10 @@ impl Text for Python<'_> {
             true => (Level::Atom, format!("max({no}, {yes})")),
             false => (Level::Choice, format!("{yes} if {test} else {no}")),
         }
+    }
+
+    fn status(&self, status: Status) -> String {
+        format!("Status.{}", word(status))
     }
 
     fn finite(&self, value: &str) -> String {
@@ -239,15 +241,6 @@ impl<'a> Python<'a> {
             gives: Gives::Status,
             owner: "self._",
             out: Lines::default(),
-        }
-    }
-
-    /// The line that opens what happens where `test` does not hold.
-    fn refused(&self, test: &Test) -> String {
-        let line = self.unless("not ", test, ":");
-        match line.contains('\n') {
-            true => line.replacen('(', "(\n    ", 1).replace("):", "\n):"),
-            false => line,
         }
     }
 

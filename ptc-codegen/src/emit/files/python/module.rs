@@ -1,6 +1,5 @@
 //! The module around the classes.
 
-use super::axes::{AXES, LISTS};
 use super::{Python, annotation};
 use crate::code::{Expr, Owner, Shape, Variable};
 use crate::parameter::type_name;
@@ -49,7 +48,7 @@ impl Python<'_> {
             self.out.line(control.replace("REAL", real));
         }
         if code.axes().is_some() {
-            self.out.line(AXES);
+            self.out.line(format!("\n{}", include_str!("../../../../templates/axes.py.txt")));
         }
         if rate {
             self.out.line(RATE);
@@ -103,7 +102,8 @@ impl Python<'_> {
         }
         let arguments = code.functions.iter().flat_map(|function| &function.arguments);
         if arguments.into_iter().any(|argument| matches!(argument.shape, Shape::Lists(..))) {
-            self.out.line(format!("{LISTS}\n"));
+            self.out.line(include_str!("../../../../templates/of_axes.py.txt"));
+            self.out.line("");
         }
         code.subroutines().into_iter().for_each(|of| self.subroutine(of));
     }

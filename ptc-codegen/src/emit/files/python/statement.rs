@@ -1,11 +1,11 @@
 //! Statements.
 
-use super::super::block::{Block, Branch, Ends, either};
+use super::super::block::{Block, Branch, Ends, either, refused};
 use super::super::gives::Gives;
 use super::super::legal::checks;
 use super::super::text::{Lines, Text};
 use super::{Python, boxed, word};
-use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test, Whose};
+use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test};
 
 impl Block for Python<'_> {
     fn as_block(&mut self) -> &mut dyn Block {
@@ -22,7 +22,15 @@ impl Block for Python<'_> {
 
     fn branch(&self) -> Branch {
         let joint = "\n    and ";
-        Branch { open: "if ", turn: "elif ", then: ":", joint, otherwise: "else:", end: "" }
+        Branch {
+            open: "if ",
+            not: "not ",
+            turn: "elif ",
+            then: ":",
+            joint,
+            otherwise: "else:",
+            end: "",
+        }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -59,22 +67,11 @@ impl Block for Python<'_> {
         }
     }
 
-    fn input(&self, index: usize) -> String {
-        match self.batch {
-            true => format!("u{}", index + 1),
-            false => self.element("u", index),
-        }
-    }
-
-    fn status(&self, status: Status) -> String {
-        format!("Status.{}", word(status))
-    }
-
-    fn status_of(&self, whose: Whose) -> String {
-        match (whose, self.batch) {
-            (Whose::Call, _) => "status".to_owned(),
-            (Whose::Input(index), true) => format!("axis{}", index + 1),
-            (Whose::Input(index), false) => self.element("axes", index),
+    fn refused(&self, test: &Test) -> String {
+        let line = refused(self, test);
+        match line.contains('\n') {
+            true => line.replacen('(', "(\n    ", 1).replace("):", "\n):"),
+            false => line,
         }
     }
 

@@ -134,6 +134,10 @@ impl Text for StructuredText<'_> {
         format!("({value} <> {value})")
     }
 
+    fn status(&self, status: Status) -> String {
+        status.number().to_string()
+    }
+
     fn finite(&self, value: &str) -> String {
         format!("(ABS({value}) <= {})", greatest(self.code.precision))
     }
@@ -167,7 +171,7 @@ impl Block for StructuredText<'_> {
     fn branch(&self) -> Branch {
         let joint = "\n    AND ";
         let (otherwise, end) = ("ELSE", "END_IF;");
-        Branch { open: "IF ", turn: "ELSIF ", then: " THEN", joint, otherwise, end }
+        Branch { open: "IF ", not: "NOT ", turn: "ELSIF ", then: " THEN", joint, otherwise, end }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -183,12 +187,8 @@ impl Block for StructuredText<'_> {
         format!("{place} := {value};")
     }
 
-    fn status(&self, status: Status) -> String {
-        status.number().to_string()
-    }
-
     fn require(&mut self, test: &Test, status: Status) {
-        let line = self.unless("NOT ", test, " THEN");
+        let line = self.refused(test);
         self.out.open(line);
         self.out.line(format!("status := {};\nRETURN;", status.number()));
         self.out.close("END_IF;");
