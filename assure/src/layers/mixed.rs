@@ -1,6 +1,10 @@
-//! Random designs of all keys together: what one feature leaves to another compiles in every language.
+//! Random designs of all keys together: what one feature leaves to another compiles in every language, and gives the
+//! same bits.
 
+mod agree;
+mod calls;
 mod draw;
+mod programs;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,6 +14,8 @@ use anyhow::Result;
 use ptc_codegen::emit::Language;
 use ptc_codegen::request::Spec;
 
+use self::agree::differs;
+use self::calls::Calls;
 use self::draw::{Keys, keys};
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
@@ -23,8 +29,8 @@ use crate::tool::{CLANG, GCC, GXX, PYTHON, RUSTC};
 
 pub(super) const LAYER: Layer = Layer {
     name: "mixed",
-    claim: "Random designs of all keys together compile in C, C++ and Rust without a warning, are read by Python, and \
-            pass their self-test.",
+    claim: "Random designs of all keys together compile in C, C++ and Rust without a warning, give the bits of the \
+            interpreter in each of them, are read by Python, and pass their self-test.",
     tools: &[GCC, GXX, CLANG, RUSTC, PYTHON],
     run,
 };
@@ -37,7 +43,7 @@ fn run(context: &Context) -> Result<Finding> {
     let mut random = Random(context.seed);
     let drawn: Vec<_> = (0..DESIGNS).map(|i| keys(&mut random, &format!("mixed{i}"))).collect();
     let drawn = context.in_turn(drawn);
-    let told = in_pairs(&drawn, |keys| examined(&folder, keys));
+    let told = in_pairs(&drawn, |keys| examined(&folder, context.seed, keys));
     let mut finding = Finding::default();
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for (keys, told) in drawn.iter().zip(told) {
@@ -74,13 +80,19 @@ const SELFTEST: &str = "self-test, run";
 type Told = Vec<(&'static str, Option<String>)>;
 
 /// `None` where the design is refused.
-fn examined(folder: &Path, keys: &Keys) -> Result<Option<Told>> {
+fn examined(folder: &Path, seed: u64, keys: &Keys) -> Result<Option<Told>> {
     let Some((spec, accepted)) = accepted(keys) else { return Ok(None) };
     let home = |language: Language| folder.join(spec.name()).join(language.name());
     let mut told = Vec::new();
-    for (name, language) in LANGUAGES {
+    let calls = Calls::of(&spec, seed);
+    let wanted = calls.as_ref().map(Calls::interpreted);
+    for (name, run, language) in LANGUAGES {
         let Ok(files) = accepted.sources(language, &[]) else { continue };
-        told.push((name, compiled(language, &written(&empty(&home(language)), files))?));
+        let home = empty(&home(language));
+        told.push((name, compiled(language, &written(&home, files))?));
+        if let (Some(run), Some(calls), Some(wanted)) = (run, &calls, &wanted) {
+            told.push((run, differs(&home, (&spec, calls), language, wanted)?));
+        }
     }
     if let Ok(files) = accepted.selftest() {
         let home = home(Language::C);
@@ -90,11 +102,11 @@ fn examined(folder: &Path, keys: &Keys) -> Result<Option<Told>> {
     Ok(Some(told))
 }
 
-const LANGUAGES: [(&str, Language); 4] = [
-    (C, Language::C),
-    (CPP, Language::Cpp),
-    (RUST, Language::Rust),
-    (READ_BY_PYTHON, Language::Python),
+const LANGUAGES: [(&str, Option<&str>, Language); 4] = [
+    (C, Some("C, bits of calls"), Language::C),
+    (CPP, Some("C++, bits of calls"), Language::Cpp),
+    (RUST, Some("Rust, bits of calls"), Language::Rust),
+    (READ_BY_PYTHON, None, Language::Python),
 ];
 
 /// What the compilers of a language say of its files, if anything.
@@ -160,12 +172,27 @@ const DEFECTS: [(Language, Defect); 4] = [
     (Language::Python, ("    def step(", "    def step((", "Python: a bracket that is not closed")),
 ];
 
+/// A defect in each language, which its calls must show.
+const WRONG: [(Language, Defect); 3] = [
+    (Language::C, ("inv_r1 = 1.0 / (", "inv_r1 = 1.0000001 / (", "C: a gain off by 1e-7")),
+    (Language::Cpp, ("inv_r1 = 1.0 / (", "inv_r1 = 1.0000001 / (", "C++: a gain off by 1e-7")),
+    (Language::Rust, ("inv_r1 = 1.0 / (", "inv_r1 = 1.0000001 / (", "Rust: a gain off by 1e-7")),
+];
+
 fn seeded(folder: &Path, finding: &mut Finding) -> Result<()> {
     let example = spec(&[("n", "2"), ("mu", "exp_sum(2)"), ("name", "seeded")]);
     for (language, defect) in DEFECTS {
         let files = with_defect(&folder.join("seeded"), &example, language, defect)?;
         let caught = compiled(language, &files)?;
         finding.seed(defect.2, caught.and_then(|text| text.lines().nth(1).map(str::to_owned)));
+    }
+    let calls = Calls::of(&example, 1).expect("a step");
+    let wanted = calls.interpreted();
+    for (language, defect) in WRONG {
+        let home = folder.join("wrong").join(language.name());
+        with_defect(&home, &example, language, defect)?;
+        let caught = differs(&home, (&example, &calls), language, &wanted)?;
+        finding.seed(defect.2, caught.filter(|text| text.starts_with("call ")));
     }
     Ok(())
 }

@@ -32,7 +32,8 @@ const INVERSES: [&str; 3] =
     ["-ln(1 - dt/tau)/b", "dt/(b*(tau - dt)) + 0.2*sinh(dt/tau)", "atanh(dt/tau)"];
 
 /// Poles, of which each list takes the first few from a random place on.
-const POLES: [&str; 9] = ["-2", "-7", "-3", "-4.5", "-5", "-3.2", "-6", "-4", "-2.5"];
+const POLES: [&str; 13] =
+    ["-2", "-7", "-3", "-4.5", "-5", "-3.2", "-6", "-4", "-2.5", "-8", "-6.5", "-3.7", "-5.5"];
 
 /// Models of plants: their keys, and the orders of their outputs.
 type Plant = (&'static [(&'static str, &'static str)], &'static [usize]);
@@ -101,7 +102,7 @@ impl Draw<'_> {
     }
 
     fn poles(&mut self, count: usize) -> String {
-        let first = usize::try_from(self.random.below(9)).unwrap_or(0);
+        let first = usize::try_from(self.random.below(13)).unwrap_or(0);
         let all = POLES.iter().cycle().skip(first).take(count);
         all.copied().collect::<Vec<_>>().join(",")
     }
@@ -112,7 +113,10 @@ pub(super) fn keys(random: &mut Random, name: &str) -> Keys {
     let mut draw = Draw { random, keys: Vec::new() };
     draw.give("name", name);
     let in_samples = draw.one_in(2);
-    let order = 1 + usize::try_from(draw.random.below(5)).unwrap_or(0);
+    // Beyond the order of 8 sums of gains are formed in a subroutine.
+    let high = draw.one_in(8);
+    let order = usize::try_from(draw.random.below(if high { 4 } else { 5 })).unwrap_or(0);
+    let order = order + if high { 9 } else { 1 };
     let kind = draw.random.below(9);
     let (axes, orders): (usize, Vec<usize>) = match kind {
         0..3 => (0, vec![order]),
