@@ -22,22 +22,25 @@ pub fn is_normal(value: &BigRational, precision: Precision) -> bool {
 }
 
 /// The float nearest to `value`. Rounding the double again may go wrong where the double lies on
-/// the midpoint of two floats, and only there; the exact value then decides.
+/// the midpoint of two floats, and only there; the exact value, which takes far longer, then decides.
 #[allow(clippy::cast_possible_truncation)]
 fn round_to_single(value: &BigRational, nearest: f64) -> f64 {
     let single = nearest as f32;
-    let exact = |x: f64| BigRational::from_f64(x).unwrap_or_else(BigRational::zero);
-    let distance = |x: f32| {
-        let d = exact(f64::from(x)) - value;
-        if d < BigRational::zero() { -d } else { d }
-    };
+    let rounded = f64::from(single);
     if !single.is_finite() {
-        return f64::from(single);
+        return rounded;
     }
-    let neighbours = [single.next_down(), single.next_up()];
-    let closer =
-        neighbours.into_iter().filter(|x| x.is_finite()).find(|x| distance(*x) < distance(single));
-    f64::from(closer.unwrap_or(single))
+    let next = if nearest < rounded { single.next_down() } else { single.next_up() };
+    // A sum of two floats side by side is exact, and infinite above the last one.
+    let midpoint = 0.5 * (rounded + f64::from(next));
+    if nearest != midpoint || !next.is_finite() {
+        return rounded;
+    }
+    let closer = match next < single {
+        true => *value < finite(midpoint),
+        false => *value > finite(midpoint),
+    };
+    if closer { f64::from(next) } else { rounded }
 }
 
 /// The result of one operation on doubles, rounded to `precision`. For + - * / and sqrt a second
@@ -54,6 +57,15 @@ pub fn settle(result: f64, precision: Precision) -> f64 {
 /// The exact value of a finite double.
 pub fn exact(value: f64) -> Option<BigRational> {
     BigRational::from_f64(value)
+}
+
+/// Whether a double is `value`. Most numbers are no binary fractions, which is seen without the exact value of the double,
+/// whose lowest terms take far longer.
+pub fn is_exact(near: f64, value: &BigRational) -> bool {
+    let denominator = value.denom().magnitude();
+    let is_binary =
+        denominator.trailing_zeros().is_some_and(|zeros| zeros + 1 == denominator.bits());
+    is_binary && exact(near).is_some_and(|near| near == *value)
 }
 
 /// The same of one that is known to be finite.
@@ -85,6 +97,27 @@ mod tests {
         let bit = |e: usize| integer(1) / num_traits::pow(BigInt::from(2), e);
         let above = integer(1) + bit(24) + bit(60);
         assert_eq!(round(&above, Precision::F32), f64::from(1.0f32.next_up()));
+        assert_eq!(round(&-above, Precision::F32), -f64::from(1.0f32.next_up()));
+        // The same on the other side of a midpoint whose tie goes up, of the last one and of the first one.
+        let below = integer(1) + bit(23) + bit(24) - bit(60);
+        assert_eq!(round(&below, Precision::F32), f64::from(1.0f32.next_up()));
+        let tie = integer(1) + bit(23) + bit(24);
+        assert_eq!(round(&tie, Precision::F32), f64::from(1.0f32.next_up().next_up()));
+        let first = bit(150) + bit(210);
+        assert_eq!(round(&first, Precision::F32), f64::from(f32::from_bits(1)));
+        assert_eq!(round(&bit(150), Precision::F32), 0.0);
+        let last = exact(f64::from(f32::MAX)).expect("finite") + integer(1);
+        assert_eq!(round(&last, Precision::F32), f64::from(f32::MAX));
+    }
+
+    #[test]
+    fn doubles_are_told_from_numbers_near_them() {
+        for value in [0.1, -1.5, 0.0, 1.0, 6.02e23, f64::MIN_POSITIVE] {
+            let number = exact(value).expect("finite");
+            assert!(is_exact(value, &number) && !is_exact(value.next_up(), &number), "{value}");
+        }
+        let tenth = integer(1) / BigInt::from(10);
+        assert!(!is_exact(0.1, &tenth) && !is_exact(f64::INFINITY, &tenth));
     }
 
     #[test]

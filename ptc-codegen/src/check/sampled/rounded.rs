@@ -37,7 +37,7 @@ impl Rounded {
     /// An exact number as the emitted code has it.
     pub(super) fn number(exact: &BigRational, precision: Precision) -> Self {
         let near = number::round(exact, precision);
-        if number::exact(near).is_some_and(|near| near == *exact) {
+        if number::is_exact(near, exact) {
             return Self::of(Range::from(near));
         }
         let range = Range::from(&Interval::exact(exact));

@@ -1,4 +1,6 @@
-//! The check `loop` against simulated runs.
+//! The check `loop` against simulated runs, and what it takes.
+
+use std::time::{Duration, Instant};
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::plant::Plant;
@@ -60,4 +62,26 @@ fn the_check_and_the_simulation_judge_one_plant() {
             assert!(bound.rounding < 0.05 * bound.x0, "{bound:?}");
         }
     }
+}
+
+/// Numbers of a plant have thousands of digits, and each of them is rounded at each sample: once, rounding to f32 took ten times
+/// as long as all else together.
+#[test]
+fn a_check_takes_as_long_in_f32_as_in_f64() {
+    let took = |precision: &str| {
+        let spec = read(&format!(
+            "n = 4\nprecision = \"{precision}\"\nsample_time = 0.05\ntau = 5\npoles = [-5,-6,-7,-8,-9]\ndelay = 0.3\n\
+             measured = [\"x1\"]\nobserver_poles = [-4,-5,-6,-7]\nx0_max = [1,1,1,1]\nerror = 1e9\n[plant]\n\
+             A = [[0,1,0,0],[-20,-0.5,20,0],[0,0,0,1],[10,0,-10,-0.2]]\nB = [0,0,0,5]\n"
+        ));
+        let spec = spec.expect("a design");
+        let one = |_| {
+            let began = Instant::now();
+            assert!(examine(&spec).worst.is_some());
+            began.elapsed()
+        };
+        (0..3).map(one).min().expect("a run")
+    };
+    let (double, single) = (took("f64"), took("f32"));
+    assert!(single < 3 * double + Duration::from_millis(200), "{single:?} {double:?}");
 }
