@@ -47,3 +47,4 @@ mod verify_proofs;
 mod verify_references;
 mod verify_running;
 mod verify_scenarios;
+mod verify_stiff;

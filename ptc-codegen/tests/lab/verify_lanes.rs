@@ -4,7 +4,7 @@ use crate::support;
 
 use ptc_codegen::verify::{self, Campaign, Outcome, Setting, Trial};
 
-fn campaign(text: &str) -> Campaign {
+pub(crate) fn campaign(text: &str) -> Campaign {
     let (spec, plant) = support::design(text);
     let read = verify::read(&support::entries(text), &spec, &plant);
     read.unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"))
@@ -20,11 +20,11 @@ fn numbers(outcome: &Outcome) -> Vec<f64> {
     numbers
 }
 
-fn bits(outcome: &Outcome) -> Vec<u64> {
+pub(crate) fn bits(outcome: &Outcome) -> Vec<u64> {
     numbers(outcome).into_iter().map(f64::to_bits).collect()
 }
 
-fn settings(campaign: &Campaign, count: u64) -> Vec<Setting> {
+pub(crate) fn settings(campaign: &Campaign, count: u64) -> Vec<Setting> {
     (0..count).map(|index| campaign.setting(&campaign.scenario(index))).collect()
 }
 

@@ -29,10 +29,15 @@ const FACTORS: [f64; 2] = [0.2, 4.0];
 const LONGEST: f64 = 1.0;
 
 /// Where the error of a step that is tried again, shorter, has not fallen to this part, it is the rounding of
-/// the rates: from there on a step may have that many times it, to the accuracy that is not loosened further.
+/// the rates: from there on a step may have that many times it, to the accuracy that is not loosened further or to what
+/// rounding leaves of any accuracy.
 const FALLEN: f64 = 0.5;
 const LOOSER: f64 = 10.0;
 const LOOSEST: f64 = 1e-7;
+
+/// What rounding makes of the highest terms of a polynomial, in parts of what it makes of the states: rates at the nodes
+/// follow from these by differences.
+const ROUNDED: f64 = 1000.0;
 
 /// The method, under way in every lane.
 #[derive(Clone, Debug)]
@@ -82,6 +87,7 @@ impl Steps for Collocation {
         self.equations.form((&share, &self.fall), chain);
         let solved = self.equations.solve(active, &self.allowed, chain);
         let error = vectorized!(self.equations.error());
+        let rounding = vectorized!(self.equations.rounding());
         std::array::from_fn(|lane| {
             if !active[lane] {
                 return false;
@@ -92,7 +98,8 @@ impl Steps for Collocation {
             if !(is_solved && error <= 1.0) {
                 if before > 0.0 && error > FALLEN * before {
                     let more = if is_solved { LOOSER * error } else { LOOSER };
-                    let more = more.min(self.loosest / self.allowed.0[lane]);
+                    let loosest = self.loosest.max(ROUNDED * rounding.0[lane]);
+                    let more = more.min((loosest / self.allowed.0[lane]).max(1.0));
                     self.allowed.0[lane] *= more;
                     error /= more;
                 } else {

@@ -232,6 +232,30 @@ impl Equations {
         error
     }
 
+    /// What the rounding of the last rate at the end of the step makes of the states, as a part of what an error counts. Its
+    /// terms may be far larger than itself, as those of a law that holds a disturbance are; a loop that is stiff damps it.
+    #[inline(always)]
+    pub(super) fn rounding(&self) -> Pack {
+        let end = NODES - 1;
+        let mut terms = self.k[end].map(f64::abs);
+        let mut slope = Pack::all(1.0);
+        for (own, x) in self.slopes.iter().zip(&self.x) {
+            for lane in 0..LANES {
+                terms.0[lane] += (own[end].0[lane] * x[end].0[lane]).abs();
+                slope.0[lane] = own[end].0[lane].abs().max(1.0);
+            }
+        }
+        let mut off = Pack::of(|lane| f64::EPSILON * terms.0[lane] / slope.0[lane]);
+        let mut rounding = Pack::all(0.0);
+        for weight in self.weights().iter().rev() {
+            for lane in 0..LANES {
+                rounding.0[lane] = f64::max(rounding.0[lane], off.0[lane] * weight.0[lane]);
+                off.0[lane] *= self.pace[end].0[lane].abs();
+            }
+        }
+        rounding
+    }
+
     /// The states at the end of the step.
     pub(super) fn end(&self) -> impl Iterator<Item = &Pack> {
         self.x.iter().map(|x| &x[NODES - 1])
