@@ -17,6 +17,9 @@ pub(super) const LONG: usize = 128;
 /// reduction would take as many digits.
 const MAX_EXPONENT: i32 = 4096;
 
+/// Bits of a numerator and a denominator from which on both are scaled.
+const FAR: u64 = 1024;
+
 pub(super) fn small(value: i64) -> BigFloat {
     BigFloat::from_i64(value, BITS)
 }
@@ -101,7 +104,10 @@ impl Interval {
 
     /// An exact number.
     pub(crate) fn exact(value: &BigRational) -> Self {
-        Self::scaled(value.numer(), 0).over(&Self::scaled(value.denom(), 0))
+        // Thousands of digits above and below the line are beyond the range of ends, though their quotient is not.
+        let common = value.numer().bits().min(value.denom().bits());
+        let shift = if common > FAR { i32::try_from(common).map_or(0, |bits| -bits) } else { 0 };
+        Self::scaled(value.numer(), shift).over(&Self::scaled(value.denom(), shift))
     }
 
     /// value * 2^exponent.

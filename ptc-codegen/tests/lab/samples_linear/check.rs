@@ -85,3 +85,16 @@ fn a_check_takes_as_long_in_f32_as_in_f64() {
     let (double, single) = (took("f64"), took("f32"));
     assert!(single < 3 * double + Duration::from_millis(200), "{single:?} {double:?}");
 }
+
+/// Numerators and denominators of more than 4096 bits were no bounded numbers to the check.
+#[test]
+fn numbers_of_thousands_of_digits_are_enclosed() {
+    let spec = read(
+        "n = 4\nsample_time = 0.02\ntau = 1\npoles = [-5,-6,-7,-8,-9]\ndelay = 0.3\nx0_max = [1,1,1,1]\n\
+         error = 1e9\n[plant]\nA = [[0,1,0,0],[-20,-0.5,20,0],[0,0,0,1],[10,0,-10,-0.2]]\nB = [0,0,0,5]\n",
+    );
+    let report = examine(&spec.expect("a design"));
+    let worst = report.worst.unwrap_or_else(|| panic!("{:?}", report.outcomes));
+    // The law brings the plant to rest: what is left is rounding.
+    assert!(worst.states.iter().all(|bound| bound.total() < 1e-3), "{:?}", worst.states);
+}
