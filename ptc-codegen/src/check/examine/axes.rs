@@ -40,14 +40,20 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     let mut outcomes: Vec<Outcome> = (0..names).filter_map(of_check).collect();
     if let Some(coupled) = spec.decoupled() {
         // These are of the whole plant.
-        outcomes.retain(|outcome| outcome.name != "envelope");
+        let overflow = outcomes.iter().find(|outcome| outcome.name == envelope::NAME).cloned();
+        let overflow = overflow.filter(|_| spec.promises.x_max.is_empty());
+        outcomes.retain(|outcome| outcome.name != envelope::NAME);
         let looped = outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
         if let Some(looped) = looped.filter(|_| spec.sampled().is_some()) {
             *looped = in_samples::of_several(&spec);
         }
         outcomes.push(match spec.sampled() {
             Some(_) => envelope::in_samples(&spec),
-            None => envelope::outcome(&spec, expanded),
+            // Without bounds of x the gains of each output are all that is known.
+            None => match overflow {
+                Some(overflow) if overflow.verdict == Verdict::Undecided => overflow,
+                _ => envelope::outcome(&spec, expanded),
+            },
         });
         outcomes.push(zeros::of_coupled(&spec, coupled));
     }

@@ -1,7 +1,7 @@
 //! The check `envelope`: what the program of the law reaches within the bounds of x.
 
-use super::divisor;
 use super::known::is_known;
+use super::{divisor, held};
 use crate::check::envelope::{Computed, covered, outward, scan};
 use crate::check::{Outcome, Verdict};
 use crate::expansion::Expanded;
@@ -20,7 +20,8 @@ const PIECES: f64 = 20.0;
 pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
     let lacks = |reason: String| Outcome::not_checked(NAME, reason);
     if spec.promises.x_max.is_empty() {
-        return lacks("`x_max` is not given".to_owned());
+        let unbounded = || lacks("`x_max` is not given".to_owned());
+        return held::overflow(spec, expanded).unwrap_or_else(unbounded);
     }
     if spec.what == What::Associated {
         return lacks("the infinite-time system has no deadline".to_owned());
@@ -86,7 +87,7 @@ pub(super) fn in_samples(spec: &Spec) -> Outcome {
     }
 }
 
-fn round(spec: &Spec, value: &Fixed) -> f64 {
+pub(super) fn round(spec: &Spec, value: &Fixed) -> f64 {
     value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
 }
 

@@ -5,6 +5,7 @@ mod divisor;
 mod envelope;
 mod growth;
 mod guard;
+mod held;
 mod in_samples;
 mod known;
 mod numbers;
