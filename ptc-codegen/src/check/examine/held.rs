@@ -56,7 +56,7 @@ pub(super) fn overflow(spec: &Spec, expanded: Option<&Expanded>) -> Option<Outco
         name: NAME,
         verdict: Verdict::Undecided,
         summary: format!(
-            "the gain of x{first} overflows {name} where it is held, at T = eps = {} s: the greatest number is {}",
+            "the gain of x{first} overflows {name} where it is held, at T = eps = {} s: the largest finite number is {}",
             digits(eps),
             digits(most)
         ),
