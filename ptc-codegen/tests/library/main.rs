@@ -10,5 +10,6 @@ mod plcopen;
 mod spelling;
 #[path = "../support/mod.rs"]
 mod support;
+mod templates;
 #[path = "../support/verdicts.rs"]
 mod verdicts;
