@@ -18,31 +18,45 @@ use crate::harness::{STRICT, rustc};
 pub(super) fn differs(
     home: &Path,
     (spec, calls): (&Spec, &Calls),
-    language: Language,
+    (language, python): (Language, &Path),
     wanted: &[Line],
 ) -> Result<Option<String>> {
     let name = spec.name();
-    let (end, mut compile) = match language {
+    let (end, compiler) = match language {
         Language::C => {
             let mut gcc = Command::new("gcc");
             gcc.args(STRICT).arg(home.join(format!("{name}.c")));
-            ("c", gcc)
+            ("c", Some(gcc))
         }
         Language::Cpp => {
             let mut gcc = Command::new("g++");
             gcc.args(STRICT_CPP);
-            ("cpp", gcc)
+            ("cpp", Some(gcc))
         }
-        _ => ("rs", rustc()),
+        Language::Rust => ("rs", Some(rustc())),
+        _ => ("py", None),
     };
     let (main, binary) = (home.join(format!("main.{end}")), home.join("calls"));
     fs::write(&main, calls.program(spec, language))?;
-    compile.arg(&main).arg("-o").arg(&binary);
-    compile.args((end != "rs").then_some("-lm"));
-    if let Some(fault) = fault(&mut compile)? {
-        return Ok(Some(fault));
+    let mut run = match compiler {
+        None => {
+            let mut run = Command::new(python);
+            run.args(["-B", "-W", "error"]).arg(&main);
+            run
+        }
+        Some(mut compile) => {
+            compile.arg(&main).arg("-o").arg(&binary);
+            compile.args((end != "rs").then_some("-lm"));
+            if let Some(fault) = fault(&mut compile)? {
+                return Ok(Some(fault));
+            }
+            Command::new(&binary)
+        }
+    };
+    let output = run.output()?;
+    if !output.status.success() {
+        return Ok(Some(String::from_utf8_lossy(&output.stderr).into_owned()));
     }
-    let output = Command::new(&binary).output()?;
     let text = String::from_utf8(output.stdout)?;
     let found = text.lines().map(line).collect::<Result<Vec<_>>>()?;
     if found.len() != wanted.len() {

@@ -1,77 +1,11 @@
-//! Programs in C, C++ and Rust around a controller, with its calls written out.
+//! Programs in C, C++, Rust and Python around a controller, with its calls written out.
 
 use ptc_codegen::code::{Shape, Variable};
 use ptc_codegen::emit::Language;
-use ptc_codegen::parameter::Precision;
 use ptc_codegen::request::Spec;
 
 use super::calls::Calls;
-
-/// How a language writes numbers and lists of them.
-struct Words {
-    real: &'static str,
-    suffix: &'static str,
-    nan: &'static str,
-    infinity: &'static str,
-    ends: [&'static str; 2],
-}
-
-impl Words {
-    fn of(language: Language, precision: Precision) -> Self {
-        let single = precision == Precision::F32;
-        let of_c = |ends| Self {
-            real: if single { "float" } else { "double" },
-            suffix: if single { "f" } else { "" },
-            nan: "NAN",
-            infinity: "INFINITY",
-            ends,
-        };
-        match (language, single) {
-            (Language::C, _) => of_c(["{", "}"]),
-            (Language::Cpp, _) => of_c(["{{", "}}"]),
-            (_, true) => Self {
-                real: "f32",
-                suffix: "",
-                nan: "f32::NAN",
-                infinity: "f32::INFINITY",
-                ends: ["[", "]"],
-            },
-            (_, false) => Self {
-                real: "f64",
-                nan: "f64::NAN",
-                infinity: "f64::INFINITY",
-                ..Self::of(language, Precision::F32)
-            },
-        }
-    }
-
-    fn number(&self, value: f64) -> String {
-        match value {
-            value if value.is_nan() => self.nan.to_owned(),
-            f64::INFINITY => self.infinity.to_owned(),
-            value => format!("{value:?}{}", self.suffix),
-        }
-    }
-
-    fn list(&self, values: &[String]) -> String {
-        let [open, close] = self.ends;
-        format!("{open}{}{close}", values.join(", "))
-    }
-
-    /// A value of a shape.
-    fn value(&self, shape: Shape, values: &[f64]) -> String {
-        let numbers: Vec<_> = values.iter().map(|value| self.number(*value)).collect();
-        match shape {
-            Shape::Count => format!("{}", values[0]),
-            Shape::Lists(_, length) => {
-                let rows: Vec<_> = numbers.chunks(length).map(|row| self.list(row)).collect();
-                self.list(&rows)
-            }
-            Shape::Reals(_) => self.list(&numbers),
-            _ => numbers.concat(),
-        }
-    }
-}
+use super::words::Words;
 
 impl Calls {
     /// The parameters as members, each behind what `before` makes of its name.
@@ -94,7 +28,8 @@ impl Calls {
         match language {
             Language::C => self.in_c(spec, &words),
             Language::Cpp => self.in_cpp(spec, &words),
-            _ => self.in_rust(spec, &words),
+            Language::Rust => self.in_rust(spec, &words),
+            _ => self.in_python(spec, &words),
         }
     }
 
@@ -224,6 +159,38 @@ impl Calls {
             "#![allow(dead_code, unused_mut)]\nmod {name};\nuse {name}::*;\n\n\
              fn show(u: f64) {{\n    print!(\" {{:#x}}\", u.to_bits());\n}}\n\n\
              fn main() {{\n    let mut c = match {kind}::new({kind}Params {{ {members} }}{state}) {{\n        Ok(c) => c,\n        Err(error) => return println!(\"{{error:?}}\"),\n    }};\n    println!(\"Ok\");\n{calls}}}\n"
+        )
+    }
+
+    /// All calls of a law in t as one batch, those of a controller with memory one by one.
+    fn in_python(&self, spec: &Spec, words: &Words) -> String {
+        let (name, kind) = (spec.name(), spec.type_name());
+        let (step, is_batch) = (self.step(), spec.sampled().is_none());
+        let state =
+            self.state().map(|state| words.value(state.shape, &self.parameters[&state.name]));
+        let state = state.map(|state| format!(", {state}")).unwrap_or_default();
+        let column = |(place, argument): (usize, &Variable)| {
+            let of_call = |call: &Vec<Vec<f64>>| words.value(argument.shape, &call[place]);
+            words.list(&self.all.iter().map(of_call).collect::<Vec<_>>())
+        };
+        let columns: Vec<_> = step.arguments.iter().enumerate().map(column).collect();
+        let columns = columns.join(",\n    ");
+        let calls = match is_batch {
+            true => {
+                "all = c.step(*given)\nfor index in range(len(given[0])):\n    show(all, index)\n"
+            }
+            false => "for call in zip(*given):\n    show(c.step(*call), ...)\n",
+        };
+        let axes =
+            if self.code.axes().is_some() { "np.atleast_1d(found.axes[index])" } else { "[]" };
+        let members = self.members(words, |name| format!("{name}="));
+        format!(
+            "import sys\nimport numpy as np\nimport {name} as module\n\nnan = float(\"nan\")\ninf = float(\"inf\")\n\n\
+             def show(found, index):\n    u = np.atleast_1d(np.asarray(found.u)[index]).astype(np.float64)\n    \
+             axes = {axes}\n    bits = [hex(one) for one in u.view(np.uint64)]\n    \
+             print(int(np.asarray(found.status)[index]), *bits, *[int(one) for one in axes])\n\n\
+             try:\n    c = module.{kind}(module.Params({members}){state})\nexcept ValueError:\n    print(-1)\n    sys.exit()\n\
+             print(0)\ngiven = [\n    {columns},\n]\n{calls}"
         )
     }
 }
