@@ -3,8 +3,9 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::path::Path;
 
-use crate::context::{Context, TIME};
+use crate::context::{Context, TIME, workspace};
 use crate::layer::{Finding, Layer, NOT_RUN, Outcome, Table};
 
 /// What the report says of a layer.
@@ -62,7 +63,13 @@ pub fn report(context: &Context, layers: &[(&Layer, Entry)]) -> String {
         let _ =
             write!(text, "\n## {}\n\n{} **{word}**: {summary}\n{details}", layer.name, layer.claim);
     }
-    text
+    without_folders(&text, &[context.target(), workspace()])
+}
+
+/// The same from every machine: paths in what tools say begin in these folders.
+fn without_folders(text: &str, folders: &[&Path]) -> String {
+    let cut = |text: String, folder: &&Path| text.replace(&format!("{}/", folder.display()), "");
+    folders.iter().fold(text.to_owned(), cut)
 }
 
 fn details(text: &mut String, finding: &Finding) {

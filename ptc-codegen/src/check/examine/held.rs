@@ -36,7 +36,7 @@ pub(super) fn overflow(spec: &Spec, expanded: Option<&Expanded>) -> Option<Outco
     let lost = overflowing(spec, expanded);
     let first = *lost.first()?;
     let name = spec.precision.name();
-    let most = greatest(spec.precision);
+    let most = spec.precision.greatest();
     let wider = Spec { precision: Precision::F64, ..spec.clone() };
     let numbers = Numbers::new(&wider, expanded);
     let divisor = constant_gain(spec).and_then(|g| g.number()?.to_f64()).unwrap_or(1.0);
@@ -110,11 +110,4 @@ fn smallest_eps(gains: &dyn Fn(f64) -> Vec<f64>, (eps, tau): (f64, f64), most: f
         *(if fits(between) { &mut high } else { &mut low }) = between;
     }
     (high > eps).then_some(high)
-}
-
-fn greatest(precision: Precision) -> f64 {
-    match precision {
-        Precision::F32 => f64::from(f32::MAX),
-        Precision::F64 => f64::MAX,
-    }
 }

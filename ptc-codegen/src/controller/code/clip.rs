@@ -58,10 +58,7 @@ impl Builder<'_> {
 
     /// The bound of |u| of an axis, what is computed before the loops, and the tests of v.
     fn bounds_of_axes(&self) -> (Option<Expr>, Vec<Statement>, Vec<Test>) {
-        let limit = match self.controller.program.bounds.is_empty() {
-            false => Some(Expr::At("u_max".to_owned(), Index::of(AXIS))),
-            true => self.limits.u_max.map(|limit| self.field(limit)),
-        };
+        let limit = self.limit_of_axis(Expr::At("u_max".to_owned(), Index::of(AXIS)));
         let Some(shared @ Expr::Field(_)) = &limit else {
             let within = Self::within(limit.clone());
             return (limit, Vec::new(), within);

@@ -55,10 +55,10 @@ impl Builder<'_> {
         self.spec.axes.as_ref().is_some_and(request::Axes::differ)
     }
 
-    /// The bound of |u| of an axis, if there is one.
-    fn limit_of_axis(&self) -> Option<Expr> {
+    /// The bound of |u| of an axis, if there is one: `own` where each has its own.
+    pub(super) fn limit_of_axis(&self, own: Expr) -> Option<Expr> {
         match self.controller.program.bounds.is_empty() {
-            false => Some(Expr::OfAxis("u_max".to_owned(), 1, 0)),
+            false => Some(own),
             true => self.limits.u_max.map(|limit| self.field(limit)),
         }
     }
@@ -117,7 +117,7 @@ impl Builder<'_> {
         let Some(u) = body.roots.first() else { fault("an axis without u") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
         let v = || Expr::local("v");
-        let limit = self.limit_of_axis();
+        let limit = self.limit_of_axis(Expr::OfAxis("u_max".to_owned(), 1, 0));
         let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
         let finish = if self.guarded() && inputs.waiting.is_empty() {
             self.clipped_at(Finish::choose(Test::Finite(v()), give, fail), limit)

@@ -35,7 +35,7 @@ impl Gives {
         let is = |name: &str| result.is_some_and(|result| result.name == name);
         let ranges = function.failures.contains(&Status::Range);
         match result.map(|result| result.shape) {
-            _ if matches!(function.finish, Finish::Stands) => Self::Axes,
+            _ if function.finish == Finish::Stands => Self::Axes,
             None if function.failures.is_empty() => Self::Nothing,
             None if ranges => Self::Progress,
             None => Self::Status,

@@ -162,7 +162,6 @@ impl Sampled {
     }
 
     /// Takes a row over the states of sample `k` + 1 to the one over those of sample `k`, p M_k; `room` is as long.
-    #[allow(clippy::needless_range_loop)]
     pub(super) fn earlier(&self, k: usize, row: &mut Vec<f64>, room: &mut Vec<f64>) {
         let matrix = self.step(k).matrix.entries.as_slice();
         match self.size() {
@@ -173,13 +172,9 @@ impl Sampled {
             5 => product::<5>(row, matrix, room),
             6 => product::<6>(row, matrix, room),
             size => {
-                let into = &mut room[..size];
-                into.fill(0.0);
-                for (i, factor) in row.iter().enumerate() {
-                    let entries = &matrix[i * size..][..size];
-                    for j in 0..size {
-                        into[j] += factor * entries[j];
-                    }
+                room.fill(0.0);
+                for (factor, own) in row.iter().zip(matrix.chunks_exact(size)) {
+                    room.iter_mut().zip(own).for_each(|(sum, entry)| *sum += factor * entry);
                 }
             }
         }
