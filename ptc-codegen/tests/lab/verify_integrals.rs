@@ -107,6 +107,29 @@ fn the_square_of_u_is_integrated_once_and_twice() {
     }
 }
 
+/// Integrals are states behind those of the loop, which a proof does not know: with several of them, of x and of u,
+/// each proof says so, and other objectives are proved beside them.
+#[test]
+fn several_integrals_are_left_to_sampling() {
+    for n in 1..=3 {
+        let poles: Vec<_> = (0..n).map(|i| format!("-{}", n + 1 + i)).collect();
+        let text = format!(
+            "n = {n}\nmu = \"exp(a=1)\"\npoles = [{}]\n[plant]\nf = 0\n[verify]\nx = [-1, 1]\ntau = [0.5, 2]\n\
+             scenarios = 3\nsearch = 20\n{}[[objective]]\nbound = \"within\"\nh = \"x1\"\nhigh = 100\n",
+            poles.join(", "),
+            objectives(&["integral(u^2)", "integral(x1)", "integral(u) + x1", "integral(abs(x1))"])
+        )
+        .replace("x = [-1, 1]\n", &(1..=n).map(|j| format!("x{j} = [-1, 1]\n")).collect::<String>());
+        let campaign = campaign(&text);
+        let proofs = verify::bound::proved(&campaign);
+        assert!(
+            proofs[..4].iter().all(|proof| !proof.is_proved() && !proof.is_refuted()),
+            "{proofs:?}"
+        );
+        assert!(proofs[4].is_proved(), "{proofs:?}");
+    }
+}
+
 /// Where u is clipped x is integrated, and xi behind that: the integral goes on.
 #[test]
 fn an_integral_goes_on_where_u_leaves_its_bound() {
