@@ -10,6 +10,7 @@ pub mod in_samples;
 pub mod inert;
 pub mod injection;
 pub mod machine;
+pub mod net;
 pub mod program;
 pub mod random;
 pub mod records;

@@ -1,0 +1,43 @@
+//! A design of each kind, for what all of them must keep: the clock in samples with its observers, delays, disturbances and
+//! references, models, several inputs, axes, and the examples.
+
+use std::fs;
+use std::path::Path;
+
+use ptc_codegen::diagnostic::Place;
+use ptc_codegen::request::Spec;
+use ptc_codegen::{design, plant};
+
+use super::{goldens, in_samples};
+
+/// All of them, each by a name that no other has: a controller's, or that of an example's file.
+pub fn designs() -> Vec<(String, Spec)> {
+    let mut all = [in_samples::controllers(), in_samples::of_inputs()].concat();
+    all.extend(goldens::of_two_inputs());
+    all.push(goldens::of_inputs());
+    let named = all.into_iter().map(|spec| (spec.name(), spec));
+    named.chain(examples()).collect()
+}
+
+/// The designs in examples/, in the order of their names.
+fn examples() -> Vec<(String, Spec)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let entries = fs::read_dir(folder).expect("the examples");
+    let mut files: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    files.retain(|path| path.extension().is_some_and(|own| own == "toml"));
+    files.sort();
+    let named = files.iter().map(|path| {
+        let stem = path.file_stem().expect("a name").to_string_lossy();
+        (format!("example_{stem}"), of_file(path))
+    });
+    named.collect()
+}
+
+/// The controller of a design file.
+fn of_file(path: &Path) -> Spec {
+    let text = fs::read_to_string(path).expect("a design");
+    let (entries, found) = design::read(&text, &mut |_| Place(0));
+    assert_eq!(found, [], "{}", path.display());
+    let read = plant::read_design(&entries);
+    read.unwrap_or_else(|found| panic!("{}: {found:?}", path.display())).0
+}

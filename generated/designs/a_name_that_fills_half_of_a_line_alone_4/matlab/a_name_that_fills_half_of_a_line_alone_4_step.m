@@ -1,0 +1,113 @@
+function [u, status, self] = a_name_that_fills_half_of_a_line_alone_4_step(self, k, y) %#codegen
+%A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_STEP u from tick `k`, which may wrap, and what is
+%measured, y = (x1, ...). Call it once for each tick.
+%
+%   [u, status, self] = a_name_that_fills_half_of_a_line_alone_4_step(self, k, y), with self from
+%   a_name_that_fills_half_of_a_line_alone_4_init. Keep self: it is what the next call needs.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = single(0.0);
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+y = single(y);
+if ~isfinite(y(1))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+
+% Predict.
+s1 = self.x1_hat + (self.phi1_2 * self.x2_hat);
+p1 = s1 + (self.phi1_3 * self.d_hat) + (self.phi1_3 * self.u1);
+s2 = self.x2_hat + (self.phi1_2 * self.d_hat);
+p2 = s2 + (self.phi1_2 * self.u1);
+p3 = self.d_hat;
+
+% Correct by what is measured.
+if self.seen == uint32(0)
+    base = y(1);
+    miss = single(0.0);
+else
+    base = p1;
+    miss = y(1) - p1;
+end
+left_o = bitshift(self.samples, -1) - elapsed;
+o0 = single(left_o);
+if single(6.0) < o0
+    r0 = single(1.0) / o0;
+    r1 = single(1.0) / (o0 - single(1.0));
+    r2 = single(1.0) / (o0 - single(2.0));
+    l1 = ((((single(15.0) * r0) - single(12.0)) * r1) + single(4.5)) * r2;
+    l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
+    l3 = single(0.0);
+elseif left_o == uint32(6)
+    l1 = single(1.0);
+    l2 = self.e0_2;
+    l3 = self.e0_3;
+elseif left_o == uint32(5)
+    l1 = single(1.0);
+    l2 = self.e1_2;
+    l3 = self.e1_3;
+else
+    l1 = single(1.0);
+    l2 = self.e2_2;
+    l3 = self.e2_3;
+end
+x1 = base + (l1 * miss);
+x2 = p2 + (l2 * miss);
+d = p3 + (l3 * miss);
+left = self.samples - elapsed;
+m0 = single(left);
+if self.deadbeat < m0
+    % The exact law in samples.
+    z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
+    z2 = self.w2_2 * x2;
+    v = (((z1 / m0) + z2) / (m0 - single(1.0))) - d;
+else
+    % Deadbeat.
+    v = ((self.b_1 * x1) + (self.b_2 * x2)) - d;
+end
+if ~isfinite(v)
+    status = int32(-3);
+    return;
+end
+if elapsed < self.samples
+    if self.u_max < v
+        u_now = self.u_max;
+    elseif v < -self.u_max
+        u_now = -self.u_max;
+    else
+        u_now = v;
+    end
+else
+    u_now = single(0.0);
+end
+self.u1 = u_now;
+self.x1_hat = x1;
+self.x2_hat = x2;
+self.d_hat = d;
+self.seen = uint32(1);
+if elapsed < self.samples
+    if (self.u_max < v) || (v < -self.u_max)
+        u = u_now;
+        status = int32(2);
+    else
+        u = u_now;
+        status = int32(0);
+    end
+else
+    u = u_now;
+    status = int32(3);
+end
+end

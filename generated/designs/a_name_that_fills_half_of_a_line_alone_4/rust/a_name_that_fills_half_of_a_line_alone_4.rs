@@ -1,0 +1,393 @@
+//! Prescribed-time controller a_name_that_fills_half_of_a_line_alone_4: order n = 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=2)" --name a_name_that_fills_half_of_a_line_alone_4 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --eps=0 --after zero
+//! Version 0.1.0.
+//!
+//! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+//!       over.
+//!
+//! Parameters:
+//!   samples [samples]: samples N from the start to rest
+//!   h [s]: sample period
+//!   eps = 0 [s], fixed: time-to-go at which the gains are held
+//!   u_max [unit of u]: bound of |u|
+//!   a = 2 [1/s], fixed: rate of stretched time
+//!   k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+//!   k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+//!   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on u = 0 (status AFTER).
+//! The estimates are exact from sample N/2 after the start on where the measurement is; with
+//!       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+//!       below deadbeat.
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: the law is exact in samples, at any period.
+//!   deadline: not checked: the law is exact in samples, at any period.
+//!   loop: not checked: `samples` is left to run time.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f32> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`ANameThatFillsHalfOfALineAlone4`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct ANameThatFillsHalfOfALineAlone4Params {
+    /// samples N from the start to rest \[samples\], at least 6.
+    pub samples: u32,
+    /// sample period \[s\], from 1e-18 to 1e18.
+    pub h: f32,
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
+    pub u_max: f32,
+    /// gains k_i of pi0 = -sum k_i xi_i \[1/s^2\], finite.
+    pub k: [f32; 2],
+    /// samples to go at which deadbeat takes over, 0 for a safe default \[samples\], finite.
+    pub deadbeat: f32,
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct ANameThatFillsHalfOfALineAlone4 {
+    /// tick at which it was armed.
+    start: u32,
+    /// samples from the start to rest.
+    samples: u32,
+    /// input of the last sample.
+    u1: f32,
+    /// 1 once y has been measured.
+    seen: u32,
+    /// estimate of x1.
+    x1_hat: f32,
+    /// estimate of x2.
+    x2_hat: f32,
+    /// estimate of d.
+    d_hat: f32,
+    /// prediction from a state.
+    phi1_2: f32,
+    /// prediction from a state.
+    phi1_3: f32,
+    /// weight in the observer's gains.
+    q2_1: f32,
+    /// weight in the observer's gains.
+    q2_2: f32,
+    /// gain of the observer at its end.
+    e2_2: f32,
+    /// gain of the observer at its end.
+    e2_3: f32,
+    /// gain of the observer at its end.
+    e1_2: f32,
+    /// gain of the observer at its end.
+    e1_3: f32,
+    /// gain of the observer at its end.
+    e0_2: f32,
+    /// gain of the observer at its end.
+    e0_3: f32,
+    /// samples to go at which deadbeat takes over.
+    deadbeat: f32,
+    /// weight of a state in the law.
+    w1_1: f32,
+    /// weight of a state in the law.
+    w1_2: f32,
+    /// weight of a state in the law.
+    w2_2: f32,
+    /// weight of a state in the law.
+    b_1: f32,
+    /// weight of a state in the law.
+    b_2: f32,
+    /// bound of |u|.
+    u_max: f32,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl ANameThatFillsHalfOfALineAlone4 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: ANameThatFillsHalfOfALineAlone4Params) -> Result<Self, Error> {
+        if !((5 < params.samples)
+            && (1e-18 <= params.h)
+            && (params.h <= 1e18)
+            && (0.0 < params.u_max)
+            && params.k[0].is_finite()
+            && params.k[1].is_finite()
+            && params.deadbeat.is_finite()
+            && (0.0 <= params.deadbeat))
+        {
+            return Err(Error::Param);
+        }
+        let samples = params.samples;
+        let phi1_2 = params.h;
+        let phi1_3 = 0.5 * (params.h * params.h);
+        let q2_1 = (-6.0) * (1.0 / params.h);
+        let q2_2 = 3.0 * (1.0 / params.h);
+        let e2_2 = 1.5 * (1.0 / params.h);
+        let e2_3 = 1.0 / (params.h * params.h);
+        let e1_2 = 0.45 * (1.0 / params.h);
+        let e1_3 = (-1.1) * (1.0 / (params.h * params.h));
+        let e0_2 = (-0.425) * (1.0 / params.h);
+        let e0_3 = 0.35 * (1.0 / (params.h * params.h));
+        let s1 = ((params.k[1] / 2.0) - 1.0) + 2.0;
+        let s2 = if s1 < 4.0 { 4.0 } else { s1 };
+        let deadbeat = if 0.0 < params.deadbeat {
+            params.deadbeat
+        } else {
+            s2
+        };
+        let w1_1 = (-(params.k[0] / 4.0)) * (1.0 / (params.h * params.h));
+        let w1_2 = (-0.5) * (-(params.k[0] / 4.0)) * (1.0 / params.h);
+        let w2_2 = (1.0 - (params.k[1] / 2.0)) * (1.0 / params.h);
+        let b_1 = -(1.0 / (params.h * params.h));
+        let b_2 = (-1.5) * (1.0 / params.h);
+        let u_max = params.u_max;
+        if !(phi1_3.is_finite()
+            && q2_1.is_finite()
+            && q2_2.is_finite()
+            && e2_2.is_finite()
+            && e2_3.is_finite()
+            && e1_2.is_finite()
+            && e1_3.is_finite()
+            && e0_2.is_finite()
+            && e0_3.is_finite()
+            && deadbeat.is_finite()
+            && w1_1.is_finite()
+            && w1_2.is_finite()
+            && w2_2.is_finite()
+            && b_1.is_finite()
+            && b_2.is_finite()
+            && (1e-30 <= params.h * params.h)
+            && (1e-30 <= 1.0 / (params.h * params.h)))
+        {
+            return Err(Error::Param);
+        }
+        Ok(Self {
+            start: 0,
+            samples,
+            u1: 0.0,
+            seen: 0,
+            x1_hat: 0.0,
+            x2_hat: 0.0,
+            d_hat: 0.0,
+            phi1_2,
+            phi1_3,
+            q2_1,
+            q2_2,
+            e2_2,
+            e2_3,
+            e1_2,
+            e1_3,
+            e0_2,
+            e0_3,
+            deadbeat,
+            w1_1,
+            w1_2,
+            w2_2,
+            b_1,
+            b_2,
+            u_max,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&mut self, k: u32, y: &[f32; 1]) -> Result<Control<f32>, Error> {
+        if !y[0].is_finite() {
+            return Err(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // Predict.
+        let s1 = self.x1_hat + (self.phi1_2 * self.x2_hat);
+        let p1 = s1 + (self.phi1_3 * self.d_hat) + (self.phi1_3 * self.u1);
+        let s2 = self.x2_hat + (self.phi1_2 * self.d_hat);
+        let p2 = s2 + (self.phi1_2 * self.u1);
+        let p3 = self.d_hat;
+
+        // Correct by what is measured.
+        let base: f32;
+        let miss: f32;
+        if self.seen == 0 {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        let left_o = (self.samples / 2).saturating_sub(elapsed);
+        let o0 = left_o as f32;
+        let l1: f32;
+        let l2: f32;
+        let l3: f32;
+        if 6.0 < o0 {
+            let r0 = 1.0 / o0;
+            let r1 = 1.0 / (o0 - 1.0);
+            let r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((15.0 * r0) - 12.0) * r1) + 4.5) * r2;
+            l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
+            l3 = 0.0;
+        } else if left_o == 6 {
+            l1 = 1.0;
+            l2 = self.e0_2;
+            l3 = self.e0_3;
+        } else if left_o == 5 {
+            l1 = 1.0;
+            l2 = self.e1_2;
+            l3 = self.e1_3;
+        } else {
+            l1 = 1.0;
+            l2 = self.e2_2;
+            l3 = self.e2_3;
+        }
+        let x1 = base + (l1 * miss);
+        let x2 = p2 + (l2 * miss);
+        let d = p3 + (l3 * miss);
+        let left = self.samples.saturating_sub(elapsed);
+        let m0 = left as f32;
+        let v: f32;
+        if self.deadbeat < m0 {
+            // The exact law in samples.
+            let z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
+            let z2 = self.w2_2 * x2;
+            v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+        } else {
+            // Deadbeat.
+            v = ((self.b_1 * x1) + (self.b_2 * x2)) - d;
+        }
+        if !v.is_finite() {
+            return Err(Error::Range);
+        }
+        let u_now: f32;
+        if elapsed < self.samples {
+            if self.u_max < v {
+                u_now = self.u_max;
+            } else if v < -self.u_max {
+                u_now = -self.u_max;
+            } else {
+                u_now = v;
+            }
+        } else {
+            u_now = 0.0;
+        }
+        self.u1 = u_now;
+        self.x1_hat = x1;
+        self.x2_hat = x2;
+        self.d_hat = d;
+        self.seen = 1;
+        let status = if elapsed < self.samples {
+            if (self.u_max < v) || (v < -self.u_max) {
+                Status::Saturated
+            } else {
+                Status::Ok
+            }
+        } else {
+            Status::After
+        };
+        Ok(Control { u: u_now, status })
+    }
+
+    /// The estimate of the state at the last sample.
+    #[inline]
+    pub fn estimate(&self) -> [f32; 2] {
+        [self.x1_hat, self.x2_hat]
+    }
+
+    /// The estimate of the constant that is added to u.
+    #[inline]
+    pub fn disturbance(&self) -> f32 {
+        self.d_hat
+    }
+}

@@ -1,0 +1,55 @@
+/*
+ * Self-test of the prescribed-time controller a_name_that_fills_half_of_a_line_alone_4, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=2)" --name a_name_that_fills_half_of_a_line_alone_4 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --eps=0 --after zero --selftest
+ * Version 0.1.0.
+ *
+ * 5 sets of parameters with 49 calls, 34 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   isfinite(phi1_3) != 0: held with each of 3048 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(q2_1) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(q2_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(e2_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(e2_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(e1_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(e1_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(e0_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(e0_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(deadbeat) != 0: held with each of 3048 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(w1_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(b_1) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(b_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *     it.
+ */
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_SELFTEST_H
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t a_name_that_fills_half_of_a_line_alone_4_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

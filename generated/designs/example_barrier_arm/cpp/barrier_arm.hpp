@@ -1,0 +1,295 @@
+/*
+ * Prescribed-time controller barrier_arm: outputs of order 2, 2, mapping rational.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --mu "rational(a=0.05)" --name barrier_arm --tau=20 --eps=1 --limits=120,60 --pi0="inverse_inertia_1_1*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 - (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_1_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 - (xi1_2/b2)^2) - d*xi2_2), inverse_inertia_1_2*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 - (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_2_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 - (xi1_2/b2)^2) - d*xi2_2)" --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param b1=1.2 --param b2=0.8 --param d=4 --param grav=9.81 --param h=0.45 --param k=3 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
+ * Version 0.1.0.
+ *
+ * Plant, with the inputs M1, M2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[(m1 +
+ *       m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 +
+ *       m2*l1*l2*cos(q2), m2*l2^2]], bias = [-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 +
+ *       m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 +
+ *       m2*grav*l2*cos(q1 + q2)]. Time in s.
+ * Goal: every output with its derivatives is 0 at the deadline t0 + tau from any state at t0,
+ *       up to the error that the hold at eps, sampling, what differs from the model and
+ *       clipping leave. The checks below say what is known of this design.
+ * The law takes the plant to be the model. What differs from it is not part of the law.
+ * Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+ *       input of this number.
+ *   output 1: u_max = 120
+ *   output 2: u_max = 60
+ *
+ * SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which the loop
+ *       is stable. Run the emitted step with a model of the plant, sampled.
+ *
+ * Parameters:
+ *   tau = 20 [s], fixed: prescribed settling time
+ *   eps = 1 [s], fixed: time-to-go at which the gains are held
+ *   a = 0.05 [1/s], fixed: rate of stretched time
+ *   b1 = 1.2, fixed: parameter of pi0
+ *   b2 = 0.8, fixed: parameter of pi0
+ *   d = 4, fixed: parameter of pi0
+ *   grav = 9.81, fixed: parameter of the model
+ *   h = 0.45, fixed: parameter of pi0
+ *   k = 3, fixed: parameter of pi0
+ *   l1 = 0.6, fixed: parameter of pi0 and the model
+ *   l2 = 0.5, fixed: parameter of pi0 and the model
+ *   m1 = 2, fixed: parameter of pi0 and the model
+ *   m2 = 1.5, fixed: parameter of pi0 and the model
+ *   t0: start time [s], finite
+ *
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
+ *   mu(t)     = tau*a*t/(1 + a*t)
+ *   kappa(Dt) = Dt/(a*T)
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) k! (a/tau)^k T^(k+1)
+ *   r_1 = tau^-1*a*T^2
+ *   r_2 = -2*tau^-2*a^2*T^3
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+ *   B_{0,0} = 1
+ *   B_{1,1} = tau^-1*a*T^2
+ *   B_{2,1} = -2*tau^-2*a^2*T^3
+ *
+ * Law of each output, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+ *   pi0 of v_1 = inverse_inertia_1_1*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 -
+ *       (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_1_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 -
+ *       (xi1_2/b2)^2) - d*xi2_2)
+ *   pi0 of v_2 = inverse_inertia_1_2*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 -
+ *       (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_2_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 -
+ *       (xi1_2/b2)^2) - d*xi2_2)
+ *   xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
+ *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i
+ * Output 1, of order n = 2:
+ *   x_1 = q1
+ *   x_2 = w1
+ * Output 2, of order n = 2:
+ *   x_1 = q2
+ *   x_2 = w2
+ * u = M v + bias
+ *
+ * From t0 + tau - eps on, and after the deadline, T is held at eps in the law (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+ *       mathematical library.
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: rational is of class M for all its parameters.
+ *   growth: not checked: the law is not a sum of gains, so its poles are not known.
+ *   sampling: not checked: `sample_time` is not given.
+ *   deadline: not checked: `error` is not given.
+ *   loop: not checked: it needs a linear law.
+ *   envelope: not checked: `x_max` is not given.
+ *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
+ *
+ * Operations of one step, without input checks and clipping: 29 additions or comparisons, 52
+ *       multiplications, 5 divisions, 4 function calls.
+ */
+#ifndef BARRIER_ARM_HPP
+#define BARRIER_ARM_HPP
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+#ifndef PTC_AXES_HPP
+#define PTC_AXES_HPP
+/// What a step of several axes gives.
+template <class Real, std::size_t Count>
+struct [[nodiscard]] Axes {
+    std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status
+    std::array<Status, Count> axes{}; ///< status of each axis
+    Status status{Status::Input}; ///< that of the first axis that fails; else Saturated where one is
+};
+#endif
+
+/// Run-time parameters.
+struct BarrierArmParams {
+    double t0{}; ///< start time [s], finite
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class BarrierArm {
+public:
+    using Params = BarrierArmParams;
+    using State = std::array<double, 4>;
+
+    /// Takes the parameters and arms at params.t0 (or the fixed t0). Ok, or Param with nothing
+    /// changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        BarrierArm built{};
+        const double t0 = params.t0;
+        if (!finite(t0)) {
+            return Status::Param;
+        }
+        built.t0_ = 0.0;
+        built.deadline_ = 0.0;
+        built.correction_ = 0.0;
+        const Status status = built.arm(t0);
+        if (status == Status::Ok) {
+            *this = built;
+        }
+        return status;
+    }
+
+    /// Starts again at t0 [s].
+    /// Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status arm(double t0) noexcept
+    {
+        if (!finite(t0)) {
+            return Status::Param;
+        }
+        const double deadline = t0 + 20.0;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (20.0 - v1);
+        if (!finite(deadline)) {
+            return Status::Param;
+        }
+        t0_ = t0;
+        deadline_ = deadline;
+        correction_ = correction;
+        return Status::Ok;
+    }
+
+    /// u = (M1, M2) at time t [s] and state x = (q1, q2, w1, w2). Where one of them is not finite,
+    /// as at a state at which the inputs do not decouple the outputs, every u is 0; else the status
+    /// is SATURATED where one was clipped.
+    Axes<double, 2> step(double t, const std::array<double, 4>& x) const noexcept
+    {
+        Axes<double, 2> all{};
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double x4 = x[3];
+        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3) && finite(x4))) {
+            return {{}, {{Status::Input, Status::Input}}, Status::Input};
+        }
+        const double past = (t - deadline_) - correction_;
+        const double late = (past < -1.0) ? past : -1.0;
+        const double T_axis1 = -late;
+        const double unit_axis1 = (0.05 * T_axis1) / 20.0;
+        const double v1 = T_axis1 * unit_axis1;
+        const double inv_r1_axis1 = 1.0 / v1;
+        const double xi2_axis1 = x3 * v1;
+        const double xi2_axis2 = x4 * v1;
+        const double v2 = std::cos(x2);
+        const double v3 = 1.635 + (0.8999999999999999 * v2);
+        const double v4 = 0.375 + (0.44999999999999996 * v2);
+        const double v5 = 1.0 / ((v3 * 0.375) - (v4 * v4));
+        const double v6 = std::sin(x2);
+        const double v7 = x1 * 0.8333333333333334;
+        const double s1 = (2.0 * xi2_axis1 * xi2_axis2) + (xi2_axis2 * xi2_axis2);
+        const double s2 = (0.45 * v6 * s1) - ((3.0 * x1) / (1.0 - (v7 * v7)));
+        const double v8 = s2 - (4.0 * xi2_axis1);
+        const double v9 = (-v4) * v5;
+        const double v10 = x2 * 1.25;
+        const double s3 = (-0.45) * v6 * (xi2_axis1 * xi2_axis1);
+        const double v11 = (s3 - ((3.0 * x2) / (1.0 - (v10 * v10)))) - (4.0 * xi2_axis2);
+        const double law_axis1 = (0.375 * v5 * v8) + (v9 * v11);
+        const double v12 = (-2.0) * (-unit_axis1);
+        const double wanted_axis1 = ((law_axis1 * inv_r1_axis1) + (v12 * x3)) * inv_r1_axis1;
+        const double law_axis2 = (v9 * v8) + (v3 * v5 * v11);
+        const double wanted_axis2 = ((law_axis2 * inv_r1_axis1) + (v12 * x4)) * inv_r1_axis1;
+        const double v13 = 7.3575 * std::cos(x1 + x2);
+        const double s4 = (-0.44999999999999996) * v6 * ((2.0 * x3 * x4) + (x4 * x4));
+        const double s5 = (v3 * wanted_axis1) + (v4 * wanted_axis2);
+        const double control1 = s5 + (s4 + (20.601 * std::cos(x1)) + v13);
+        const double s6 = (v4 * wanted_axis1) + (0.375 * wanted_axis2);
+        const double control2 = s6 + ((0.44999999999999996 * v6 * (x3 * x3)) + v13);
+        if (late < -1.0) {
+            all.status = Status::Ok;
+        } else {
+            all.status = Status::Hold;
+        }
+        if (finite(control1) && finite(control2)) {
+            all.u[0] = control1;
+            all.axes[0] = all.status;
+            all.u[1] = control2;
+            all.axes[1] = all.status;
+            if (120.0 < control1) {
+                all.u[0] = 120.0;
+                all.axes[0] = Status::Saturated;
+                all.status = Status::Saturated;
+            } else if (control1 < -120.0) {
+                all.u[0] = -120.0;
+                all.axes[0] = Status::Saturated;
+                all.status = Status::Saturated;
+            }
+            if (60.0 < control2) {
+                all.u[1] = 60.0;
+                all.axes[1] = Status::Saturated;
+                all.status = Status::Saturated;
+            } else if (control2 < -60.0) {
+                all.u[1] = -60.0;
+                all.axes[1] = Status::Saturated;
+                all.status = Status::Saturated;
+            }
+        } else {
+            all.u[0] = 0.0;
+            if (finite(control1)) {
+                all.axes[0] = all.status;
+            } else {
+                all.axes[0] = Status::Range;
+            }
+            all.u[1] = 0.0;
+            if (finite(control2)) {
+                all.axes[1] = all.status;
+            } else {
+                all.axes[1] = Status::Range;
+            }
+            all.status = Status::Range;
+        }
+        return all;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    double t0_{}; // start time
+    double deadline_{}; // t0 + tau, rounded
+    double correction_{}; // low part of t0 + tau (compensated sum)
+};
+
+} // namespace ptc
+
+#endif

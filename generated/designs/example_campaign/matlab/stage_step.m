@@ -1,0 +1,53 @@
+function [u, status] = stage_step(self, t, x) %#codegen
+%STAGE_STEP u at time t [s] and state x = (x1, x1', ...).
+%
+%   [u, status] = stage_step(self, t, x), with self from stage_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+t = double(t);
+x = double(x);
+if ~(self.t0 <= t)
+    status = int32(-2);
+    return;
+end
+past = (t - self.deadline) - self.correction;
+late = pick(past < self.hold_from, past, self.hold_from);
+inv_T = (-1.0) / late;
+s1 = (((-120.0) * x(1) * inv_T) + ((-60.0) * x(2))) * inv_T;
+v = (s1 + ((-12.0) * x(3))) * inv_T;
+if isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
+    u = v;
+    status = int32(0);
+elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < -self.u_max
+        u = -self.u_max;
+        status = int32(2);
+    elseif isfinite(v)
+        u = v;
+        status = int32(1);
+    else
+        status = int32(-3);
+    end
+else
+    status = int32(-2);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

@@ -1,0 +1,37 @@
+function [gains, status] = stage_tick(self, t) %#codegen
+%STAGE_TICK The gains at time t [s], for several axes that share one deadline: tick once, then axis
+%for each. The result of tick and axis may differ from that of step in the last bits.
+%
+%   [gains, status] = stage_tick(self, t), with self from stage_init.
+
+gains.gain = zeros(1, 3, 'double');
+gains.u_max = 0.0;
+status = int32(-2);
+gains.status = status;
+t = double(t);
+if ~(isfinite(t) && (self.t0 <= t))
+    status = int32(-2);
+    return;
+end
+past = (t - self.deadline) - self.correction;
+late = pick(past < self.hold_from, past, self.hold_from);
+inv_T = (-1.0) / late;
+gains.gain(1) = (-120.0) * (inv_T * inv_T) * inv_T;
+gains.gain(2) = (-60.0) * inv_T * inv_T;
+gains.gain(3) = (-12.0) * inv_T;
+gains.u_max = self.u_max;
+if late < self.hold_from
+    status = int32(0);
+else
+    status = int32(1);
+end
+gains.status = status;
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

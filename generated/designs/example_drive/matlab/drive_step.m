@@ -1,0 +1,54 @@
+function [u, status] = drive_step(self, t, x) %#codegen
+%DRIVE_STEP u at time t [s] and state x = (q, w, i).
+%
+%   [u, status] = drive_step(self, t, x), with self from drive_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+t = double(t);
+x = double(x);
+if ~(self.t0 <= t)
+    status = int32(-2);
+    return;
+end
+past = (t - self.deadline) - self.correction;
+late = pick(past < self.hold_from, past, self.hold_from);
+inv_T = (-1.0) / late;
+drift = ((-0.029999666666666668) * x(2)) - (1.201 * x(3));
+s1 = (((-0.00016) * x(1) * inv_T) + ((-8e-5) * x(2))) * inv_T;
+v = ((s1 + (((-0.024) * x(3)) - ((-8e-6) * x(2)))) * inv_T) - drift;
+if isfinite(v) && (abs(v) <= 24.0) && (late < self.hold_from)
+    u = v;
+    status = int32(0);
+elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
+    if 24.0 < v
+        u = 24.0;
+        status = int32(2);
+    elseif v < -24.0
+        u = -24.0;
+        status = int32(2);
+    elseif isfinite(v)
+        u = v;
+        status = int32(1);
+    else
+        status = int32(-3);
+    end
+else
+    status = int32(-2);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

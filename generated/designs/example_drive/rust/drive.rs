@@ -1,0 +1,280 @@
+//! Prescribed-time controller drive: order n = 3, mapping exp.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name drive --tau=0.4 --u-max=24 --poles=-4,-5,-6 --states="q, w, i" --input=V --output="q" --dynamics="w, (k*i - b*w)/J, (V - R*i - k*w)/L" --param J=2e-5 --param L=2e-3 --param R=1.2 --param b=1e-5 --param k=0.03
+//! Version 0.1.0.
+//!
+//! Plant, with the input V: q' = w, w' = (k*i - b*w)/J, i' = (V - R*i - k*w)/L, output q. Time
+//!       in s.
+//! Goal: the output and its first 2 derivatives, x, are 0 at the deadline t0 + tau from any
+//!       state at t0, up to the error that the hold at eps, sampling, what differs from the
+//!       model and clipping leave. The checks below say what is known of this design.
+//! The law takes the plant to be the model. What differs from it is not part of the law.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
+//!
+//! Parameters:
+//!   tau = 0.4 [s], fixed: prescribed settling time
+//!   u_max = 24 [unit of u], fixed: bound of |u|
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 120 [1/s^3], fixed: gain of xi_1
+//!   k_2 = 74 [1/s^2], fixed: gain of xi_2
+//!   k_3 = 15 [1/s], fixed: gain of xi_3
+//!   J = 2e-5, fixed: parameter of the model
+//!   L = 2e-3, fixed: parameter of the model
+//!   R = 1.2, fixed: parameter of the model
+//!   b = 1e-5, fixed: parameter of the model
+//!   k = 0.03, fixed: parameter of the model
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
+//!
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
+//!   mu(t)     = tau*(1 - exp(-a*t))
+//!   kappa(Dt) = -ln(T/tau)/a
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) a^k T
+//!   r_1 = a*T
+//!   r_2 = -a^2*T
+//!   r_3 = a^3*T
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+//!   B_{0,0} = 1
+//!   B_{1,1} = a*T
+//!   B_{2,1} = -a^2*T
+//!   B_{2,2} = a^2*T^2
+//!   B_{3,1} = a^3*T
+//!   B_{3,2} = -3*a^3*T^2
+//!
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = (kappa'^n (pi0(xi, t_kappa) - b_n^T x) - f)/g
+//!   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
+//!   x_1 = q
+//!   x_2 = w
+//!   x_3 = (k*i - b*w)/J
+//!   f = (k*(-(R*i + k*w)/L) - b*((k*i - b*w)/J))/J
+//!   g = k/(J*L)
+//!   u = (sum_j gain_j x_j - f)/g
+//!   gain_j = inv_T^(n+1-j) row_j
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
+//!   row_1 = -K1
+//!   row_2 = -1 - K2 + K3
+//!   row_3 = 3 - K3
+//!   inv_T = 1/T
+//!
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: x and u go to 0 at the deadline.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   loop: not checked: `sample_time` is not given.
+//!   envelope: not checked: `x_max` is not given.
+//!   zeros: sound: none: the relative degree is 3, the number of states.
+//!
+//! Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
+//!       multiplications, 1 division.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Drive`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct DriveParams {
+    /// start time \[s\], finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
+    pub eps: f64,
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Drive {
+    /// start time.
+    t0: f64,
+    /// t0 + tau, rounded.
+    deadline: f64,
+    /// low part of t0 + tau (compensated sum).
+    correction: f64,
+    /// time-to-go at which the gains are held.
+    eps: f64,
+    /// -eps: later than this the gains are held.
+    hold_from: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Drive {
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: DriveParams) -> Result<Self, Error> {
+        let t0 = params.t0;
+        let eps = params.eps;
+        if !(t0.is_finite() && (1e-150 <= eps) && (eps < 0.4)) {
+            return Err(Error::Param);
+        }
+        let hold_from = -eps;
+        if !hold_from.is_finite() {
+            return Err(Error::Param);
+        }
+        let mut built = Self {
+            eps,
+            hold_from,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at t0 \[s\].
+    ///
+    /// # Errors
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + 0.4;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (0.4 - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time t \[s\] and state x = (q, w, i).
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
+        let inv_T = (-1.0) / late;
+        let drift = ((-0.029999666666666668) * x[1]) - (1.201 * x[2]);
+        let s1 = (((-0.00016) * x[0] * inv_T) + ((-8e-5) * x[1])) * inv_T;
+        let v = ((s1 + (((-0.024) * x[2]) - ((-8e-6) * x[1]))) * inv_T) - drift;
+        let (u, status) = if v.is_finite() && (v.abs() <= 24.0) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
+            if 24.0 < v {
+                (24.0, Status::Saturated)
+            } else if v < -24.0 {
+                (-24.0, Status::Saturated)
+            } else if v.is_finite() {
+                (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<3> for Drive {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

@@ -1,0 +1,150 @@
+/* Prescribed-time controller stage: see stage.h. DO NOT EDIT. */
+#include "stage.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage_init(stage *self, const stage_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    (void)params;
+    if (self != NULL) {
+        self->start = 0U;
+        self->u1 = 0.0;
+        self->u2 = 0.0;
+        self->seen = 0U;
+        self->x1_hat = 0.0;
+        self->x2_hat = 0.0;
+        self->d_hat = 0.0;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage_arm(stage *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if (isfinite(y[0]) != 0) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const double s1 = self->x1_hat + (0.001 * self->x2_hat);
+            const double s2 = s1 + (3.3333333333333335e-7 * self->d_hat);
+            const double p1 = s2 + (3.3333333333333335e-7 * self->u2);
+            const double s3 = self->x2_hat + (0.0006666666666666666 * self->d_hat);
+            const double p2 = s3 + (0.0006666666666666666 * self->u2);
+            const double p3 = self->d_hat;
+
+            /* Correct by what is measured. */
+            double base;
+            double miss;
+            if (self->seen == 0U) {
+                base = y[0];
+                miss = 0.0;
+            } else {
+                base = p1;
+                miss = y[0] - p1;
+            }
+            const uint32_t left_o = (elapsed < 200U) ? (200U - elapsed) : 0U;
+            const double o0 = ((double)left_o < 30.0) ? 30.0 : (double)left_o;
+            double l1;
+            double l2;
+            double l3;
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            const double r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
+            l3 = 36000000.0 * r0 * r1 * r2;
+            const double x1 = base + (l1 * miss);
+            const double x2 = p2 + (l2 * miss);
+            const double d = p3 + (l3 * miss);
+            double v;
+            if (elapsed < 792U) {
+                /* The exact law in samples. */
+                const double m0 = (double)(800U - elapsed);
+                const double z1 = ((-180000000.0) * x1) + (90000.0 * x2);
+                const double z2 = (-90000.0) * x2;
+                const double z3 = (-12.0) * (self->u1 + d);
+                const double s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+                v = (s4 + (self->u1 + d)) - d;
+            } else {
+                /* Deadbeat. */
+                v = ((((-1500000.0) * x1) - (3750.0 * x2)) - (2.0 * (self->u1 + d))) - d;
+            }
+            status = PTC_E_RANGE;
+            if (isfinite(v) != 0) {
+                double u_now;
+                if (6.0 < v) {
+                    u_now = 6.0;
+                } else if (v < -6.0) {
+                    u_now = -6.0;
+                } else {
+                    u_now = v;
+                }
+                self->u2 = self->u1;
+                self->u1 = u_now;
+                self->x1_hat = x1;
+                self->x2_hat = x2;
+                self->d_hat = d;
+                self->seen = 1U;
+                *u = u_now;
+                if ((6.0 < v) || (v < -6.0)) {
+                    status = PTC_SATURATED;
+                } else if (elapsed < 800U) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage_estimate(const stage *self, double xhat[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                xhat[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage_disturbance(const stage *self, double *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

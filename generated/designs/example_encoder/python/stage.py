@@ -1,0 +1,196 @@
+"""
+Prescribed-time controller stage: order n = 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0 --u-max=6 --poles=-4,-5,-6 --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+Version 0.1.0.
+
+Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
+      sample late.
+Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+      sample period, as long as u is not clipped and nothing else acts on the plant.
+Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+      the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+      over.
+
+Parameters:
+  samples = 800 [samples], fixed: samples N from the start to rest
+  h = 1e-3 [s], fixed: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  u_max = 6 [unit of u], fixed: bound of |u|
+  a = 1 [1/s], fixed: rate of stretched time
+  k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+The estimates are exact from sample 200 after the start on where the measurement is; with
+      noise or sensor_step given, or observer_eps, the gains of the observer are then held
+      below deadbeat.
+|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+      lasts.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: x and u go to 0 at the deadline.
+  sampling: not checked: the law is exact in samples, at any period.
+  deadline: not checked: the law is exact in samples, at any period.
+  loop: not checked: `x0_max` is not given.
+  envelope: not checked: it does not examine a clock in samples.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "Stage", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+class Stage:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            self._start = 0
+            self._u1 = _R(0.0)
+            self._u2 = _R(0.0)
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._d_hat = _R(0.0)
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
+        are kept.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, y: ArrayLike) -> Control:
+        """u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for
+        each tick.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            y = _numbers(y, 1, "y")
+            if not np.isfinite(y[0]):
+                return Control(_R(0.0), Status.INPUT)
+            elapsed = (k - self._start) & _WRAP
+
+            # Predict.
+            s1 = self._x1_hat + (0.001 * self._x2_hat)
+            s2 = s1 + (3.3333333333333335e-7 * self._d_hat)
+            p1 = s2 + (3.3333333333333335e-7 * self._u2)
+            s3 = self._x2_hat + (0.0006666666666666666 * self._d_hat)
+            p2 = s3 + (0.0006666666666666666 * self._u2)
+            p3 = self._d_hat
+
+            # Correct by what is measured.
+            if self._seen == 0:
+                base = y[0]
+                miss = _R(0.0)
+            else:
+                base = p1
+                miss = y[0] - p1
+            left_o = max(200 - elapsed, 0)
+            o0 = max(_R(left_o), _R(30.0))
+            r0 = 1.0 / o0
+            r1 = 1.0 / (o0 - 1.0)
+            r2 = 1.0 / (o0 - 2.0)
+            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
+            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2
+            l3 = 36000000.0 * r0 * r1 * r2
+            x1 = base + (l1 * miss)
+            x2 = p2 + (l2 * miss)
+            d = p3 + (l3 * miss)
+            if elapsed < 792:
+                # The exact law in samples.
+                m0 = _R((800 - elapsed) & _WRAP)
+                z1 = ((-180000000.0) * x1) + (90000.0 * x2)
+                z2 = (-90000.0) * x2
+                z3 = (-12.0) * (self._u1 + d)
+                s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)
+                v = (s4 + (self._u1 + d)) - d
+            else:
+                # Deadbeat.
+                v = ((((-1500000.0) * x1) - (3750.0 * x2)) - (2.0 * (self._u1 + d))) - d
+            if not np.isfinite(v):
+                return Control(_R(0.0), Status.RANGE)
+            if 6.0 < v:
+                u_now = _R(6.0)
+            elif v < -6.0:
+                u_now = _R(-6.0)
+            else:
+                u_now = v
+            self._u2 = self._u1
+            self._u1 = u_now
+            self._x1_hat = x1
+            self._x2_hat = x2
+            self._d_hat = d
+            self._seen = 1
+            if (6.0 < v) or (v < -6.0):
+                return Control(u_now, Status.SATURATED)
+            elif elapsed < 800:
+                return Control(u_now, Status.OK)
+            else:
+                return Control(u_now, Status.HOLD)
+
+    def estimate(self) -> Array:
+        """The estimate of the state at the last sample."""
+        return np.array([self._x1_hat, self._x2_hat], dtype=_R)
+
+    def disturbance(self) -> np.float64:
+        """The estimate of the constant that is added to u."""
+        return self._d_hat

@@ -1,0 +1,214 @@
+/* Prescribed-time controller gantry: see gantry.h. DO NOT EDIT. */
+#include "gantry.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status gantry_init(gantry *self, const gantry_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+    struct gantry built;
+
+    (void)params;
+    if (self != NULL) {
+        built.t0 = 0.0;
+        built.deadline = 0.0;
+        built.correction = 0.0;
+        status = gantry_arm(&built, 0.0);
+        if (status == PTC_OK) {
+            *self = built;
+        }
+    }
+    return status;
+}
+
+ptc_status gantry_arm(gantry *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + 1.5;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (1.5 - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status gantry_tick(const gantry *self, double t, gantry_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < -0.012) ? past : -0.012;
+            const double inv_T = (-1.0) / late;
+            const double v1 = (-20.0) * inv_T * inv_T;
+            const double v2 = (-8.0) * inv_T;
+            gains->gain[0] = v1;
+            gains->gain[1] = v2;
+            gains->gain[2] = v1;
+            gains->gain[3] = v2;
+            gains->gain[4] = (-42.0) * inv_T * inv_T;
+            gains->gain[5] = (-12.0) * inv_T;
+            gains->input_gain[0] = 0.008333333333333333;
+            gains->input_gain[1] = 0.022222222222222223;
+            gains->input_gain[2] = 0.08333333333333333;
+            gains->u_max[0] = 900.0;
+            gains->u_max[1] = 400.0;
+            gains->u_max[2] = 150.0;
+            if (late < -0.012) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
+    }
+    return status;
+}
+
+ptc_status gantry_axis(const gantry_gains *gains, uint32_t axis, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        if (axis < 3U) {
+            const double s1 = gains->gain[2U * axis] * x[0];
+            const double v1 = s1 + (gains->gain[(2U * axis) + 1U] * x[1]);
+            const double g = gains->input_gain[axis];
+            const double v = v1 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max[axis])) {
+                status = gains->status;
+            } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+                if (gains->u_max[axis] < v) {
+                    *u = gains->u_max[axis];
+                    status = PTC_SATURATED;
+                } else if (v < -gains->u_max[axis]) {
+                    *u = -gains->u_max[axis];
+                    status = PTC_SATURATED;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
+            } else {
+                *u = 0.0;
+                status = PTC_E_INPUT;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status gantry_step(
+    const gantry *self,
+    double t,
+    const double x[3][2],
+    double u[3],
+    ptc_status axes[3])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < -0.012) ? past : -0.012;
+            const double inv_T = (-1.0) / late;
+            const double v1 = (-20.0) * inv_T * inv_T;
+            const double v2 = (-8.0) * inv_T;
+            double gain[6];
+            gain[0] = v1;
+            gain[1] = v2;
+            gain[2] = v1;
+            gain[3] = v2;
+            gain[4] = (-42.0) * inv_T * inv_T;
+            gain[5] = (-12.0) * inv_T;
+            double input_gain[3];
+            input_gain[0] = 0.008333333333333333;
+            input_gain[1] = 0.022222222222222223;
+            input_gain[2] = 0.08333333333333333;
+            double u_max[3];
+            u_max[0] = 900.0;
+            u_max[1] = 400.0;
+            u_max[2] = 150.0;
+            if (late < -0.012) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            double wanted[3];
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                const double v3 = (gain[2U * axis] * x[axis][0]) + (gain[(2U * axis) + 1U] * x[axis][1]);
+                const double g = input_gain[axis];
+                wanted[axis] = v3 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
+            }
+            u[0] = wanted[0];
+            u[1] = wanted[1];
+            u[2] = wanted[2];
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                axes[axis] = status;
+            }
+            uint32_t outside = 0U;
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                const double v = wanted[axis];
+                if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
+                    outside = 1U;
+                    break;
+                }
+            }
+            if (outside == 1U) {
+                for (uint32_t axis = 0U; axis < 3U; axis++) {
+                    const double v = wanted[axis];
+                    if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
+                        if ((isfinite(x[axis][0]) != 0) && (isfinite(x[axis][1]) != 0)) {
+                            if (u_max[axis] < v) {
+                                u[axis] = u_max[axis];
+                                axes[axis] = PTC_SATURATED;
+                            } else if (v < -u_max[axis]) {
+                                u[axis] = -u_max[axis];
+                                axes[axis] = PTC_SATURATED;
+                            } else {
+                                axes[axis] = PTC_E_RANGE;
+                            }
+                        } else {
+                            axes[axis] = PTC_E_INPUT;
+                        }
+                        if (status >= PTC_OK) {
+                            status = axes[axis];
+                        }
+                    }
+                }
+                if (status < PTC_OK) {
+                    for (uint32_t axis = 0U; axis < 3U; axis++) {
+                        u[axis] = 0.0;
+                    }
+                }
+            }
+        } else {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                u[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,347 @@
+/*
+ * Prescribed-time controller gantry: order n = 2, mapping exp.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --axes 3 --mu "exp(a=1)" --name gantry --tau=1.5 --t0=0 --eps=1.20e-2 --limits=900,400,150 --poles="[[-4,-5],[-4,-5],[-6,-7]]" --g="[1/m1, 1/m2, 1/m3]" --param m1=120 --param m2=45 --param m3=12 --sample-time=1e-3
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
+ * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+ *       eps, sampling, f and clipping leave. The checks below say what is known of this
+ *       design.
+ * f is not part of the law: cancel its known terms before the call.
+ * Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
+ *       on time once.
+ *   axis 1: k = 20, 9; u_max = 900; g = 1/m1
+ *   axis 2: k = 20, 9; u_max = 400; g = 1/m2
+ *   axis 3: k = 42, 13; u_max = 150; g = 1/m3
+ *
+ * Parameters:
+ *   tau = 1.5 [s], fixed: prescribed settling time
+ *   t0 = 0 [s], fixed: start time
+ *   eps = 1.20e-2 [s], fixed: time-to-go at which the gains are held
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   m1 = 120, fixed: parameter of g
+ *   m2 = 45, fixed: parameter of g
+ *   m3 = 12, fixed: parameter of g
+ *
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
+ *   mu(t)     = tau*(1 - exp(-a*t))
+ *   kappa(Dt) = -ln(T/tau)/a
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) a^k T
+ *   r_1 = a*T
+ *   r_2 = -a^2*T
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+ *   B_{0,0} = 1
+ *   B_{1,1} = a*T
+ *   B_{2,1} = -a^2*T
+ *
+ * Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)/g
+ *   pi0 = -(k_1 xi_1 + k_2 xi_2)
+ *   u = (sum_j gain_j x_j)/g
+ *   gain_j = inv_T^(n+1-j) row_j
+ *   K1, K2, ...: K_i = k_i/a^(n+1-i)
+ *   row_1 = -K1
+ *   row_2 = 1 - K2
+ *   inv_T = 1/T
+ *
+ * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: sound: axis 1: eps = 0.012 s is 3 times the minimum for a period of 0.001 s.
+ *   deadline: not checked: `error` is not given.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: `x_max` is not given.
+ *
+ * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
+ *       multiplications, 4 divisions.
+ */
+#ifndef GANTRY_HPP
+#define GANTRY_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+#ifndef PTC_AXES_HPP
+#define PTC_AXES_HPP
+/// What a step of several axes gives.
+template <class Real, std::size_t Count>
+struct [[nodiscard]] Axes {
+    std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status
+    std::array<Status, Count> axes{}; ///< status of each axis
+    Status status{Status::Input}; ///< that of the first axis that fails; else Saturated where one is
+};
+#endif
+
+/// Run-time parameters.
+struct GantryParams {
+};
+
+/// Feedback gains at one time.
+struct [[nodiscard]] GantryGains {
+    std::array<double, 6> gain{}; ///< u input_gain = gain[2*axis] x[0] + ... + gain[2*axis + 1] x[1]
+    std::array<double, 3> input_gain{}; ///< g
+    std::array<double, 3> u_max{}; ///< bound of |u| of each axis
+    Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains
+
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> axis(std::uint32_t axis, const std::array<double, 2>& x) const noexcept
+    {
+        if (status < Status::Ok) {
+            return {0.0, status};
+        }
+        if (!(axis < 3U)) {
+            return {0.0, Status::Input};
+        }
+        const double s1 = gain[2U * axis] * x[0];
+        const double v1 = s1 + (gain[(2U * axis) + 1U] * x[1]);
+        const double g = input_gain[axis];
+        const double v = ((g < 0.0) || (g > 0.0)) ? (v1 / g) : std::numeric_limits<double>::quiet_NaN();
+        if (finite(v) && (absolute(v) <= u_max[axis])) {
+            return {v, status};
+        } else if (finite(x[0]) && finite(x[1])) {
+            if (u_max[axis] < v) {
+                return {u_max[axis], Status::Saturated};
+            } else if (v < -u_max[axis]) {
+                return {-u_max[axis], Status::Saturated};
+            } else {
+                return {0.0, Status::Range};
+            }
+        } else {
+            return {0.0, Status::Input};
+        }
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Gantry {
+public:
+    using Params = GantryParams;
+    using State = std::array<double, 2>;
+    using Gains = GantryGains;
+
+    /// Takes the parameters and arms at params.t0 (or the fixed t0). Ok, or Param with nothing
+    /// changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        Gantry built{};
+        built.t0_ = 0.0;
+        built.deadline_ = 0.0;
+        built.correction_ = 0.0;
+        const Status status = built.arm(0.0);
+        if (status == Status::Ok) {
+            *this = built;
+        }
+        return status;
+    }
+
+    /// Starts again at t0 [s].
+    /// Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status arm(double t0) noexcept
+    {
+        if (!finite(t0)) {
+            return Status::Param;
+        }
+        const double deadline = t0 + 1.5;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (1.5 - v1);
+        if (!finite(deadline)) {
+            return Status::Param;
+        }
+        t0_ = t0;
+        deadline_ = deadline;
+        correction_ = correction;
+        return Status::Ok;
+    }
+
+    /// The gains at time t [s] for all axes, from which step computes u of each.
+    constexpr Gains tick(double t) const noexcept
+    {
+        if (!(finite(t) && (t0_ <= t))) {
+            return {};
+        }
+        const double past = (t - deadline_) - correction_;
+        const double late = (past < -0.012) ? past : -0.012;
+        const double inv_T = (-1.0) / late;
+        const double v1 = (-20.0) * inv_T * inv_T;
+        const double v2 = (-8.0) * inv_T;
+        Gains gains{};
+        gains.gain[0] = v1;
+        gains.gain[1] = v2;
+        gains.gain[2] = v1;
+        gains.gain[3] = v2;
+        gains.gain[4] = (-42.0) * inv_T * inv_T;
+        gains.gain[5] = (-12.0) * inv_T;
+        gains.input_gain[0] = 0.008333333333333333;
+        gains.input_gain[1] = 0.022222222222222223;
+        gains.input_gain[2] = 0.08333333333333333;
+        gains.u_max[0] = 900.0;
+        gains.u_max[1] = 400.0;
+        gains.u_max[2] = 150.0;
+        if (late < -0.012) {
+            gains.status = Status::Ok;
+        } else {
+            gains.status = Status::Hold;
+        }
+        return gains;
+    }
+
+    /// u of 3 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of
+    /// the first axis that fails, and then every u is 0; else SATURATED where an axis is.
+    constexpr Axes<double, 3> step(double t, const std::array<std::array<double, 2>, 3>& x) const noexcept
+    {
+        Axes<double, 3> all{};
+        if (!(finite(t) && (t0_ <= t))) {
+            return {{}, {{Status::Input, Status::Input, Status::Input}}, Status::Input};
+        }
+        const double past = (t - deadline_) - correction_;
+        const double late = (past < -0.012) ? past : -0.012;
+        const double inv_T = (-1.0) / late;
+        const double v1 = (-20.0) * inv_T * inv_T;
+        const double v2 = (-8.0) * inv_T;
+        std::array<double, 6> gain{};
+        gain[0] = v1;
+        gain[1] = v2;
+        gain[2] = v1;
+        gain[3] = v2;
+        gain[4] = (-42.0) * inv_T * inv_T;
+        gain[5] = (-12.0) * inv_T;
+        std::array<double, 3> input_gain{};
+        input_gain[0] = 0.008333333333333333;
+        input_gain[1] = 0.022222222222222223;
+        input_gain[2] = 0.08333333333333333;
+        std::array<double, 3> u_max{};
+        u_max[0] = 900.0;
+        u_max[1] = 400.0;
+        u_max[2] = 150.0;
+        if (late < -0.012) {
+            all.status = Status::Ok;
+        } else {
+            all.status = Status::Hold;
+        }
+        std::array<double, 3> wanted{};
+        for (std::size_t axis = 0U; axis < 3U; axis++) {
+            const double v3 = (gain[2U * axis] * x[axis][0]) + (gain[(2U * axis) + 1U] * x[axis][1]);
+            const double g = input_gain[axis];
+            wanted[axis] = ((g < 0.0) || (g > 0.0)) ? (v3 / g) : std::numeric_limits<double>::quiet_NaN();
+        }
+        all.u[0] = wanted[0];
+        all.u[1] = wanted[1];
+        all.u[2] = wanted[2];
+        for (std::size_t axis = 0U; axis < 3U; axis++) {
+            all.axes[axis] = all.status;
+        }
+        std::size_t outside = 0U;
+        for (std::size_t axis = 0U; axis < 3U; axis++) {
+            const double v = wanted[axis];
+            if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
+                outside = 1U;
+                break;
+            }
+        }
+        if (outside == 1U) {
+            for (std::size_t axis = 0U; axis < 3U; axis++) {
+                const double v = wanted[axis];
+                if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
+                    if (finite(x[axis][0]) && finite(x[axis][1])) {
+                        if (u_max[axis] < v) {
+                            all.u[axis] = u_max[axis];
+                            all.axes[axis] = Status::Saturated;
+                        } else if (v < -u_max[axis]) {
+                            all.u[axis] = -u_max[axis];
+                            all.axes[axis] = Status::Saturated;
+                        } else {
+                            all.axes[axis] = Status::Range;
+                        }
+                    } else {
+                        all.axes[axis] = Status::Input;
+                    }
+                    if (all.status >= Status::Ok) {
+                        all.status = all.axes[axis];
+                    }
+                }
+            }
+            if (all.status < Status::Ok) {
+                for (std::size_t axis = 0U; axis < 3U; axis++) {
+                    all.u[axis] = 0.0;
+                }
+            }
+        }
+        return all;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+
+    double t0_{}; // start time
+    double deadline_{}; // t0 + tau, rounded
+    double correction_{}; // low part of t0 + tau (compensated sum)
+};
+
+} // namespace ptc
+
+#endif

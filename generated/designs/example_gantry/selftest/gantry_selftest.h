@@ -1,0 +1,33 @@
+/*
+ * Self-test of the prescribed-time controller gantry, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name gantry --tau=1.5 --t0=0 --eps=1.20e-2 --limits=900,400,150 --poles="[[-4,-5],[-4,-5],[-6,-7]]" --g="[1/m1, 1/m2, 1/m3]" --param m1=120 --param m2=45 --param m3=12 --sample-time=1e-3 --selftest
+ * Version 0.1.0.
+ *
+ * 19 sets of parameters with 86 calls, 0 sets that init must refuse. The expected u was
+ * computed from the definition of the controller with 42 or more digits; its tolerance is
+ * 1e-14 of the sum of the absolute values of its terms.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   isfinite(deadline): tau is fixed, and less than the last place of the greatest start.
+ *   (status == PTC_OK): arm takes every start time that init takes.
+ *   g < 0.0: g was not negative in 400 random calls, nor at the ends of the range.
+ *   g > 0.0: g was not 0 in 400 random calls, nor at the ends of the range.
+ */
+#ifndef GANTRY_SELFTEST_H
+#define GANTRY_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t gantry_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

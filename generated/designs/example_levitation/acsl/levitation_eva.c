@@ -1,0 +1,368 @@
+/*
+ * Proof that levitation.c has no error at run time, with the plug-in Eva of Frama-C. Here are levitation.h,
+ * levitation.c and this file, all three written by ptc-codegen emit --acsl. DO NOT EDIT.
+ *
+ * Any inputs, with NaN, infinities and NULL:
+ *   frama-c -eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality -warn-special-float none levitation_eva.c levitation.c
+ * Finite inputs, and no value on the way may overflow or be NaN:
+ *   frama-c -cpp-extra-args=-DFINITE -eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality -warn-special-float non-finite levitation_eva.c levitation.c
+ *
+ * It is proved where no line begins with [eva:alarm] and the summary has no property unknown. In finite mode
+ * values are drawn from the ranges below; give others with -cpp-extra-args="-DFINITE -D<macro>=<number>".
+ */
+#include "levitation.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "__fc_builtin.h"
+
+#ifndef LEVITATION_EVA_TAU_MIN
+#define LEVITATION_EVA_TAU_MIN 1.0
+#endif
+#ifndef LEVITATION_EVA_TAU_MAX
+#define LEVITATION_EVA_TAU_MAX 1.0
+#endif
+#ifndef LEVITATION_EVA_T0_MIN
+#define LEVITATION_EVA_T0_MIN 0.0
+#endif
+#ifndef LEVITATION_EVA_T0_MAX
+#define LEVITATION_EVA_T0_MAX 0.0
+#endif
+#define LEVITATION_EVA_EPS_MIN 0.001
+#define LEVITATION_EVA_EPS_MAX 0.001
+#ifndef LEVITATION_EVA_U_MAX_MIN
+#define LEVITATION_EVA_U_MAX_MIN 10.0
+#endif
+#ifndef LEVITATION_EVA_U_MAX_MAX
+#define LEVITATION_EVA_U_MAX_MAX 10.0
+#endif
+#ifndef LEVITATION_EVA_L_MIN
+#define LEVITATION_EVA_L_MIN 1.0
+#endif
+#ifndef LEVITATION_EVA_L_MAX
+#define LEVITATION_EVA_L_MAX 1.0
+#endif
+#ifndef LEVITATION_EVA_R_MIN
+#define LEVITATION_EVA_R_MIN 1.0
+#endif
+#ifndef LEVITATION_EVA_R_MAX
+#define LEVITATION_EVA_R_MAX 1.0
+#endif
+#ifndef LEVITATION_EVA_I0_MIN
+#define LEVITATION_EVA_I0_MIN 0.1
+#endif
+#ifndef LEVITATION_EVA_I0_MAX
+#define LEVITATION_EVA_I0_MAX 5.0
+#endif
+#ifndef LEVITATION_EVA_Z0_MIN
+#define LEVITATION_EVA_Z0_MIN 0.005
+#endif
+#ifndef LEVITATION_EVA_Z0_MAX
+#define LEVITATION_EVA_Z0_MAX 0.02
+#endif
+/* Bounds of |x_i|. */
+#ifndef LEVITATION_EVA_X1_MAX
+#define LEVITATION_EVA_X1_MAX 0.002
+#endif
+#ifndef LEVITATION_EVA_X2_MAX
+#define LEVITATION_EVA_X2_MAX 1.0
+#endif
+#ifndef LEVITATION_EVA_X3_MAX
+#define LEVITATION_EVA_X3_MAX 0.05
+#endif
+
+/* Frama-C leaves the sign of a true isfinite open; the code only asks whether it is 0. */
+/*@ ensures \result >= 0; */
+extern int __finite(double d);
+/*@ ensures \result >= 0; */
+extern int __finitef(float f);
+/* The contract of fabs keeps no relation to its argument, from which Eva could tell that |u| <= u_max
+ * bounds u. */
+double fabs(double x)
+{
+    return (x < 0.0) ? -x : x;
+}
+
+static volatile double levitation_eva_source;
+
+/* Any number, or in finite mode one of least to greatest. */
+static double levitation_eva_draw(double least, double greatest)
+{
+#ifdef FINITE
+    return Frama_C_double_interval(least, greatest);
+#else
+    (void)least;
+    (void)greatest;
+    return levitation_eva_source;
+#endif
+}
+
+/* The same, but at the levels above 0 finite: Eva takes NaN to both sides of a comparison, so that it does
+ * not see that one refuses it. */
+static double levitation_eva_number(int level, double least, double greatest)
+{
+    const double v = levitation_eva_draw(least, greatest);
+
+    return ((level > 0) && (isfinite(v) == 0)) ? greatest : v;
+}
+
+/* Fields that nothing has set. */
+static void levitation_eva_blank(levitation *self)
+{
+    self->t0 = 42.0;
+    self->tau = 42.0;
+    self->deadline = 42.0;
+    self->correction = 42.0;
+    self->p_i0 = 42.0;
+    self->p_z0 = 42.0;
+    self->f42 = 42.0;
+    self->f49 = 42.0;
+    self->f53 = 42.0;
+    self->p_R = 42.0;
+    self->f56 = 42.0;
+    self->f61 = 42.0;
+    self->u_max = 42.0;
+}
+
+static void levitation_eva_untouched(const levitation *self)
+{
+    (void)self;
+    //@ assert untouched: self->t0 == 42.0;
+    //@ assert untouched: self->tau == 42.0;
+    //@ assert untouched: self->deadline == 42.0;
+    //@ assert untouched: self->correction == 42.0;
+    //@ assert untouched: self->p_i0 == 42.0;
+    //@ assert untouched: self->p_z0 == 42.0;
+    //@ assert untouched: self->f42 == 42.0;
+    //@ assert untouched: self->f49 == 42.0;
+    //@ assert untouched: self->f53 == 42.0;
+    //@ assert untouched: self->p_R == 42.0;
+    //@ assert untouched: self->f56 == 42.0;
+    //@ assert untouched: self->f61 == 42.0;
+    //@ assert untouched: self->u_max == 42.0;
+}
+
+/* What every call that gives u keeps: a status, with u = 0 where it is negative; at level 1 that u is finite,
+ * at 2 its bound. in_time is 1 where t0 is over for certain, -1 where it is
+ * to come for certain. */
+static void levitation_eva_check(ptc_status status, double u, double limit, int level, int in_time)
+{
+    //@ assert known: -3 <= status <= 3 && status != PTC_E_PARAM;
+    //@ assert refused: status < 0 ==> u == 0.0;
+    if (level > 0) {
+        //@ assert finite: \is_finite(u);
+    }
+    if (level > 1) {
+        //@ assert bounded: status >= 0 ==> -limit <= u <= limit;
+    }
+#ifdef FINITE
+    //@ assert in_range: status != PTC_E_RANGE;
+    if (in_time > 0) {
+        //@ assert accepted: status >= 0;
+    }
+    if (in_time < 0) {
+        //@ assert early: status == PTC_E_INPUT;
+    }
+#else
+    (void)in_time;
+#endif
+}
+
+/* The controller at time t. */
+static void levitation_eva_use(const levitation *self, double t, double t0, double limit, int level, int in_time)
+{
+    double x[3];
+    double u;
+    ptc_status status;
+
+    x[0] = levitation_eva_draw(-LEVITATION_EVA_X1_MAX, LEVITATION_EVA_X1_MAX);
+    x[1] = levitation_eva_draw(-LEVITATION_EVA_X2_MAX, LEVITATION_EVA_X2_MAX);
+    x[2] = levitation_eva_draw(-LEVITATION_EVA_X3_MAX, LEVITATION_EVA_X3_MAX);
+    (void)t0;
+    status = levitation_step(self, t, x, &u);
+    levitation_eva_check(status, u, limit, level, in_time);
+}
+
+/* One life: before t0, tracking in pieces of time-to-go, the hold, and long after. */
+static void levitation_eva_times(const levitation *self, double t0, double t0_low, double t0_high, double tau_low, double tau_high, double limit, int level)
+{
+#ifdef FINITE
+    const int in_time = (t0_high <= t0_low);
+    double low = t0_low;
+    double far = tau_high;
+    levitation_eva_use(self, levitation_eva_draw((t0_low - tau_high) - tau_high, t0_low - tau_high), t0, limit, level, -1);
+    levitation_eva_use(self, levitation_eva_draw(t0_low - tau_high, t0_low), t0, limit, level, 0);
+    /*@ loop unroll 10000; */
+    while (far > LEVITATION_EVA_EPS_MIN) {
+        const double near = far * 0.6;
+
+        levitation_eva_use(self, levitation_eva_draw(low, (t0_high + tau_high) - near), t0, limit, level, in_time);
+        low = (t0_low + tau_low) - near;
+        if (low < t0_low) {
+            low = t0_low;
+        }
+        far = near;
+    }
+    levitation_eva_use(self, levitation_eva_draw(low, t0_high + tau_high + 1.0), t0, limit, level, in_time);
+    levitation_eva_use(self, levitation_eva_draw(t0_high + tau_high, t0_high + tau_high + 1000000.0), t0, limit, level, in_time);
+#else
+    (void)t0_low;
+    (void)t0_high;
+    (void)tau_low;
+    (void)tau_high;
+    levitation_eva_use(self, levitation_eva_draw(0.0, 0.0), t0, limit, level, 0);
+#endif
+}
+
+/* init, use, arm and use again; and arm on what was never used. */
+static void levitation_eva_live(double t0_low, double t0_high, double tau_low, double tau_high, double limit, int level)
+{
+    levitation_params params;
+    levitation self;
+    ptc_status status;
+    double t0 = levitation_eva_draw(t0_low, t0_high);
+
+    params.tau = levitation_eva_draw(tau_low, tau_high);
+    params.t0 = t0;
+    params.u_max = limit;
+    params.L = levitation_eva_draw(LEVITATION_EVA_L_MIN, LEVITATION_EVA_L_MAX);
+    params.R = levitation_eva_draw(LEVITATION_EVA_R_MIN, LEVITATION_EVA_R_MAX);
+    params.i0 = levitation_eva_number(level, LEVITATION_EVA_I0_MIN, LEVITATION_EVA_I0_MAX);
+    params.z0 = levitation_eva_number(level, LEVITATION_EVA_Z0_MIN, LEVITATION_EVA_Z0_MAX);
+#ifdef FINITE
+    //@ assert legal: levitation_legal(&params);
+#endif
+    levitation_eva_blank(&self);
+    status = levitation_init(&self, &params);
+    if (status == PTC_OK) {
+        levitation_eva_times(&self, t0, t0_low, t0_high, tau_low, tau_high, limit, level);
+        t0 = levitation_eva_draw(t0_low, t0_high);
+        status = levitation_arm(&self, t0);
+        if (status == PTC_OK) {
+            levitation_eva_times(&self, t0, t0_low, t0_high, tau_low, tau_high, limit, level);
+        } else {
+            //@ assert refused: status == PTC_E_PARAM;
+#ifdef FINITE
+            //@ assert armed: \false;
+#endif
+        }
+    } else {
+        //@ assert refused: status == PTC_E_PARAM;
+        levitation_eva_untouched(&self);
+    }
+    levitation_eva_blank(&self);
+    status = levitation_arm(&self, levitation_eva_draw(t0_low, t0_high));
+    if (status != PTC_OK) {
+        levitation_eva_untouched(&self);
+    }
+}
+
+/* Every piece of tau and of t0: in each, time-to-go is nearly known from the time. */
+static void levitation_eva_pieces(double limit, int level)
+{
+#ifdef FINITE
+    double tau_low = LEVITATION_EVA_TAU_MIN;
+
+    /*@ loop unroll 10000; */
+    do {
+        double tau_high = tau_low * 1.05;
+        double t0_low = LEVITATION_EVA_T0_MIN;
+
+        if (tau_high > LEVITATION_EVA_TAU_MAX) {
+            tau_high = LEVITATION_EVA_TAU_MAX;
+        }
+        /*@ loop unroll 10000; */
+        do {
+            double t0_high = t0_low + (LEVITATION_EVA_TAU_MIN / 16.0);
+
+            if (t0_high > LEVITATION_EVA_T0_MAX) {
+                t0_high = LEVITATION_EVA_T0_MAX;
+            }
+            levitation_eva_live(t0_low, t0_high, tau_low, tau_high, limit, level);
+            t0_low = t0_high;
+        } while (t0_low < LEVITATION_EVA_T0_MAX);
+        tau_low = tau_high;
+    } while (tau_low < LEVITATION_EVA_TAU_MAX);
+#else
+    levitation_eva_live(0.0, 0.0, 0.0, 0.0, limit, level);
+#endif
+}
+
+#ifndef FINITE
+/* NULL for every pointer that is checked, and no number for every input. */
+static void levitation_eva_null(void)
+{
+    levitation self;
+    double u;
+    double x[3];
+    double t = levitation_eva_draw(0.0, 0.0);
+    levitation_params params;
+    ptc_status status;
+
+    params.tau = levitation_eva_draw(0.0, 0.0);
+    params.t0 = levitation_eva_draw(0.0, 0.0);
+    params.u_max = levitation_eva_draw(0.0, 0.0);
+    params.L = levitation_eva_draw(0.0, 0.0);
+    params.R = levitation_eva_draw(0.0, 0.0);
+    params.i0 = levitation_eva_draw(0.0, 0.0);
+    params.z0 = levitation_eva_draw(0.0, 0.0);
+    levitation_eva_blank(&self);
+    status = levitation_init(NULL, &params);
+    //@ assert no_self: status == PTC_E_PARAM;
+    status = levitation_init(&self, NULL);
+    //@ assert no_params: status == PTC_E_PARAM;
+    levitation_eva_untouched(&self);
+    status = levitation_arm(NULL, 0.0);
+    //@ assert no_self: status == PTC_E_PARAM;
+    x[0] = levitation_eva_draw(0.0, 0.0);
+    x[1] = levitation_eva_draw(0.0, 0.0);
+    x[2] = levitation_eva_draw(0.0, 0.0);
+    status = levitation_step(NULL, t, x, &u);
+    //@ assert missing: status == PTC_E_INPUT;
+    //@ assert zero: u == 0.0;
+    status = levitation_step(&self, t, NULL, &u);
+    //@ assert missing: status == PTC_E_INPUT;
+    //@ assert zero: u == 0.0;
+    status = levitation_step(&self, t, x, NULL);
+    //@ assert missing: status == PTC_E_INPUT;
+    x[0] = NAN;
+    status = levitation_step(&self, t, x, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+    x[0] = 0.0;
+    x[1] = NAN;
+    status = levitation_step(&self, t, x, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+    x[1] = 0.0;
+    x[2] = NAN;
+    status = levitation_step(&self, t, x, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+    x[2] = 0.0;
+    t = INFINITY;
+    status = levitation_step(&self, t, x, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+}
+#endif
+
+/* The whole proof of levitation. */
+void levitation_eva(void)
+{
+#ifndef FINITE
+    levitation_eva_null();
+    levitation_eva_pieces(levitation_eva_draw(0.0, 0.0), 0);
+    levitation_eva_pieces(levitation_eva_number(1, 0.0, 0.0), 1);
+#endif
+    levitation_eva_pieces(LEVITATION_EVA_U_MAX_MIN, 2);
+    if (LEVITATION_EVA_U_MAX_MAX > LEVITATION_EVA_U_MAX_MIN) {
+        levitation_eva_pieces(LEVITATION_EVA_U_MAX_MAX, 2);
+    }
+}
+
+/* Left out where a program of several proofs has a main of its own. */
+#ifndef PTC_EVA_PART
+int main(void)
+{
+    levitation_eva();
+    return 0;
+}
+#endif

@@ -1,0 +1,354 @@
+//! Prescribed-time controller levitation: order n = 3, mapping exp.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name levitation --eps=1e-3 --poles=-4,-5,-6 --states="z, v, i" --input=u --output="z" --dynamics="v, grav*(1 - ((1 + i/i0)/(1 + z/z0))^2), (u - R*i)/L" --param grav=9.81 --param "i0=[0.1,5]" --param "z0=[5e-3,2e-2]" --x-max=2e-3,1,0.05
+//! Version 0.1.0.
+//!
+//! Plant, with the input u: z' = v, v' = grav*(1 - ((1 + i/i0)/(1 + z/z0))^2), i' = (u -
+//!       R*i)/L, output z. Time in s.
+//! Goal: the output and its first 2 derivatives, x, are 0 at the deadline t0 + tau from any
+//!       state at t0, up to the error that the hold at eps, sampling, what differs from the
+//!       model and clipping leave. The checks below say what is known of this design.
+//! The law takes the plant to be the model. What differs from it is not part of the law.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
+//!
+//! Parameters:
+//!   eps = 1e-3 [s], fixed: time-to-go at which the gains are held
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 120 [1/s^3], fixed: gain of xi_1
+//!   k_2 = 74 [1/s^2], fixed: gain of xi_2
+//!   k_3 = 15 [1/s], fixed: gain of xi_3
+//!   grav = 9.81, fixed: parameter of the model
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
+//!   t0: start time [s], finite
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   L: parameter of the model, finite
+//!   R: parameter of the model, finite
+//!   i0: parameter of the model, from 0.1 to 5
+//!   z0: parameter of the model, from 5e-3 to 2e-2
+//!
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
+//!   mu(t)     = tau*(1 - exp(-a*t))
+//!   kappa(Dt) = -ln(T/tau)/a
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) a^k T
+//!   r_1 = a*T
+//!   r_2 = -a^2*T
+//!   r_3 = a^3*T
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+//!   B_{0,0} = 1
+//!   B_{1,1} = a*T
+//!   B_{2,1} = -a^2*T
+//!   B_{2,2} = a^2*T^2
+//!   B_{3,1} = a^3*T
+//!   B_{3,2} = -3*a^3*T^2
+//!
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = (kappa'^n (pi0(xi, t_kappa) - b_n^T x) - f)/g
+//!   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
+//!   x_1 = z
+//!   x_2 = v
+//!   x_3 = grav*(1 - ((1 + i/i0)/(1 + z/z0))^2)
+//!   f = grav*-(2*((1 + i/i0)/(1 + z/z0))*((-R*i/L/i0*(1 + z/z0) - (1 + i/i0)*(v/z0))/(1 +
+//!       z/z0)^2))
+//!   g = -2*grav*z0^2*(i0 + i)/(L*i0^2*(z0 + z)^2)
+//!   u = (sum_j gain_j x_j - f)/g
+//!   gain_j = inv_T^(n+1-j) row_j
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
+//!   row_1 = -K1
+//!   row_2 = -1 - K2 + K3
+//!   row_3 = 3 - K3
+//!   inv_T = 1/T
+//!
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: x and u go to 0 at the deadline.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   loop: not checked: it needs a value of `tau`.
+//!   envelope: not checked: `tau` is left to run time without bounds.
+//!   zeros: sound: none: the relative degree is 3, the number of states.
+//!
+//! Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
+//!       multiplications, 6 divisions.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Levitation`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct LevitationParams {
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
+    pub tau: f64,
+    /// start time \[s\], finite.
+    pub t0: f64,
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
+    pub u_max: f64,
+    /// parameter of the model, finite.
+    pub L: f64,
+    /// parameter of the model, finite.
+    pub R: f64,
+    /// parameter of the model, from 0.1 to 5.
+    pub i0: f64,
+    /// parameter of the model, from 5e-3 to 2e-2.
+    pub z0: f64,
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Levitation {
+    /// start time.
+    t0: f64,
+    /// prescribed settling time.
+    tau: f64,
+    /// t0 + tau, rounded.
+    deadline: f64,
+    /// low part of t0 + tau (compensated sum).
+    correction: f64,
+    /// parameter of an expression of the design.
+    p_i0: f64,
+    /// parameter of an expression of the design.
+    p_z0: f64,
+    /// derived from the parameters.
+    f42: f64,
+    /// derived from the parameters.
+    f49: f64,
+    /// derived from the parameters.
+    f53: f64,
+    /// parameter of an expression of the design.
+    p_R: f64,
+    /// derived from the parameters.
+    f56: f64,
+    /// derived from the parameters.
+    f61: f64,
+    /// bound of |u|.
+    u_max: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Levitation {
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: LevitationParams) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let u_max = params.u_max;
+        let p_L = params.L;
+        let p_R = params.R;
+        let p_i0 = params.i0;
+        let p_z0 = params.z0;
+        if !(tau.is_finite()
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && t0.is_finite()
+            && (0.0 < u_max)
+            && p_L.is_finite()
+            && p_R.is_finite()
+            && (0.1 <= p_i0)
+            && (p_i0 <= 5.0)
+            && (0.005 <= p_z0)
+            && (p_z0 <= 0.02)
+            && (0.001 < tau))
+        {
+            return Err(Error::Param);
+        }
+        let f42 = p_L * (p_i0 * p_i0);
+        let f53 = -p_L;
+        let size_f42 = if p_L.abs() <= 0.0 { 1e-200 } else { f42.abs() };
+        let size_f53 = if p_L.abs() <= 0.0 { 1e-200 } else { f53.abs() };
+        let size_p_R = if p_R.abs() <= 0.0 { 1e-200 } else { p_R.abs() };
+        let f49 = (-19.62) * (p_z0 * p_z0);
+        let f56 = p_R * p_z0;
+        let f61 = f53 * p_i0;
+        if !((1e-200 <= size_f42)
+            && (1e-200 <= size_f53)
+            && (1e-200 <= size_p_R)
+            && f42.is_finite()
+            && f49.is_finite()
+            && f53.is_finite()
+            && f56.is_finite()
+            && f61.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        let mut built = Self {
+            tau,
+            p_i0,
+            p_z0,
+            f42,
+            f49,
+            f53,
+            p_R,
+            f56,
+            f61,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at t0 \[s\].
+    ///
+    /// # Errors
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time t \[s\] and state x = (z, v, i).
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < -0.001 { past } else { -0.001 };
+        let inv_T = (-1.0) / late;
+        let v1 = (1.0 + (x[2] / self.p_i0)) / (1.0 + (x[0] / self.p_z0));
+        let v2 = self.p_z0 + x[0];
+        let s1 = (((-120.0) * x[0] * inv_T) + ((-60.0) * x[1])) * inv_T;
+        let s2 = (s1 + ((-117.72) * (1.0 - (v1 * v1)))) * inv_T;
+        let v3 = s2 * (self.f42 * (v2 * v2));
+        let numerator = self.f49 * (self.p_i0 + x[2]);
+        let s3 = (((self.f53 * x[1]) - self.f56) - (self.p_R * x[0])) * x[2];
+        let drift = (s3 + (self.f61 * x[1])) / v2;
+        let s4 = if numerator < 0.0 || numerator > 0.0 {
+            v3 / numerator
+        } else {
+            f64::NAN
+        };
+        let v = s4 - drift;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < -0.001) {
+            (v, Status::Ok)
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
+                (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<3> for Levitation {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

@@ -1,0 +1,13 @@
+function self = motor_arm(self, k) %#codegen
+%MOTOR_ARM Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
+%are kept.
+%
+%   self = motor_arm(self, k), with self from motor_init. Keep self: it is what the next call needs.
+
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    error('motor:param', 'k is %g; legal: whole', k);
+end
+k = uint32(mod(k, 4294967296));
+self.start = k;
+end

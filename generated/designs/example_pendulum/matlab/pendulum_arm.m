@@ -1,0 +1,20 @@
+function self = pendulum_arm(self, t0) %#codegen
+%PENDULUM_ARM Starts again at t0 [s].
+%
+%   self = pendulum_arm(self, t0), with self from pendulum_init. Keep self: it is what the next call
+%   needs.
+
+t0 = double(t0);
+if ~isfinite(t0)
+    error('pendulum:param', 't0, and what follows, must be finite');
+end
+deadline = t0 + 0.8;
+v1 = deadline - t0;
+correction = (t0 - (deadline - v1)) + (0.8 - v1);
+if ~isfinite(deadline)
+    error('pendulum:param', 't0, and what follows, must be finite');
+end
+self.t0 = t0;
+self.deadline = deadline;
+self.correction = correction;
+end

@@ -1,0 +1,138 @@
+/*
+ * Prescribed-time controller table: order n = 2, mapping exp.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=3.61e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
+ * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+ *       eps, sampling, f and clipping leave. The checks below say what is known of this
+ *       design.
+ * f is not part of the law: cancel its known terms before the call.
+ *
+ * Parameters:
+ *   tau = 1 [s], fixed: prescribed settling time
+ *   eps = 3.61e-2 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 0.5 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 20 [1/s^2], fixed: gain of xi_1
+ *   k_2 = 9 [1/s], fixed: gain of xi_2
+ *   t0: start time [s], finite
+ *
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
+ *   mu(t)     = tau*(1 - exp(-a*t))
+ *   kappa(Dt) = -ln(T/tau)/a
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) a^k T
+ *   r_1 = a*T
+ *   r_2 = -a^2*T
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+ *   B_{0,0} = 1
+ *   B_{1,1} = a*T
+ *   B_{2,1} = -a^2*T
+ *
+ * Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)/g
+ *   pi0 = -(k_1 xi_1 + k_2 xi_2)
+ *   g = 50
+ *   u = (sum_j gain_j x_j)/g
+ *   gain_j = inv_T^(n+1-j) row_j
+ *   K1, K2, ...: K_i = k_i/a^(n+1-i)
+ *   row_1 = -K1
+ *   row_2 = 1 - K2
+ *   inv_T = 1/T
+ *
+ * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite, t >= t0 and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: sound: eps = 0.0361 s is 1.805 times the minimum for a period of 0.005 s.
+ *   deadline: not checked: `loop` decides; without noise and for short periods |x| <= 0.001
+ *       for every eps <= 0.03613 s.
+ *   loop: sound: at the deadline |x| <= 1.869e-7, 2.19e-5.
+ *   envelope: not checked: `x_max` is not given.
+ *
+ * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
+ *       multiplications, 1 division.
+ */
+#ifndef TABLE_H
+#define TABLE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct table_params {
+    double t0; /* start time [s], finite */
+} table_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct table {
+    double t0; /* start time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* low part of t0 + tau (compensated sum) */
+} table;
+
+/* Feedback gains at one time. */
+typedef struct table_gains {
+    double gain[2]; /* u = gain[0] x[0] + ... + gain[1] x[1] */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} table_gains;
+
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
+ptc_status table_init(table *self, const table_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status table_arm(table *self, double t0);
+
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status table_step(const table *self, double t, const double x[2], double *u);
+
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
+ptc_status table_tick(const table *self, double t, table_gains *gains);
+
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
+ptc_status table_axis(const table_gains *gains, const double x[2], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,37 @@
+function [u, status] = table_axis(gains, x) %#codegen
+%TABLE_AXIS u of one axis from its state x = (x1, x1', ...) and the gains.
+%
+%   [u, status] = table_axis(gains, x), with gains from table_tick.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+status = gains.status;
+if status < 0
+    return;
+end
+x = double(x);
+v = ((gains.gain(1) * x(1)) + (gains.gain(2) * x(2))) * 0.02;
+if isfinite(v) && (abs(v) <= 0.5)
+    u = v;
+    status = gains.status;
+elseif isfinite(x(1)) && isfinite(x(2))
+    if 0.5 < v
+        u = 0.5;
+        status = int32(2);
+    elseif v < -0.5
+        u = -0.5;
+        status = int32(2);
+    else
+        status = int32(-3);
+    end
+else
+    status = int32(-2);
+end
+end

@@ -1,0 +1,52 @@
+function [u, status] = table_step(self, t, x) %#codegen
+%TABLE_STEP u at time t [s] and state x = (x1, x1', ...).
+%
+%   [u, status] = table_step(self, t, x), with self from table_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+t = double(t);
+x = double(x);
+if ~(self.t0 <= t)
+    status = int32(-2);
+    return;
+end
+past = (t - self.deadline) - self.correction;
+late = pick(past < -0.0361, past, -0.0361);
+inv_T = (-1.0) / late;
+v = (((-20.0) * x(1) * inv_T) + ((-8.0) * x(2))) * inv_T * 0.02;
+if isfinite(v) && (abs(v) <= 0.5) && (late < -0.0361)
+    u = v;
+    status = int32(0);
+elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2))
+    if 0.5 < v
+        u = 0.5;
+        status = int32(2);
+    elseif v < -0.5
+        u = -0.5;
+        status = int32(2);
+    elseif isfinite(v)
+        u = v;
+        status = int32(1);
+    else
+        status = int32(-3);
+    end
+else
+    status = int32(-2);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

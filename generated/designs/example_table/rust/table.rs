@@ -1,0 +1,308 @@
+//! Prescribed-time controller table: order n = 2, mapping exp.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=3.61e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5
+//! Version 0.1.0.
+//!
+//! Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
+//! f is not part of the law: cancel its known terms before the call.
+//!
+//! Parameters:
+//!   tau = 1 [s], fixed: prescribed settling time
+//!   eps = 3.61e-2 [s], fixed: time-to-go at which the gains are held
+//!   u_max = 0.5 [unit of u], fixed: bound of |u|
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 20 [1/s^2], fixed: gain of xi_1
+//!   k_2 = 9 [1/s], fixed: gain of xi_2
+//!   t0: start time [s], finite
+//!
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
+//!   mu(t)     = tau*(1 - exp(-a*t))
+//!   kappa(Dt) = -ln(T/tau)/a
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) a^k T
+//!   r_1 = a*T
+//!   r_2 = -a^2*T
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+//!   B_{0,0} = 1
+//!   B_{1,1} = a*T
+//!   B_{2,1} = -a^2*T
+//!
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)/g
+//!   pi0 = -(k_1 xi_1 + k_2 xi_2)
+//!   g = 50
+//!   u = (sum_j gain_j x_j)/g
+//!   gain_j = inv_T^(n+1-j) row_j
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
+//!   row_1 = -K1
+//!   row_2 = 1 - K2
+//!   inv_T = 1/T
+//!
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: x and u go to 0 at the deadline.
+//!   sampling: sound: eps = 0.0361 s is 1.805 times the minimum for a period of 0.005 s.
+//!   deadline: not checked: `loop` decides; without noise and for short periods |x| <= 0.001
+//!       for every eps <= 0.03613 s.
+//!   loop: sound: at the deadline |x| <= 1.869e-7, 2.19e-5.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
+//!       multiplications, 1 division.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Table`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct TableParams {
+    /// start time \[s\], finite.
+    pub t0: f64,
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Table {
+    /// start time.
+    t0: f64,
+    /// t0 + tau, rounded.
+    deadline: f64,
+    /// low part of t0 + tau (compensated sum).
+    correction: f64,
+}
+
+/// Feedback gains of [`Table`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct TableGains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
+    pub gain: [f64; 2],
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Table {
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: TableParams) -> Result<Self, Error> {
+        let t0 = params.t0;
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let mut built = Self {
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at t0 \[s\].
+    ///
+    /// # Errors
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + 1.0;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (1.0 - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time t \[s\] and state x = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < -0.0361 { past } else { -0.0361 };
+        let inv_T = (-1.0) / late;
+        let v = (((-20.0) * x[0] * inv_T) + ((-8.0) * x[1])) * inv_T * 0.02;
+        let (u, status) = if v.is_finite() && (v.abs() <= 0.5) && (late < -0.0361) {
+            (v, Status::Ok)
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
+            if 0.5 < v {
+                (0.5, Status::Saturated)
+            } else if v < -0.5 {
+                (-0.5, Status::Saturated)
+            } else if v.is_finite() {
+                (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<TableGains, Error> {
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < -0.0361 { past } else { -0.0361 };
+        let inv_T = (-1.0) / late;
+        let status = if late < -0.0361 {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
+        Ok(TableGains {
+            gain: [(-20.0) * inv_T * inv_T, (-8.0) * inv_T],
+            status,
+        })
+    }
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl TableGains {
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let v = ((self.gain[0] * x[0]) + (self.gain[1] * x[1])) * 0.02;
+        let (u, status) = if v.is_finite() && (v.abs() <= 0.5) {
+            (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() {
+            if 0.5 < v {
+                (0.5, Status::Saturated)
+            } else if v < -0.5 {
+                (-0.5, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<2> for Table {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

@@ -1,0 +1,142 @@
+/*
+ * Prescribed-time controller tank: outputs of order 1, 2, mapping exp.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --mu "exp(a=1)" --name tank --tau=30 --eps=0.5 --limits=2,50 --poles="[[-4],[-3,-4]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)"
+ * Version 0.1.0.
+ *
+ * Plant, with the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h),
+ *       output 1 = h, output 2 = e. Time in s.
+ * Goal: every output with its derivatives is 0 at the deadline t0 + tau from any state at t0,
+ *       up to the error that the hold at eps, sampling, what differs from the model and
+ *       clipping leave. The checks below say what is known of this design.
+ * The law takes the plant to be the model. What differs from it is not part of the law.
+ * Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+ *       input of this number.
+ *   output 1: k = 4; u_max = 2
+ *   output 2: k = 12, 7; u_max = 50
+ *
+ * SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which the loop
+ *       is stable. Run the emitted step with a model of the plant, sampled.
+ *
+ * Parameters:
+ *   tau = 30 [s], fixed: prescribed settling time
+ *   eps = 0.5 [s], fixed: time-to-go at which the gains are held
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   t0: start time [s], finite
+ *
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
+ *   mu(t)     = tau*(1 - exp(-a*t))
+ *   kappa(Dt) = -ln(T/tau)/a
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) a^k T
+ *   r_1 = a*T
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+ *   B_{0,0} = 1
+ *
+ * Law of each output, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x) = sum_j gain_j x_j
+ * Order n = 1:
+ *   pi0 = -k_1 xi_1
+ *   gain_j = inv_T^(n+1-j) row_j
+ *   K1, K2, ...: K_i = k_i/a^(n+1-i)
+ *   row_1 = -K1
+ *   inv_T = 1/T
+ * Order n = 2:
+ *   pi0 = -(k_1 xi_1 + k_2 xi_2)
+ *   gain_j = inv_T^(n+1-j) row_j
+ *   K1, K2, ...: K_i = k_i/a^(n+1-i)
+ *   row_1 = -K1
+ *   row_2 = 1 - K2
+ *   inv_T = 1/T
+ * Output 1, of order n = 1:
+ *   x_1 = h
+ *   f_1 = -h/10
+ * Output 2, of order n = 2:
+ *   x_1 = e
+ *   x_2 = (c - e)*(1 + h)
+ *   f_2 = (-c*(1 + h) - (c - e)*(1 + h))*(1 + h) + (c - e)*(-h/10)
+ * u = adj(D) w/det(D) with w_i = v_i - f_i:
+ *   det(D) = 1 + h
+ *   adj(D) = [[1 + h, 0], [-(c - e), 1]]
+ *
+ * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite, t >= t0 and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: `sample_time` is not given.
+ *   deadline: not checked: `error` is not given.
+ *   loop: not checked: `sample_time` is not given.
+ *   envelope: not checked: `x_max` is not given.
+ *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
+ *
+ * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
+ *       multiplications, 3 divisions.
+ */
+#ifndef TANK_H
+#define TANK_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct tank_params {
+    double t0; /* start time [s], finite */
+} tank_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct tank {
+    double t0; /* start time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* low part of t0 + tau (compensated sum) */
+} tank;
+
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
+ptc_status tank_init(tank *self, const tank_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status tank_arm(tank *self, double t0);
+
+/*
+ * u = (q, p) at time t [s] and state x = (h, c, e). Where one of them is not finite, as at a state
+ * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
+ * one was clipped.
+ */
+ptc_status tank_step(
+    const tank *self,
+    double t,
+    const double x[3],
+    double u[2],
+    ptc_status axes[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,101 @@
+function self = tank_init(params) %#codegen
+%TANK_INIT Takes the parameters and arms at params.t0 (or the fixed t0).
+%
+%   self = tank_init(params) is the controller, for the functions that stand beside this one. A
+%   parameter outside its domain, or coefficients that leave the range of numbers, raise an error
+%   tank:param, which names what is wrong and what is legal.
+%
+%   params is a struct:
+%     t0: start time [s], finite
+
+% Prescribed-time controller tank: outputs of order 1, 2, mapping exp.
+%
+% DO NOT EDIT. Made by:
+%   ptc-codegen emit --lang matlab --mu "exp(a=1)" --name tank --tau=30 --eps=0.5 --limits=2,50 --poles="[[-4],[-3,-4]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)"
+% Version 0.1.0.
+%
+% Plant, with the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h),
+%       output 1 = h, output 2 = e. Time in s.
+% Goal: every output with its derivatives is 0 at the deadline t0 + tau from any state at t0,
+%       up to the error that the hold at eps, sampling, what differs from the model and
+%       clipping leave. The checks below say what is known of this design.
+% The law takes the plant to be the model. What differs from it is not part of the law.
+% Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+%       input of this number.
+%   output 1: k = 4; u_max = 2
+%   output 2: k = 12, 7; u_max = 50
+%
+% SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which the loop
+%       is stable. Run the emitted step with a model of the plant, sampled.
+%
+% Parameters:
+%   tau = 30 [s], fixed: prescribed settling time
+%   eps = 0.5 [s], fixed: time-to-go at which the gains are held
+%   a = 1 [1/s], fixed: rate of stretched time
+%   t0: start time [s], finite
+%
+% Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+%       the stretched time since t0:
+%   mu(t)     = tau*(1 - exp(-a*t))
+%   kappa(Dt) = -ln(T/tau)/a
+% Derivatives r_k = mu^(k)(kappa(Dt)):
+%   r_k = (-1)^(k-1) a^k T
+%   r_1 = a*T
+% Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+%   B_{0,0} = 1
+%
+% Law of each output, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+%   v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x) = sum_j gain_j x_j
+% Order n = 1:
+%   pi0 = -k_1 xi_1
+%   gain_j = inv_T^(n+1-j) row_j
+%   K1, K2, ...: K_i = k_i/a^(n+1-i)
+%   row_1 = -K1
+%   inv_T = 1/T
+% Order n = 2:
+%   pi0 = -(k_1 xi_1 + k_2 xi_2)
+%   gain_j = inv_T^(n+1-j) row_j
+%   K1, K2, ...: K_i = k_i/a^(n+1-i)
+%   row_1 = -K1
+%   row_2 = 1 - K2
+%   inv_T = 1/T
+% Output 1, of order n = 1:
+%   x_1 = h
+%   f_1 = -h/10
+% Output 2, of order n = 2:
+%   x_1 = e
+%   x_2 = (c - e)*(1 + h)
+%   f_2 = (-c*(1 + h) - (c - e)*(1 + h))*(1 + h) + (c - e)*(-h/10)
+% u = adj(D) w/det(D) with w_i = v_i - f_i:
+%   det(D) = 1 + h
+%   adj(D) = [[1 + h, 0], [-(c - e), 1]]
+%
+% From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+% |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+%       deadline.
+% Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+% Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+%       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+%
+% Checks of the design (details: ptc-codegen check):
+%   membership: sound: exp is of class M for all its parameters.
+%   growth: sound: x and u go to 0 at the deadline.
+%   sampling: not checked: `sample_time` is not given.
+%   deadline: not checked: `error` is not given.
+%   loop: not checked: `sample_time` is not given.
+%   envelope: not checked: `x_max` is not given.
+%   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
+%
+% Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
+%       multiplications, 3 divisions.
+
+given.t0 = double(params.t0);
+t0 = given.t0;
+if ~isfinite(t0)
+    error('tank:param', 'params.t0 is %g; legal: finite', params.t0);
+end
+self.t0 = 0.0;
+self.deadline = 0.0;
+self.correction = 0.0;
+self = tank_arm(self, t0);
+end

@@ -1,0 +1,93 @@
+function [u, axes, status] = tank_step(self, t, x) %#codegen
+%TANK_STEP u = (q, p) at time t [s] and state x = (h, c, e). Where one of them is not finite, as at
+%a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED
+%where one was clipped.
+%
+%   [u, axes, status] = tank_step(self, t, x), with self from tank_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = zeros(2, 1, 'double');
+axes = repmat(int32(-2), 2, 1);
+t = double(t);
+x = double(x);
+x1 = x(1);
+x2 = x(2);
+x3 = x(3);
+if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3))
+    status = int32(-2);
+    return;
+end
+past = (t - self.deadline) - self.correction;
+late = pick(past < -0.5, past, -0.5);
+drift_axis1 = (-x1) * 0.1;
+wanted_axis1 = ((4.0 * x1) / late) - drift_axis1;
+inv_T_axis2 = (-1.0) / late;
+v1 = x2 - x3;
+determinant = 1.0 + x1;
+chain2_axis2 = v1 * determinant;
+s1 = (((-x2) * determinant) - chain2_axis2) * determinant;
+drift_axis2 = s1 + (v1 * drift_axis1);
+s2 = ((-12.0) * x3 * inv_T_axis2) + ((-6.0) * chain2_axis2);
+wanted_axis2 = (s2 * inv_T_axis2) - drift_axis2;
+over_determinant = pick((determinant < 0.0) || (determinant > 0.0), 1.0 / determinant, double(NaN));
+control1 = determinant * wanted_axis1 * over_determinant;
+control2 = (((-v1) * wanted_axis1) + wanted_axis2) * over_determinant;
+if late < -0.5
+    status = int32(0);
+else
+    status = int32(1);
+end
+if isfinite(control1) && isfinite(control2)
+    u(1) = control1;
+    axes(1) = status;
+    u(2) = control2;
+    axes(2) = status;
+    if 2.0 < control1
+        u(1) = 2.0;
+        axes(1) = int32(2);
+        status = int32(2);
+    elseif control1 < -2.0
+        u(1) = -2.0;
+        axes(1) = int32(2);
+        status = int32(2);
+    end
+    if 50.0 < control2
+        u(2) = 50.0;
+        axes(2) = int32(2);
+        status = int32(2);
+    elseif control2 < -50.0
+        u(2) = -50.0;
+        axes(2) = int32(2);
+        status = int32(2);
+    end
+else
+    u(1) = 0.0;
+    if isfinite(control1)
+        axes(1) = status;
+    else
+        axes(1) = int32(-3);
+    end
+    u(2) = 0.0;
+    if isfinite(control2)
+        axes(2) = status;
+    else
+        axes(2) = int32(-3);
+    end
+    status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

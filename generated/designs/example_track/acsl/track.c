@@ -1,0 +1,88 @@
+/* Prescribed-time controller track: see track.h. DO NOT EDIT. */
+#include "track.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status track_init(track *self, const track_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+    struct track built;
+
+    (void)params;
+    if (self != NULL) {
+        built.t0 = 0.0;
+        built.deadline = 0.0;
+        built.correction = 0.0;
+        status = track_arm(&built, 0.0);
+        if (status == PTC_OK) {
+            *self = built;
+        }
+    }
+    return status;
+}
+
+ptc_status track_arm(track *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + 1.0;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (1.0 - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status track_step(const track *self, double t, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < -0.0442) ? past : -0.0442;
+            const double inv_T = (-1.0) / late;
+            const double v1 = (2.0 * t) + 0.3;
+            const double v2 = sin(v1);
+            const double reference0 = 0.1 * v2;
+            const double e1 = x[0] - reference0;
+            const double reference1 = cos(v1) * 0.2;
+            const double e2 = x[1] - reference1;
+            const double reference2 = v2 * (-0.4);
+            const double v = (((((-20.0) * e1 * inv_T) + ((-8.0) * e2)) * inv_T) + reference2) * 1.5;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= 50.0) && (late < -0.0442)) {
+                status = PTC_OK;
+            } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+                if (50.0 < v) {
+                    *u = 50.0;
+                    status = PTC_SATURATED;
+                } else if (v < -50.0) {
+                    *u = -50.0;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
+                    status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
+            } else {
+                *u = 0.0;
+                status = PTC_E_INPUT;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,275 @@
+//! Prescribed-time controller track: order n = 2, mapping exp.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name track --tau=1 --t0=0 --eps=4.42e-2 --u-max=50 --poles=-4,-5 --g="2/3" --reference="1/10*sin(2*t + phase)" --param phase=0.3 --sample-time=1e-3 --error=1e-3,1e-2 --x0-max=0.5,0.5
+//! Version 0.1.0.
+//!
+//! Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
+//! Goal: x = (r, r', ...) of the reference r(t) at the deadline t0 + tau from any state at t0,
+//!       up to the error that the hold at eps, sampling, f and clipping leave. The checks
+//!       below say what is known of this design.
+//! f is not part of the law: cancel its known terms before the call.
+//!
+//! Parameters:
+//!   tau = 1 [s], fixed: prescribed settling time
+//!   t0 = 0 [s], fixed: start time
+//!   eps = 4.42e-2 [s], fixed: time-to-go at which the gains are held
+//!   u_max = 50 [unit of u], fixed: bound of |u|
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 20 [1/s^2], fixed: gain of xi_1
+//!   k_2 = 9 [1/s], fixed: gain of xi_2
+//!   phase = 0.3, fixed: parameter of reference
+//!
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
+//!   mu(t)     = tau*(1 - exp(-a*t))
+//!   kappa(Dt) = -ln(T/tau)/a
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) a^k T
+//!   r_1 = a*T
+//!   r_2 = -a^2*T
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+//!   B_{0,0} = 1
+//!   B_{1,1} = a*T
+//!   B_{2,1} = -a^2*T
+//!
+//! Law, Theorem 1, with xi = BB_n e and t_kappa = kappa(Dt) + t0:
+//!   u = (kappa'^n (pi0(xi, t_kappa) - b_n^T e) + r^(2))/g
+//!   pi0 = -(k_1 xi_1 + k_2 xi_2)
+//!   e_i = x_i - r^(i-1), with the reference r = 1/10*sin(2*t + phase)
+//!   r^(1) = cos(phase + 2*t)/5
+//!   r^(2) = -2*sin(phase + 2*t)/5
+//!   g = 2/3
+//!   u = (sum_j gain_j e_j + r^(2))/g
+//!   gain_j = inv_T^(n+1-j) row_j
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
+//!   row_1 = -K1
+//!   row_2 = 1 - K2
+//!   inv_T = 1/T
+//!
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+//!       mathematical library.
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: x and u go to 0 at the deadline.
+//!   sampling: undecided: r is known at the samples alone; with a constant r: eps = 0.0442 s
+//!       is 11.05 times the minimum for a period of 0.001 s.
+//!   deadline: sound: |x| <= 0.001 for every eps <= 0.04437 s.
+//!   loop: not checked: the plant follows a reference that moves between the samples at which
+//!       it is known, and what that leaves is not examined.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
+//!       multiplications, 1 division, 2 function calls.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// From `std`, or from the crate `libm` where the feature of that name is on.
+#[allow(unexpected_cfgs)]
+mod math {
+    #[inline]
+    pub fn sin(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::sin(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.sin()
+        }
+    }
+
+    #[inline]
+    pub fn cos(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::cos(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.cos()
+        }
+    }
+}
+
+/// Run-time parameters of [`Track`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct TrackParams {}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Track {
+    /// start time.
+    t0: f64,
+    /// t0 + tau, rounded.
+    deadline: f64,
+    /// low part of t0 + tau (compensated sum).
+    correction: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Track {
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: TrackParams) -> Result<Self, Error> {
+        let mut built = Self {
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        built.arm(0.0)?;
+        Ok(built)
+    }
+
+    /// Starts again at t0 \[s\].
+    ///
+    /// # Errors
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + 1.0;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (1.0 - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time t \[s\] and state x = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < -0.0442 { past } else { -0.0442 };
+        let inv_T = (-1.0) / late;
+        let v1 = (2.0 * t) + 0.3;
+        let v2 = math::sin(v1);
+        let reference0 = 0.1 * v2;
+        let e1 = x[0] - reference0;
+        let reference1 = math::cos(v1) * 0.2;
+        let e2 = x[1] - reference1;
+        let reference2 = v2 * (-0.4);
+        let v = (((((-20.0) * e1 * inv_T) + ((-8.0) * e2)) * inv_T) + reference2) * 1.5;
+        let (u, status) = if v.is_finite() && (v.abs() <= 50.0) && (late < -0.0442) {
+            (v, Status::Ok)
+        } else if x[0].is_finite() && x[1].is_finite() {
+            if 50.0 < v {
+                (50.0, Status::Saturated)
+            } else if v < -50.0 {
+                (-50.0, Status::Saturated)
+            } else if v.is_finite() {
+                (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
+            }
+        } else {
+            return Err(Error::Input);
+        };
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<2> for Track {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

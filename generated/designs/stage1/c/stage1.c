@@ -1,0 +1,115 @@
+/* Prescribed-time controller stage1: see stage1.h. DO NOT EDIT. */
+#include "stage1.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage1_init(stage1 *self, const stage1_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1U < params->samples)
+            && (1e-18f <= params->h)
+            && (params->h <= 1e18f)
+            && (0.0f < params->u_max)
+            && (1e-18f <= params->a)
+            && (params->a <= 1e18f)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0f <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
+            const float s2 = (s1 < 4.0f) ? 4.0f : s1;
+            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float s3 = -(params->k[0] / (params->a * params->a));
+            const float w1_1 = s3 * (1.0f / (params->h * params->h));
+            const float s4 = (-0.5f) * (-(params->k[0] / (params->a * params->a)));
+            const float w1_2 = s4 * (1.0f / params->h);
+            const float w2_2 = (1.0f - (params->k[1] / params->a)) * (1.0f / params->h);
+            const float b_1 = -(1.0f / (params->h * params->h));
+            const float b_2 = (-1.5f) * (1.0f / params->h);
+            const float u_max = params->u_max;
+            if ((isfinite(deadbeat) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(w1_2) != 0)
+                && (isfinite(w2_2) != 0)
+                && (isfinite(b_1) != 0)
+                && (isfinite(b_2) != 0)
+                && (1e-30f <= params->h * params->h)
+                && (1e-30f <= 1.0f / (params->h * params->h))) {
+                self->start = 0U;
+                self->samples = samples;
+                self->deadbeat = deadbeat;
+                self->w1_1 = w1_1;
+                self->w1_2 = w1_2;
+                self->w2_2 = w2_2;
+                self->b_1 = b_1;
+                self->b_2 = b_2;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage1_arm(stage1 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage1_step(const stage1 *self, uint32_t k, const float x[2], float *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0f;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+            const float x1 = x[0];
+            const float x2 = x[1];
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const float m0 = (float)left;
+            float v;
+            if (self->deadbeat < m0) {
+                /* The exact law in samples. */
+                const float z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
+                const float z2 = self->w2_2 * x2;
+                v = ((z1 / m0) + z2) / (m0 - 1.0f);
+            } else {
+                /* Deadbeat. */
+                v = (self->b_1 * x1) + (self->b_2 * x2);
+            }
+            if (isfinite(v) != 0) {
+                if (elapsed < self->samples) {
+                    if (self->u_max < v) {
+                        *u = self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (v < -self->u_max) {
+                        *u = -self->u_max;
+                        status = PTC_SATURATED;
+                    } else {
+                        *u = v;
+                        status = PTC_OK;
+                    }
+                } else {
+                    *u = 0.0f;
+                    status = PTC_AFTER;
+                }
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,35 @@
+/*
+ * Self-test of the prescribed-time controller stage10, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1.3)" --name stage10 --clock samples --deadbeat=20 --precision f32 --eps=0 --selftest
+ * Version 0.1.0.
+ *
+ * 3 sets of parameters with 51 calls, 29 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   isfinite(w1_2) != 0: held with each of 3040 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(b_1) != 0: held with each of 3040 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(b_2) != 0: held with each of 3040 sets of parameters that passed the tests before
+ *     it.
+ */
+#ifndef STAGE10_SELFTEST_H
+#define STAGE10_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t stage10_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,255 @@
+/* Prescribed-time controller stage11: see stage11.h. DO NOT EDIT. */
+#include "stage11.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage11_init(stage11 *self, const stage11_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((9U < params->samples)
+            && (0.0f < params->u_max)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->k[2]) != 0)
+            && (isfinite(params->k[3]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0f <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const float s1 = (params->k[3] - 9.0f) + 4.0f;
+            const float s2 = (s1 < 8.0f) ? 8.0f : s1;
+            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float w1_1 = 100000000.0f * (-params->k[0]);
+            const float w1_2 = 1000000.0f * ((-1.5f) * (-params->k[0]));
+            const float w1_3 = 10000.0f * (0.9166667f * (-params->k[0]));
+            const float w1_4 = 100.0f * ((-0.25f) * (-params->k[0]));
+            const float s3 = ((1.0f - params->k[1]) + params->k[2]) - params->k[3];
+            const float w2_2 = 1000000.0f * s3;
+            const float s4 = -(((1.0f - params->k[1]) + params->k[2]) - params->k[3]);
+            const float w2_3 = 10000.0f * s4;
+            const float s5 = ((1.0f - params->k[1]) + params->k[2]) - params->k[3];
+            const float w2_4 = 100.0f * (0.33333334f * s5);
+            const float w3_3 = 10000.0f * (((-7.0f) - params->k[2]) + (3.0f * params->k[3]));
+            const float w3_4 = 100.0f * ((-0.5f) * (((-7.0f) - params->k[2]) + (3.0f * params->k[3])));
+            const float w4_4 = 100.0f * (6.0f - params->k[3]);
+            const float u_max = params->u_max;
+            if ((isfinite(deadbeat) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(w1_2) != 0)
+                && (isfinite(w1_3) != 0)
+                && (isfinite(w1_4) != 0)
+                && (isfinite(w2_2) != 0)
+                && (isfinite(w2_3) != 0)
+                && (isfinite(w2_4) != 0)
+                && (isfinite(w3_3) != 0)
+                && (isfinite(w3_4) != 0)
+                && (isfinite(w4_4) != 0)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->u1 = 0.0f;
+                self->seen = 0U;
+                self->x1_hat = 0.0f;
+                self->x2_hat = 0.0f;
+                self->x3_hat = 0.0f;
+                self->x4_hat = 0.0f;
+                self->d_hat = 0.0f;
+                self->deadbeat = deadbeat;
+                self->w1_1 = w1_1;
+                self->w1_2 = w1_2;
+                self->w1_3 = w1_3;
+                self->w1_4 = w1_4;
+                self->w2_2 = w2_2;
+                self->w2_3 = w2_3;
+                self->w2_4 = w2_4;
+                self->w3_3 = w3_3;
+                self->w3_4 = w3_4;
+                self->w4_4 = w4_4;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage11_arm(stage11 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0f;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if (isfinite(y[0]) != 0) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const float s1 = self->x1_hat + (0.01f * self->x2_hat) + (5e-5f * self->x3_hat);
+            const float s2 = s1 + (1.6666667e-7f * self->x4_hat);
+            const float p1 = s2 + (4.1666667e-10f * self->d_hat) + (4.1666667e-10f * self->u1);
+            const float s3 = self->x2_hat + (0.01f * self->x3_hat) + (5e-5f * self->x4_hat);
+            const float p2 = s3 + (1.6666667e-7f * self->d_hat) + (1.6666667e-7f * self->u1);
+            const float s4 = self->x3_hat + (0.01f * self->x4_hat) + (5e-5f * self->d_hat);
+            const float p3 = s4 + (5e-5f * self->u1);
+            const float p4 = self->x4_hat + (0.01f * self->d_hat) + (0.01f * self->u1);
+            const float p5 = self->d_hat;
+
+            /* Correct by what is measured. */
+            float base;
+            float miss;
+            if (self->seen == 0U) {
+                base = y[0];
+                miss = 0.0f;
+            } else {
+                base = p1;
+                miss = y[0] - p1;
+            }
+            const uint32_t left_o = (elapsed < (self->samples / 2U)) ? ((self->samples / 2U) - elapsed) : 0U;
+            const float o0 = (float)left_o;
+            float l1;
+            float l2;
+            float l3;
+            float l4;
+            float l5;
+            if (12.0f < o0) {
+                const float r0 = 1.0f / o0;
+                const float r1 = 1.0f / (o0 - 1.0f);
+                const float r2 = 1.0f / (o0 - 2.0f);
+                const float r3 = 1.0f / (o0 - 3.0f);
+                const float r4 = 1.0f / (o0 - 4.0f);
+                const float s5 = ((((((6720.0f * r0) - 4200.0f) * r1) + 1200.0f) * r2) - 200.0f) * r3;
+                l1 = (s5 + 20.0f) * r4;
+                const float s6 = (((((-808000.0f) * r0) + 454000.0f) * r1) - 108000.0f) * r2;
+                l2 = (s6 + 12000.0f) * r3 * r4;
+                const float s7 = ((((38400000.0f * r0) - 16800000.0f) * r1) + 2400000.0f) * r2 * r3;
+                l3 = s7 * r4;
+                l4 = (((-480000000.0f) * r0) + 120000000.0f) * r1 * r2 * r3 * r4;
+                l5 = 0.0f;
+            } else if (left_o == 12U) {
+                l1 = 1.0f;
+                l2 = 50.757576f;
+                l3 = 3678.4512f;
+                l4 = -166666.67f;
+                l5 = 7070707.0f;
+            } else if (left_o == 11U) {
+                l1 = 1.0f;
+                l2 = 79.29293f;
+                l3 = -1414.1414f;
+                l4 = 696969.7f;
+                l5 = -48484850.0f;
+            } else if (left_o == 10U) {
+                l1 = 1.0f;
+                l2 = 105.55556f;
+                l3 = -1111.1111f;
+                l4 = -333333.34f;
+                l5 = 133333336.0f;
+            } else if (left_o == 9U) {
+                l1 = 1.0f;
+                l2 = 138.88889f;
+                l3 = 3703.7036f;
+                l4 = -1666666.6f;
+                l5 = -177777780.0f;
+            } else {
+                l1 = 1.0f;
+                l2 = 208.33333f;
+                l3 = 29166.666f;
+                l4 = 2500000.0f;
+                l5 = 100000000.0f;
+            }
+            const float x1 = base + (l1 * miss);
+            const float x2 = p2 + (l2 * miss);
+            const float x3 = p3 + (l3 * miss);
+            const float x4 = p4 + (l4 * miss);
+            const float d = p5 + (l5 * miss);
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const float m0 = (float)left;
+            float v;
+            if (self->deadbeat < m0) {
+                /* The exact law in samples. */
+                const float s8 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
+                const float z1 = s8 + (self->w1_4 * x4);
+                const float z2 = (self->w2_2 * x2) + (self->w2_3 * x3) + (self->w2_4 * x4);
+                const float z3 = (self->w3_3 * x3) + (self->w3_4 * x4);
+                const float z4 = self->w4_4 * x4;
+                const float s9 = (((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f)) + z4;
+                v = (s9 / (m0 - 3.0f)) - d;
+            } else {
+                /* Deadbeat. */
+                const float s10 = (((-100000000.0f) * x1) - (2500000.0f * x2)) - (29166.666f * x3);
+                v = (s10 - (208.33333f * x4)) - d;
+            }
+            status = PTC_E_RANGE;
+            if (isfinite(v) != 0) {
+                float u_now;
+                if (self->u_max < v) {
+                    u_now = self->u_max;
+                } else if (v < -self->u_max) {
+                    u_now = -self->u_max;
+                } else {
+                    u_now = v;
+                }
+                self->u1 = u_now;
+                self->x1_hat = x1;
+                self->x2_hat = x2;
+                self->x3_hat = x3;
+                self->x4_hat = x4;
+                self->d_hat = d;
+                self->seen = 1U;
+                *u = u_now;
+                if ((self->u_max < v) || (v < -self->u_max)) {
+                    status = PTC_SATURATED;
+                } else if (elapsed < self->samples) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage11_estimate(const stage11 *self, float xhat[4])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        xhat[2] = self->x3_hat;
+        xhat[3] = self->x4_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 4U; i++) {
+                xhat[i] = 0.0f;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage11_disturbance(const stage11 *self, float *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

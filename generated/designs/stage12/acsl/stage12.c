@@ -1,0 +1,268 @@
+/* Prescribed-time controller stage12: see stage12.h. DO NOT EDIT. */
+#include "stage12.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage12_init(stage12 *self, const stage12_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((7U < params->samples)
+            && (0.0 < params->u_max)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->k[2]) != 0)
+            && (isfinite(params->k[3]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0 <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const double s1 = (params->k[3] - 9.0) + 4.0;
+            const double s2 = (s1 < 8.0) ? 8.0 : s1;
+            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double w1_1 = 1776.8479601183408 * (-params->k[0]);
+            const double w1_2 = (-1.8656772383860403) * (-params->k[0]);
+            const double w1_3 = 1.0279922805444073 * (-params->k[0]);
+            const double s3 = ((1.0 - params->k[1]) + params->k[2]) - params->k[3];
+            const double w2_2 = 1.7773373232410332 * s3;
+            const double s4 = ((1.0 - params->k[1]) + params->k[2]) - params->k[3];
+            const double w2_3 = (-1.4680893680774487) * s4;
+            const double s5 = ((-7.0) - params->k[2]) + (3.0 * params->k[3]);
+            const double w3_2 = (-0.0008901057299880047) * s5;
+            const double s6 = ((-7.0) - params->k[2]) + (3.0 * params->k[3]);
+            const double w3_3 = 2.670317189964014 * s6;
+            const double w4_2 = (-0.02999129417826937) * (6.0 - params->k[3]);
+            const double w4_3 = (-1.2261174651918907) * (6.0 - params->k[3]);
+            const double w4_4 = 6.0 - params->k[3];
+            const double u_max = params->u_max;
+            if ((isfinite(deadbeat) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(w1_2) != 0)
+                && (isfinite(w1_3) != 0)
+                && (isfinite(w2_2) != 0)
+                && (isfinite(w2_3) != 0)
+                && (isfinite(w3_2) != 0)
+                && (isfinite(w3_3) != 0)
+                && (isfinite(w4_2) != 0)
+                && (isfinite(w4_3) != 0)
+                && (isfinite(w4_4) != 0)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->u1 = 0.0;
+                self->u2 = 0.0;
+                self->seen = 0U;
+                self->x1_hat = 0.0;
+                self->x1_next = 0.0;
+                self->x2_hat = 0.0;
+                self->x2_next = 0.0;
+                self->x3_hat = 0.0;
+                self->x3_next = 0.0;
+                self->d_hat = 0.0;
+                self->d_next = 0.0;
+                self->deadbeat = deadbeat;
+                self->w1_1 = w1_1;
+                self->w1_2 = w1_2;
+                self->w1_3 = w1_3;
+                self->w2_2 = w2_2;
+                self->w2_3 = w2_3;
+                self->w3_2 = w3_2;
+                self->w3_3 = w3_3;
+                self->w4_2 = w4_2;
+                self->w4_3 = w4_3;
+                self->w4_4 = w4_4;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage12_arm(stage12 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The estimates; at first what y shows. */
+            double x1;
+            double x2;
+            double x3;
+            double d;
+            if (self->seen == 0U) {
+                x1 = y[0];
+                x2 = 0.0;
+                x3 = y[1];
+                d = 0.0;
+            } else {
+                x1 = self->x1_next + (0.00010816330676811052 * self->u2);
+                x2 = self->x2_next + (0.30941358230147875 * self->u2);
+                x3 = self->x3_next + (0.37459048481653323 * self->u2);
+                d = self->d_next;
+            }
+
+            /* Prediction of the next sample. */
+            const double miss1 = y[0] - x1;
+            const double miss2 = y[1] - x3;
+            const double off1 = miss1;
+            const double off2 = miss2;
+            const uint32_t left_o = (elapsed < (self->samples / 2U)) ? ((self->samples / 2U) - elapsed) : 0U;
+            const double o0 = (double)left_o;
+            double l1_1;
+            double l1_2;
+            double l1_3;
+            double l1_4;
+            double l2_1;
+            double l2_2;
+            double l2_3;
+            double l2_4;
+            if (left_o == 0U) {
+                l1_1 = 0.17200400622757925;
+                l1_2 = 7.693835124666324;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 0.23319622641969587;
+                l2_1 = 0.0014420897963740578;
+                l2_2 = 1.2843129003368876;
+                l2_3 = -0.2598303207324358;
+                l2_4 = 0.028634005234458536;
+            } else if (8.0 < o0) {
+                const double r0 = 1.0 / o0;
+                const double r1 = 1.0 / (o0 - 1.0);
+                l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
+                const double s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
+                l1_2 = s1 + 0.004899465284856127;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 359.9910335767149 * r0 * r1;
+                l2_1 = 0.0014420897963740578;
+                const double s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
+                l2_2 = s2 + 1.1153817526860825;
+                l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
+                l2_4 = 79.8275894892242 * r0 * r1;
+            } else if (left_o == 8U) {
+                l1_1 = 0.9995008164815138;
+                l1_2 = -0.4960345371406728;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 0.0;
+                l2_1 = 0.0014420897963740578;
+                l2_2 = 2.2101945239792857;
+                l2_3 = 1.0319275340206813;
+                l2_4 = 1.3304598248204031;
+            } else {
+                l1_1 = 1.9995008164815138;
+                l1_2 = 999.2535286720462;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 29.999252798059576;
+                l2_1 = 0.0014420897963740578;
+                l2_2 = 2.4788577332214805;
+                l2_3 = 1.5319275340206813;
+                l2_4 = 2.6609196496408063;
+            }
+            const double s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+            const double x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
+            const double s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+            const double x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
+            const double s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+            const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+            const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const double m0 = (double)left;
+            double v;
+            if (self->deadbeat < m0) {
+                /* The exact law in samples. */
+                const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
+                const double z2 = (self->w2_2 * x2) + (self->w2_3 * x3);
+                const double z3 = (self->w3_2 * x2) + (self->w3_3 * x3);
+                const double s6 = (self->w4_2 * x2) + (self->w4_3 * x3);
+                const double z4 = s6 + (self->w4_4 * (self->u1 + d));
+                const double s7 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+                const double s8 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
+                const double s9 = (s7 / (m0 - 3.0)) + (s8 + (1.468571649497805 * (self->u1 + d)));
+                v = s9 - d;
+            } else {
+                /* Deadbeat. */
+                const double s10 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
+                const double s11 = 2.5314283505021953 * (self->u1 + d);
+                v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
+            }
+            status = PTC_E_RANGE;
+            if (isfinite(v) != 0) {
+                double u_now;
+                if (self->u_max < v) {
+                    u_now = self->u_max;
+                } else if (v < -self->u_max) {
+                    u_now = -self->u_max;
+                } else {
+                    u_now = v;
+                }
+                self->u2 = self->u1;
+                self->u1 = u_now;
+                self->x1_hat = x1;
+                self->x1_next = x1_on;
+                self->x2_hat = x2;
+                self->x2_next = x2_on;
+                self->x3_hat = x3;
+                self->x3_next = x3_on;
+                self->d_hat = d;
+                self->d_next = d_on;
+                self->seen = 1U;
+                *u = u_now;
+                if ((self->u_max < v) || (v < -self->u_max)) {
+                    status = PTC_SATURATED;
+                } else if (elapsed < self->samples) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage12_estimate(const stage12 *self, double xhat[3])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        xhat[2] = self->x3_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                xhat[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage12_disturbance(const stage12 *self, double *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

@@ -1,0 +1,362 @@
+/*
+ * Prescribed-time controller stage12: order n = 3, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage12 --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0],[0,0,1]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --after-observer=-90+20i,-90-20i,-100,-120 --eps=0 --sample-time=1e-3 --delay=1
+ * Version 0.1.0.
+ *
+ * Plant: x' = A x + B (u + d), d constant and unknown of --A and --B above; u held from
+ *       sample to sample, one sample late, y = C x.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
+ *       z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for the
+ *       mapping exp. Close to the end deadbeat takes over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 [1/s^4]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 [1/s^3]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_4 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+ *   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; from
+ *       there on the observer has the poles after_observer.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE12_HPP
+#define STAGE12_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage12Params {
+    std::uint32_t samples{}; ///< samples N from the start to rest [samples], at least 8
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+    std::array<double, 4> k{}; ///< gains k_i of pi0 = -sum k_i xi_i [1/s^4], finite
+    double deadbeat{}; ///< samples to go at which deadbeat takes over, 0 for a safe default [samples], finite
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage12 {
+public:
+    using Params = Stage12Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!((7U < params.samples)
+                && (0.0 < params.u_max)
+                && finite(params.k[0])
+                && finite(params.k[1])
+                && finite(params.k[2])
+                && finite(params.k[3])
+                && finite(params.deadbeat)
+                && (0.0 <= params.deadbeat))) {
+            return Status::Param;
+        }
+        const std::uint32_t samples = params.samples;
+        const double s1 = (params.k[3] - 9.0) + 4.0;
+        const double s2 = (s1 < 8.0) ? 8.0 : s1;
+        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double w1_1 = 1776.8479601183408 * (-params.k[0]);
+        const double w1_2 = (-1.8656772383860403) * (-params.k[0]);
+        const double w1_3 = 1.0279922805444073 * (-params.k[0]);
+        const double s3 = ((1.0 - params.k[1]) + params.k[2]) - params.k[3];
+        const double w2_2 = 1.7773373232410332 * s3;
+        const double s4 = ((1.0 - params.k[1]) + params.k[2]) - params.k[3];
+        const double w2_3 = (-1.4680893680774487) * s4;
+        const double s5 = ((-7.0) - params.k[2]) + (3.0 * params.k[3]);
+        const double w3_2 = (-0.0008901057299880047) * s5;
+        const double s6 = ((-7.0) - params.k[2]) + (3.0 * params.k[3]);
+        const double w3_3 = 2.670317189964014 * s6;
+        const double w4_2 = (-0.02999129417826937) * (6.0 - params.k[3]);
+        const double w4_3 = (-1.2261174651918907) * (6.0 - params.k[3]);
+        const double w4_4 = 6.0 - params.k[3];
+        const double u_max = params.u_max;
+        if (!(finite(deadbeat)
+                && finite(w1_1)
+                && finite(w1_2)
+                && finite(w1_3)
+                && finite(w2_2)
+                && finite(w2_3)
+                && finite(w3_2)
+                && finite(w3_3)
+                && finite(w4_2)
+                && finite(w4_3)
+                && finite(w4_4))) {
+            return Status::Param;
+        }
+        start_ = 0U;
+        samples_ = samples;
+        u1_ = 0.0;
+        u2_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x1_next_ = 0.0;
+        x2_hat_ = 0.0;
+        x2_next_ = 0.0;
+        x3_hat_ = 0.0;
+        x3_next_ = 0.0;
+        d_hat_ = 0.0;
+        d_next_ = 0.0;
+        deadbeat_ = deadbeat;
+        w1_1_ = w1_1;
+        w1_2_ = w1_2;
+        w1_3_ = w1_3;
+        w2_2_ = w2_2;
+        w2_3_ = w2_3;
+        w3_2_ = w3_2;
+        w3_3_ = w3_3;
+        w4_2_ = w4_2;
+        w4_3_ = w4_3;
+        w4_4_ = w4_4;
+        u_max_ = u_max;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 2>& y) noexcept
+    {
+        if (!(finite(y[0]) && finite(y[1]))) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // The estimates; at first what y shows.
+        double x1{};
+        double x2{};
+        double x3{};
+        double d{};
+        if (seen_ == 0U) {
+            x1 = y[0];
+            x2 = 0.0;
+            x3 = y[1];
+            d = 0.0;
+        } else {
+            x1 = x1_next_ + (0.00010816330676811052 * u2_);
+            x2 = x2_next_ + (0.30941358230147875 * u2_);
+            x3 = x3_next_ + (0.37459048481653323 * u2_);
+            d = d_next_;
+        }
+
+        // Prediction of the next sample.
+        const double miss1 = y[0] - x1;
+        const double miss2 = y[1] - x3;
+        const double off1 = miss1;
+        const double off2 = miss2;
+        const std::uint32_t left_o = (elapsed < (samples_ / 2U)) ? ((samples_ / 2U) - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1_1{};
+        double l1_2{};
+        double l1_3{};
+        double l1_4{};
+        double l2_1{};
+        double l2_2{};
+        double l2_3{};
+        double l2_4{};
+        if (left_o == 0U) {
+            l1_1 = 0.17200400622757925;
+            l1_2 = 7.693835124666324;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 0.23319622641969587;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 1.2843129003368876;
+            l2_3 = -0.2598303207324358;
+            l2_4 = 0.028634005234458536;
+        } else if (8.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
+            const double s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
+            l1_2 = s1 + 0.004899465284856127;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 359.9910335767149 * r0 * r1;
+            l2_1 = 0.0014420897963740578;
+            const double s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
+            l2_2 = s2 + 1.1153817526860825;
+            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
+            l2_4 = 79.8275894892242 * r0 * r1;
+        } else if (left_o == 8U) {
+            l1_1 = 0.9995008164815138;
+            l1_2 = -0.4960345371406728;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 0.0;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 2.2101945239792857;
+            l2_3 = 1.0319275340206813;
+            l2_4 = 1.3304598248204031;
+        } else {
+            l1_1 = 1.9995008164815138;
+            l1_2 = 999.2535286720462;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 29.999252798059576;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 2.4788577332214805;
+            l2_3 = 1.5319275340206813;
+            l2_4 = 2.6609196496408063;
+        }
+        const double s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+        const double x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
+        const double s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+        const double x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
+        const double s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+        const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+        const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0 = static_cast<double>(left);
+        double v{};
+        if (deadbeat_ < m0) {
+            // The exact law in samples.
+            const double z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
+            const double z2 = (w2_2_ * x2) + (w2_3_ * x3);
+            const double z3 = (w3_2_ * x2) + (w3_3_ * x3);
+            const double s6 = (w4_2_ * x2) + (w4_3_ * x3);
+            const double z4 = s6 + (w4_4_ * (u1_ + d));
+            const double s7 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+            const double s8 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
+            const double s9 = (s7 / (m0 - 3.0)) + (s8 + (1.468571649497805 * (u1_ + d)));
+            v = s9 - d;
+        } else {
+            // Deadbeat.
+            const double s10 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
+            const double s11 = 2.5314283505021953 * (u1_ + d);
+            v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (u_max_ < v) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
+        } else {
+            u_now = v;
+        }
+        u2_ = u1_;
+        u1_ = u_now;
+        x1_hat_ = x1;
+        x1_next_ = x1_on;
+        x2_hat_ = x2;
+        x2_next_ = x2_on;
+        x3_hat_ = x3;
+        x3_next_ = x3_on;
+        d_hat_ = d;
+        d_next_ = d_on;
+        seen_ = 1U;
+        if ((u_max_ < v) || (v < -u_max_)) {
+            return {u_now, Status::Saturated};
+        } else if (elapsed < samples_) {
+            return {u_now, Status::Ok};
+        } else {
+            return {u_now, Status::Hold};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 3> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_, x3_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr double disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    std::uint32_t samples_{}; // samples from the start to rest
+    double u1_{}; // input of the last sample
+    double u2_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x1_next_{}; // prediction of x1 without u
+    double x2_hat_{}; // estimate of x2
+    double x2_next_{}; // prediction of x2 without u
+    double x3_hat_{}; // estimate of x3
+    double x3_next_{}; // prediction of x3 without u
+    double d_hat_{}; // estimate of d
+    double d_next_{}; // prediction of d without u
+    double deadbeat_{}; // samples to go at which deadbeat takes over
+    double w1_1_{}; // weight of a state in the law
+    double w1_2_{}; // weight of a state in the law
+    double w1_3_{}; // weight of a state in the law
+    double w2_2_{}; // weight of a state in the law
+    double w2_3_{}; // weight of a state in the law
+    double w3_2_{}; // weight of a state in the law
+    double w3_3_{}; // weight of a state in the law
+    double w4_2_{}; // weight of a state in the law
+    double w4_3_{}; // weight of a state in the law
+    double w4_4_{}; // weight of a state in the law
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,431 @@
+//! Prescribed-time controller stage12: order n = 3, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name stage12 --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0],[0,0,1]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --after-observer=-90+20i,-90-20i,-100,-120 --eps=0 --sample-time=1e-3 --delay=1
+//! Version 0.1.0.
+//!
+//! Plant: x' = A x + B (u + d), d constant and unknown of --A and --B above; u held from
+//!       sample to sample, one sample late, y = C x.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
+//!       z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for the
+//!       mapping exp. Close to the end deadbeat takes over.
+//!
+//! Parameters:
+//!   samples [samples]: samples N from the start to rest
+//!   h = 1e-3 [s], fixed: sample period
+//!   eps = 0 [s], fixed: time-to-go at which the gains are held
+//!   u_max [unit of u]: bound of |u|
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 [1/s^4]: gains k_i of pi0 = -sum k_i xi_i
+//!   k_2 [1/s^3]: gains k_i of pi0 = -sum k_i xi_i
+//!   k_3 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+//!   k_4 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+//!   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on the last gains are held (status HOLD).
+//! The estimates are exact from sample N/2 after the start on where the measurement is; from
+//!       there on the observer has the poles after_observer.
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: the law is exact in samples, at any period.
+//!   deadline: not checked: the law is exact in samples, at any period.
+//!   loop: not checked: `samples` is left to run time.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Stage12`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage12Params {
+    /// samples N from the start to rest \[samples\], at least 8.
+    pub samples: u32,
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
+    pub u_max: f64,
+    /// gains k_i of pi0 = -sum k_i xi_i \[1/s^4\], finite.
+    pub k: [f64; 4],
+    /// samples to go at which deadbeat takes over, 0 for a safe default \[samples\], finite.
+    pub deadbeat: f64,
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage12 {
+    /// tick at which it was armed.
+    start: u32,
+    /// samples from the start to rest.
+    samples: u32,
+    /// input of the last sample.
+    u1: f64,
+    /// input of 2 samples ago.
+    u2: f64,
+    /// 1 once y has been measured.
+    seen: u32,
+    /// estimate of x1.
+    x1_hat: f64,
+    /// prediction of x1 without u.
+    x1_next: f64,
+    /// estimate of x2.
+    x2_hat: f64,
+    /// prediction of x2 without u.
+    x2_next: f64,
+    /// estimate of x3.
+    x3_hat: f64,
+    /// prediction of x3 without u.
+    x3_next: f64,
+    /// estimate of d.
+    d_hat: f64,
+    /// prediction of d without u.
+    d_next: f64,
+    /// samples to go at which deadbeat takes over.
+    deadbeat: f64,
+    /// weight of a state in the law.
+    w1_1: f64,
+    /// weight of a state in the law.
+    w1_2: f64,
+    /// weight of a state in the law.
+    w1_3: f64,
+    /// weight of a state in the law.
+    w2_2: f64,
+    /// weight of a state in the law.
+    w2_3: f64,
+    /// weight of a state in the law.
+    w3_2: f64,
+    /// weight of a state in the law.
+    w3_3: f64,
+    /// weight of a state in the law.
+    w4_2: f64,
+    /// weight of a state in the law.
+    w4_3: f64,
+    /// weight of a state in the law.
+    w4_4: f64,
+    /// bound of |u|.
+    u_max: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Stage12 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: Stage12Params) -> Result<Self, Error> {
+        if !((7 < params.samples)
+            && (0.0 < params.u_max)
+            && params.k[0].is_finite()
+            && params.k[1].is_finite()
+            && params.k[2].is_finite()
+            && params.k[3].is_finite()
+            && params.deadbeat.is_finite()
+            && (0.0 <= params.deadbeat))
+        {
+            return Err(Error::Param);
+        }
+        let samples = params.samples;
+        let s1 = (params.k[3] - 9.0) + 4.0;
+        let s2 = if s1 < 8.0 { 8.0 } else { s1 };
+        let deadbeat = if 0.0 < params.deadbeat {
+            params.deadbeat
+        } else {
+            s2
+        };
+        let w1_1 = 1776.8479601183408 * (-params.k[0]);
+        let w1_2 = (-1.8656772383860403) * (-params.k[0]);
+        let w1_3 = 1.0279922805444073 * (-params.k[0]);
+        let s3 = ((1.0 - params.k[1]) + params.k[2]) - params.k[3];
+        let w2_2 = 1.7773373232410332 * s3;
+        let s4 = ((1.0 - params.k[1]) + params.k[2]) - params.k[3];
+        let w2_3 = (-1.4680893680774487) * s4;
+        let s5 = ((-7.0) - params.k[2]) + (3.0 * params.k[3]);
+        let w3_2 = (-0.0008901057299880047) * s5;
+        let s6 = ((-7.0) - params.k[2]) + (3.0 * params.k[3]);
+        let w3_3 = 2.670317189964014 * s6;
+        let w4_2 = (-0.02999129417826937) * (6.0 - params.k[3]);
+        let w4_3 = (-1.2261174651918907) * (6.0 - params.k[3]);
+        let w4_4 = 6.0 - params.k[3];
+        let u_max = params.u_max;
+        if !(deadbeat.is_finite()
+            && w1_1.is_finite()
+            && w1_2.is_finite()
+            && w1_3.is_finite()
+            && w2_2.is_finite()
+            && w2_3.is_finite()
+            && w3_2.is_finite()
+            && w3_3.is_finite()
+            && w4_2.is_finite()
+            && w4_3.is_finite()
+            && w4_4.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        Ok(Self {
+            start: 0,
+            samples,
+            u1: 0.0,
+            u2: 0.0,
+            seen: 0,
+            x1_hat: 0.0,
+            x1_next: 0.0,
+            x2_hat: 0.0,
+            x2_next: 0.0,
+            x3_hat: 0.0,
+            x3_next: 0.0,
+            d_hat: 0.0,
+            d_next: 0.0,
+            deadbeat,
+            w1_1,
+            w1_2,
+            w1_3,
+            w2_2,
+            w2_3,
+            w3_2,
+            w3_3,
+            w4_2,
+            w4_3,
+            w4_4,
+            u_max,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&mut self, k: u32, y: &[f64; 2]) -> Result<Control<f64>, Error> {
+        if !(y[0].is_finite() && y[1].is_finite()) {
+            return Err(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // The estimates; at first what y shows.
+        let x1: f64;
+        let x2: f64;
+        let x3: f64;
+        let d: f64;
+        if self.seen == 0 {
+            x1 = y[0];
+            x2 = 0.0;
+            x3 = y[1];
+            d = 0.0;
+        } else {
+            x1 = self.x1_next + (0.00010816330676811052 * self.u2);
+            x2 = self.x2_next + (0.30941358230147875 * self.u2);
+            x3 = self.x3_next + (0.37459048481653323 * self.u2);
+            d = self.d_next;
+        }
+
+        // Prediction of the next sample.
+        let miss1 = y[0] - x1;
+        let miss2 = y[1] - x3;
+        let off1 = miss1;
+        let off2 = miss2;
+        let left_o = (self.samples / 2).saturating_sub(elapsed);
+        let o0 = left_o as f64;
+        let l1_1: f64;
+        let l1_2: f64;
+        let l1_3: f64;
+        let l1_4: f64;
+        let l2_1: f64;
+        let l2_2: f64;
+        let l2_3: f64;
+        let l2_4: f64;
+        if left_o == 0 {
+            l1_1 = 0.17200400622757925;
+            l1_2 = 7.693835124666324;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 0.23319622641969587;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 1.2843129003368876;
+            l2_3 = -0.2598303207324358;
+            l2_4 = 0.028634005234458536;
+        } else if 8.0 < o0 {
+            let r0 = 1.0 / o0;
+            let r1 = 1.0 / (o0 - 1.0);
+            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
+            let s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
+            l1_2 = s1 + 0.004899465284856127;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 359.9910335767149 * r0 * r1;
+            l2_1 = 0.0014420897963740578;
+            let s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
+            l2_2 = s2 + 1.1153817526860825;
+            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
+            l2_4 = 79.8275894892242 * r0 * r1;
+        } else if left_o == 8 {
+            l1_1 = 0.9995008164815138;
+            l1_2 = -0.4960345371406728;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 0.0;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 2.2101945239792857;
+            l2_3 = 1.0319275340206813;
+            l2_4 = 1.3304598248204031;
+        } else {
+            l1_1 = 1.9995008164815138;
+            l1_2 = 999.2535286720462;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 29.999252798059576;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 2.4788577332214805;
+            l2_3 = 1.5319275340206813;
+            l2_4 = 2.6609196496408063;
+        }
+        let s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+        let x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
+        let s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+        let x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
+        let s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+        let x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+        let d_on = d + (l1_4 * off1) + (l2_4 * off2);
+        let left = self.samples.saturating_sub(elapsed);
+        let m0 = left as f64;
+        let v: f64;
+        if self.deadbeat < m0 {
+            // The exact law in samples.
+            let z1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
+            let z2 = (self.w2_2 * x2) + (self.w2_3 * x3);
+            let z3 = (self.w3_2 * x2) + (self.w3_3 * x3);
+            let s6 = (self.w4_2 * x2) + (self.w4_3 * x3);
+            let z4 = s6 + (self.w4_4 * (self.u1 + d));
+            let s7 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+            let s8 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
+            let s9 = (s7 / (m0 - 3.0)) + (s8 + (1.468571649497805 * (self.u1 + d)));
+            v = s9 - d;
+        } else {
+            // Deadbeat.
+            let s10 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
+            let s11 = 2.5314283505021953 * (self.u1 + d);
+            v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
+        }
+        if !v.is_finite() {
+            return Err(Error::Range);
+        }
+        let u_now: f64;
+        if self.u_max < v {
+            u_now = self.u_max;
+        } else if v < -self.u_max {
+            u_now = -self.u_max;
+        } else {
+            u_now = v;
+        }
+        self.u2 = self.u1;
+        self.u1 = u_now;
+        self.x1_hat = x1;
+        self.x1_next = x1_on;
+        self.x2_hat = x2;
+        self.x2_next = x2_on;
+        self.x3_hat = x3;
+        self.x3_next = x3_on;
+        self.d_hat = d;
+        self.d_next = d_on;
+        self.seen = 1;
+        let status = if (self.u_max < v) || (v < -self.u_max) {
+            Status::Saturated
+        } else if elapsed < self.samples {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
+        Ok(Control { u: u_now, status })
+    }
+
+    /// The estimate of the state at the last sample.
+    #[inline]
+    pub fn estimate(&self) -> [f64; 3] {
+        [self.x1_hat, self.x2_hat, self.x3_hat]
+    }
+
+    /// The estimate of the constant that is added to u.
+    #[inline]
+    pub fn disturbance(&self) -> f64 {
+        self.d_hat
+    }
+}

@@ -1,0 +1,43 @@
+/*
+ * Self-test of the prescribed-time controller stage12, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage12 --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0],[0,0,1]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --after-observer=-90+20i,-90-20i,-100,-120 --eps=0 --sample-time=1e-3 --delay=1 --selftest
+ * Version 0.1.0.
+ *
+ * 5 sets of parameters with 56 calls, 34 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   isfinite(deadbeat) != 0: held with each of 3052 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(w1_2) != 0: held with each of 3052 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w1_3) != 0: held with each of 3052 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w2_3) != 0: held with each of 3052 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w4_2) != 0: held with each of 3052 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w4_3) != 0: held with each of 3052 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w4_4) != 0: held with each of 3052 sets of parameters that passed the tests before
+ *     it.
+ */
+#ifndef STAGE12_SELFTEST_H
+#define STAGE12_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t stage12_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

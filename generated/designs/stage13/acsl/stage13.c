@@ -1,0 +1,105 @@
+/* Prescribed-time controller stage13: see stage13.h. DO NOT EDIT. */
+#include "stage13.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage13_init(stage13 *self, const stage13_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1U < params->samples)
+            && (0.0f < params->u_max)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0f <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const float s1 = (params->k[1] - 1.0f) + 2.0f;
+            const float s2 = (s1 < 4.0f) ? 4.0f : s1;
+            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float w1_1 = (-10746.611f) * (-params->k[0]);
+            const float w1_2 = (-788.20667f) * (-params->k[0]);
+            const float w2_1 = (-412.67474f) * (1.0f - params->k[1]);
+            const float w2_2 = (-108.64294f) * (1.0f - params->k[1]);
+            const float u_max = params->u_max;
+            if ((isfinite(deadbeat) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(w1_2) != 0)
+                && (isfinite(w2_1) != 0)
+                && (isfinite(w2_2) != 0)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->deadbeat = deadbeat;
+                self->w1_1 = w1_1;
+                self->w1_2 = w1_2;
+                self->w2_1 = w2_1;
+                self->w2_2 = w2_2;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage13_arm(stage13 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage13_step(const stage13 *self, uint32_t k, const float y[2], float *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0f;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+            const float x1 = (0.90909094f * y[0]) + (0.45454547f * y[1]);
+            const float x2 = (0.18181819f * y[0]) - (0.90909094f * y[1]);
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const float m0 = (float)left;
+            float v;
+            if (self->deadbeat < m0) {
+                /* The exact law in samples. */
+                const float z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
+                const float z2 = (self->w2_1 * x1) + (self->w2_2 * x2);
+                const float s1 = (54.263023f * x1) + (4.2855716f * x2);
+                v = (((z1 / m0) + z2) / (m0 - 1.0f)) + s1;
+            } else {
+                /* Deadbeat. */
+                v = (11626.225f * x1) + (1009.77814f * x2);
+            }
+            if (isfinite(v) != 0) {
+                if (elapsed < self->samples) {
+                    if (self->u_max < v) {
+                        *u = self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (v < -self->u_max) {
+                        *u = -self->u_max;
+                        status = PTC_SATURATED;
+                    } else {
+                        *u = v;
+                        status = PTC_OK;
+                    }
+                } else {
+                    *u = 0.0f;
+                    status = PTC_AFTER;
+                }
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,104 @@
+function self = stage13_init(params) %#codegen
+%STAGE13_INIT Takes the parameters and arms at tick 0.
+%
+%   self = stage13_init(params) is the controller, for the functions that stand beside this one. A
+%   parameter outside its domain, or coefficients that leave the range of numbers, raise an error
+%   stage13:param, which names what is wrong and what is legal.
+%
+%   params is a struct:
+%     samples: samples N from the start to rest [samples], at least 2
+%     u_max: bound of |u| [unit of u], > 0, infinity allowed
+%     k(1:2): gains k_i of pi0 = -sum k_i xi_i [1/s^2], finite
+%     deadbeat: samples to go at which deadbeat takes over, 0 for a safe default [samples], finite
+
+% Prescribed-time controller stage13: order n = 2, clock in samples.
+%
+% DO NOT EDIT. Made by:
+%   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name stage13 --clock samples --A="[[0,1],[49,-0.1]]" --B="[0.1,-1.3]" --C="[[1,0.5],[0.2,-1]]" --precision f32 --eps=0 --after zero --sample-time=0.01
+% Version 0.1.0.
+%
+% Plant: x' = A x + B u of --A and --B above; u held from sample to sample, y = C x.
+% Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+%       sample period, as long as u is not clipped and nothing else acts on the plant.
+% Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
+%       z_j/((M-j+1)...(M-1)) less the drift of z; the rows are those of Theorem 1 for the
+%       mapping exp. Close to the end deadbeat takes over.
+%
+% Parameters:
+%   samples [samples]: samples N from the start to rest
+%   h = 0.01 [s], fixed: sample period
+%   eps = 0 [s], fixed: time-to-go at which the gains are held
+%   u_max [unit of u]: bound of |u|
+%   a = 1 [1/s], fixed: rate of stretched time
+%   k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+%   k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+%   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+%
+% k counts samples and may wrap; arm again within 2^32 - N samples.
+% From sample N on u = 0 (status AFTER).
+% |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+%       lasts.
+% Guard full: what is measured is finite, or the call is refused (INPUT).
+%
+% Checks of the design (details: ptc-codegen check):
+%   membership: sound: exp is of class M for all its parameters.
+%   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+%   sampling: not checked: the law is exact in samples, at any period.
+%   deadline: not checked: the law is exact in samples, at any period.
+%   loop: not checked: `samples` is left to run time.
+%   envelope: not checked: it does not examine a clock in samples.
+
+given.samples = uint32(params.samples);
+if given.samples ~= params.samples
+    error('stage13:param', 'params.samples is %g; legal: 0..2^32 - 1', params.samples);
+end
+given.u_max = single(params.u_max);
+given.k = single(params.k);
+if numel(params.k) ~= 2
+    error('stage13:param', 'params.k has %d numbers; legal: 2', numel(params.k));
+end
+given.deadbeat = single(params.deadbeat);
+if ~(uint32(1) < given.samples)
+    error('stage13:param', 'params.samples is %g; legal: >= 2', params.samples);
+end
+if ~(single(0.0) < given.u_max)
+    error('stage13:param', 'params.u_max is %g; legal: > 0', params.u_max);
+end
+if ~isfinite(given.k(1))
+    error('stage13:param', 'params.k(1) is %g; legal: finite', params.k(1));
+end
+if ~isfinite(given.k(2))
+    error('stage13:param', 'params.k(2) is %g; legal: finite', params.k(2));
+end
+if ~(isfinite(given.deadbeat) && (single(0.0) <= given.deadbeat))
+    error('stage13:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
+end
+samples = given.samples;
+s1 = (given.k(2) - single(1.0)) + single(2.0);
+s2 = pick(s1 < single(4.0), single(4.0), s1);
+deadbeat = pick(single(0.0) < given.deadbeat, given.deadbeat, s2);
+w1_1 = (-single(10746.611328125)) * (-given.k(1));
+w1_2 = (-single(788.2066650390625)) * (-given.k(1));
+w2_1 = (-single(412.67474365234375)) * (single(1.0) - given.k(2));
+w2_2 = (-single(108.64293670654297)) * (single(1.0) - given.k(2));
+u_max = given.u_max;
+if ~(isfinite(deadbeat) && isfinite(w1_1) && isfinite(w1_2) && isfinite(w2_1) && isfinite(w2_2))
+    error('stage13:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
+self.start = uint32(0);
+self.samples = samples;
+self.deadbeat = deadbeat;
+self.w1_1 = w1_1;
+self.w1_2 = w1_2;
+self.w2_1 = w2_1;
+self.w2_2 = w2_2;
+self.u_max = u_max;
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

@@ -1,0 +1,13 @@
+function self = stage14_observer_arm(self, k) %#codegen
+%STAGE14_OBSERVER_ARM Starts a round of 12 samples at tick `k`. The estimates are kept.
+%
+%   self = stage14_observer_arm(self, k), with self from stage14_observer_init. Keep self: it is
+%   what the next call needs.
+
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    error('stage14_observer:param', 'k is %g; legal: whole', k);
+end
+k = uint32(mod(k, 4294967296));
+self.start = k;
+end

@@ -1,0 +1,7 @@
+function xhat = stage14_observer_estimate(self) %#codegen
+%STAGE14_OBSERVER_ESTIMATE The estimate of the state at the last sample.
+%
+%   xhat = stage14_observer_estimate(self), with self from stage14_observer_init.
+
+xhat = [self.x1_hat; self.x2_hat; self.x3_hat];
+end

@@ -1,0 +1,93 @@
+function self = stage14_observer_init(params) %#codegen
+%STAGE14_OBSERVER_INIT Takes the parameters and arms at tick 0.
+%
+%   self = stage14_observer_init(params) is the observer, for the functions that stand beside this
+%   one. A parameter outside its domain, or coefficients that leave the range of numbers, raise an
+%   error stage14_observer:param, which names what is wrong and what is legal.
+%
+%   params is a struct:
+%     h: sample period [s], from 1e-150 to 1e150
+
+% Prescribed-time observer stage14_observer: order n = 3, clock in samples.
+%
+% DO NOT EDIT. Made by:
+%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+1i,-5-1i --observer-samples=12
+% Version 0.1.0.
+%
+% Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
+% Goal: the estimates of the state are exact up to rounding from sample 12 after the start
+%       on, from any state and at any sample period, as long as the measurement is exact, u
+%       is what was applied and nothing else acts on the plant.
+% Observer: xhat(k) = p + L (y(k) - p1), p = Phi xhat(k - 1) + Gamma u with the chain
+%       sampled, Phi and Gamma: the estimates of tick k hold y up to tick k. The gains follow
+%       by duality from the rows that Theorem 1 gives for the mapping exp. Close to the end
+%       deadbeat takes over.
+%
+% Parameters:
+%   h [s]: sample period
+%   a = 1 [1/s], fixed: rate of stretched time
+%
+% k counts samples and may wrap; arm again within 2^32 - 12 samples.
+% u is the input of tick k - 1 as it was applied, after clipping: it acted from tick k - 1 to
+%       tick k.
+% From sample 12 on the status is HOLD; with noise or sensor_step given, or observer_eps, the
+%       gains of the observer are then held below deadbeat.
+% Guard full: what is measured and u are finite, or the call is refused (INPUT).
+%
+% Checks of the design (details: ptc-codegen check):
+%   membership: sound: exp is of class M for all its parameters.
+%   growth: not checked: an observer alone has no law.
+%   sampling: not checked: an observer alone has no law.
+%   deadline: not checked: an observer alone has no law.
+%   loop: not checked: an observer alone has no law.
+%   envelope: not checked: an observer alone has no law.
+
+given.h = double(params.h);
+if ~((1e-150 <= given.h) && (given.h <= 1e150))
+    error('stage14_observer:param', 'params.h is %g; legal: from 1e-150 to 1e150', params.h);
+end
+phi1_2 = given.h;
+phi1_3 = 0.5 * (given.h * given.h);
+gamma1 = 0.16666666666666666 * (given.h * given.h * given.h);
+q2_1 = (-92.0) * (1.0 / given.h);
+q2_2 = 31.0 * (1.0 / given.h);
+q3_1 = 20.0 * (1.0 / (given.h * given.h));
+e2_2 = 1.5 * (1.0 / given.h);
+e2_3 = 1.0 / (given.h * given.h);
+e1_2 = 0.9166666666666666 * (1.0 / given.h);
+e1_3 = (-0.16666666666666666) * (1.0 / (given.h * given.h));
+e0_2 = 0.4880952380952381 * (1.0 / given.h);
+e0_3 = 0.16666666666666666 * (1.0 / (given.h * given.h));
+if ~(isfinite(phi1_3) ...
+    && isfinite(gamma1) ...
+    && isfinite(q2_1) ...
+    && isfinite(q2_2) ...
+    && isfinite(q3_1) ...
+    && isfinite(e2_2) ...
+    && isfinite(e2_3) ...
+    && isfinite(e1_2) ...
+    && isfinite(e1_3) ...
+    && isfinite(e0_2) ...
+    && isfinite(e0_3) ...
+    && (1e-200 <= given.h * given.h * given.h) ...
+    && (1e-200 <= 1.0 / (given.h * given.h * given.h)))
+    error('stage14_observer:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
+self.start = uint32(0);
+self.seen = uint32(0);
+self.x1_hat = 0.0;
+self.x2_hat = 0.0;
+self.x3_hat = 0.0;
+self.phi1_2 = phi1_2;
+self.phi1_3 = phi1_3;
+self.gamma1 = gamma1;
+self.q2_1 = q2_1;
+self.q2_2 = q2_2;
+self.q3_1 = q3_1;
+self.e2_2 = e2_2;
+self.e2_3 = e2_3;
+self.e1_2 = e1_2;
+self.e1_3 = e1_3;
+self.e0_2 = e0_2;
+self.e0_3 = e0_3;
+end

@@ -1,0 +1,159 @@
+/* Prescribed-time observer stage15_observer: see stage15_observer.h. DO NOT EDIT. */
+#include "stage15_observer.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage15_observer_init(stage15_observer *self, const stage15_observer_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1e-18f <= params->h) && (params->h <= 1e18f)) {
+            const float phi1_2 = params->h;
+            const float phi1_3 = 0.25f * (params->h * params->h);
+            const float gamma1 = 0.1875f * (params->h * params->h);
+            const float late_gamma1 = 0.0625f * (params->h * params->h);
+            const float phi2_3 = 0.5f * params->h;
+            const float gamma2 = 0.25f * params->h;
+            const float hold_o = 0.05f / params->h;
+            const float q2_1 = (-22.444445f) * (1.0f / params->h);
+            const float q2_2 = 9.888889f * (1.0f / params->h);
+            const float q3_1 = 3.5555556f * (1.0f / (params->h * params->h));
+            if ((isfinite(phi1_3) != 0)
+                && (isfinite(gamma1) != 0)
+                && (isfinite(late_gamma1) != 0)
+                && (isfinite(phi2_3) != 0)
+                && (isfinite(gamma2) != 0)
+                && (isfinite(hold_o) != 0)
+                && (isfinite(q2_1) != 0)
+                && (isfinite(q2_2) != 0)
+                && (isfinite(q3_1) != 0)
+                && (1e-30f <= params->h * params->h)
+                && (1e-30f <= 1.0f / (params->h * params->h))
+                && (3.0f <= hold_o)) {
+                self->start = 0U;
+                self->u1 = 0.0f;
+                self->u2 = 0.0f;
+                self->seen = 0U;
+                self->x1_hat = 0.0f;
+                self->x2_hat = 0.0f;
+                self->d_hat = 0.0f;
+                self->phi1_2 = phi1_2;
+                self->phi1_3 = phi1_3;
+                self->gamma1 = gamma1;
+                self->late_gamma1 = late_gamma1;
+                self->phi2_3 = phi2_3;
+                self->gamma2 = gamma2;
+                self->hold_o = hold_o;
+                self->q2_1 = q2_1;
+                self->q2_2 = q2_2;
+                self->q3_1 = q3_1;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage15_observer_arm(stage15_observer *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage15_observer_update(stage15_observer *self, uint32_t k, const float y[1], float u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (y != NULL)) {
+        if ((isfinite(y[0]) != 0) && (isfinite(u) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const float s1 = self->x1_hat + (self->phi1_2 * self->x2_hat);
+            const float s2 = self->late_gamma1 * (self->u1 - 19.62f);
+            const float s3 = (self->gamma1 * (self->u2 - 19.62f)) + s2;
+            const float p1 = s1 + (self->phi1_3 * self->d_hat) + s3;
+            const float s4 = self->gamma2 * (self->u2 - 19.62f);
+            const float s5 = self->x2_hat + (self->phi2_3 * self->d_hat);
+            const float p2 = s5 + (s4 + (self->gamma2 * (self->u1 - 19.62f)));
+            const float p3 = self->d_hat;
+
+            /* Correct by what is measured. */
+            float base;
+            float miss;
+            if (self->seen == 0U) {
+                base = y[0];
+                miss = 0.0f;
+            } else {
+                base = p1;
+                miss = y[0] - p1;
+            }
+            const uint32_t left_o = (elapsed < 9U) ? (9U - elapsed) : 0U;
+            const float o0 = ((float)left_o < self->hold_o) ? self->hold_o : (float)left_o;
+            float l1;
+            float l2;
+            float l3;
+            const float r0 = 1.0f / o0;
+            const float r1 = 1.0f / (o0 - 1.0f);
+            const float r2 = 1.0f / (o0 - 2.0f);
+            l1 = ((((35.555557f * r0) - 23.88889f) * r1) + 7.0f) * r2;
+            l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
+            l3 = self->q3_1 * r0 * r1 * r2;
+            const float x1 = base + (l1 * miss);
+            const float x2 = p2 + (l2 * miss);
+            const float d = p3 + (l3 * miss);
+            status = PTC_E_RANGE;
+            if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(d) != 0)) {
+                self->u2 = self->u1;
+                self->u1 = u;
+                self->x1_hat = x1;
+                self->x2_hat = x2;
+                self->d_hat = d;
+                self->seen = 1U;
+                if (left_o == 0U) {
+                    status = PTC_HOLD;
+                } else {
+                    status = PTC_OK;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage15_observer_estimate(const stage15_observer *self, float xhat[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                xhat[i] = 0.0f;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage15_observer_disturbance(const stage15_observer *self, float *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

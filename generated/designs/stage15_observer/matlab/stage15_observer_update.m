@@ -1,0 +1,82 @@
+function [status, self] = stage15_observer_update(self, k, y, u) %#codegen
+%STAGE15_OBSERVER_UPDATE The estimates of tick `k`, which may wrap, from what is measured, y = (x1,
+%...) at that tick and u, the input of tick `k` - 1 as it was applied, 0 where there was none. Call
+%it once for each tick, before the law, which takes its estimates. Status Hold from sample 9 on: the
+%round is over.
+%
+%   [status, self] = stage15_observer_update(self, k, y, u), with self from stage15_observer_init.
+%   Keep self: it is what the next call needs.
+%
+%   status (int32); on a negative one self is as it was:
+%      0  tracking
+%      1  hold: the round of the observer is over
+%     -2  an argument is not finite, or a tick is not whole
+%     -3  an estimate is not finite
+
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+y = single(y);
+u = single(u);
+if ~(isfinite(y(1)) && isfinite(u))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+
+% Predict.
+s1 = self.x1_hat + (self.phi1_2 * self.x2_hat);
+s2 = self.late_gamma1 * (self.u1 - single(19.6200008392334));
+s3 = (self.gamma1 * (self.u2 - single(19.6200008392334))) + s2;
+p1 = s1 + (self.phi1_3 * self.d_hat) + s3;
+s4 = self.gamma2 * (self.u2 - single(19.6200008392334));
+s5 = self.x2_hat + (self.phi2_3 * self.d_hat);
+p2 = s5 + (s4 + (self.gamma2 * (self.u1 - single(19.6200008392334))));
+p3 = self.d_hat;
+
+% Correct by what is measured.
+if self.seen == uint32(0)
+    base = y(1);
+    miss = single(0.0);
+else
+    base = p1;
+    miss = y(1) - p1;
+end
+left_o = uint32(9) - elapsed;
+o0 = pick(single(left_o) < self.hold_o, self.hold_o, single(left_o));
+r0 = single(1.0) / o0;
+r1 = single(1.0) / (o0 - single(1.0));
+r2 = single(1.0) / (o0 - single(2.0));
+l1 = ((((single(35.55555725097656) * r0) - single(23.88888931274414)) * r1) + single(7.0)) * r2;
+l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
+l3 = self.q3_1 * r0 * r1 * r2;
+x1 = base + (l1 * miss);
+x2 = p2 + (l2 * miss);
+d = p3 + (l3 * miss);
+if ~(isfinite(x1) && isfinite(x2) && isfinite(d))
+    status = int32(-3);
+    return;
+end
+self.u2 = self.u1;
+self.u1 = u;
+self.x1_hat = x1;
+self.x2_hat = x2;
+self.d_hat = d;
+self.seen = uint32(1);
+if left_o == uint32(0)
+    status = int32(1);
+else
+    status = int32(0);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

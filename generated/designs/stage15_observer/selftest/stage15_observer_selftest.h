@@ -1,0 +1,48 @@
+/*
+ * Self-test of the prescribed-time observer stage15_observer, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1.5)" --name stage15 --what observer --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=9 --observer-eps=0.05 --precision f32 --f="-981/100" --g="1/2" --delay=1.5 --selftest
+ * Version 0.1.0.
+ *
+ * 3 sets of parameters with 40 calls, 13 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   isfinite(phi1_3) != 0: held with each of 3012 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(gamma1) != 0: held with each of 3012 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(late_gamma1) != 0: held with each of 3012 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(phi2_3) != 0: held with each of 3012 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(gamma2) != 0: held with each of 3012 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(hold_o) != 0: held with each of 3012 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(q2_1) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(q2_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(q3_1) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(d) != 0: never false in 650 calls.
+ */
+#ifndef STAGE15_OBSERVER_SELFTEST_H
+#define STAGE15_OBSERVER_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the observer works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t stage15_observer_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,187 @@
+/* Prescribed-time observer stage16_observer: see stage16_observer.h. DO NOT EDIT. */
+#include "stage16_observer.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage16_observer_init(stage16_observer *self, const stage16_observer_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    (void)params;
+    if (self != NULL) {
+        self->start = 0U;
+        self->u1 = 0.0;
+        self->seen = 0U;
+        self->x1_hat = 0.0;
+        self->x1_next = 0.0;
+        self->x2_hat = 0.0;
+        self->x2_next = 0.0;
+        self->x3_hat = 0.0;
+        self->x3_next = 0.0;
+        self->d_hat = 0.0;
+        self->d_next = 0.0;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage16_observer_arm(stage16_observer *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage16_observer_update(stage16_observer *self, uint32_t k, const double y[2], double u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (y != NULL)) {
+        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0) && (isfinite(u) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The estimates; at first what y shows. */
+            double x1;
+            double x2;
+            double x3;
+            double d;
+            if (self->seen == 0U) {
+                x1 = y[0];
+                x2 = 0.0;
+                x3 = y[1];
+                d = 0.0;
+            } else {
+                x1 = self->x1_next + (0.00010816330676811052 * self->u1);
+                x2 = self->x2_next + (0.30941358230147875 * self->u1);
+                x3 = self->x3_next + (0.37459048481653323 * self->u1);
+                d = self->d_next;
+            }
+
+            /* Prediction of the next sample. */
+            const double miss1 = y[0] - x1;
+            const double miss2 = y[1] - x3;
+            const double off1 = miss1;
+            const double off2 = miss2;
+            const uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+            const double o0 = (double)left_o;
+            double l1_1;
+            double l1_2;
+            double l1_3;
+            double l1_4;
+            double l2_1;
+            double l2_2;
+            double l2_3;
+            double l2_4;
+            if (left_o == 0U) {
+                l1_1 = 0.17200400622757925;
+                l1_2 = 7.693835124666324;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 0.23319622641969587;
+                l2_1 = 0.0014420897963740578;
+                l2_2 = 1.2843129003368876;
+                l2_3 = -0.2598303207324358;
+                l2_4 = 0.028634005234458536;
+            } else if (8.0 < o0) {
+                const double r0 = 1.0 / o0;
+                const double r1 = 1.0 / (o0 - 1.0);
+                l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
+                const double s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
+                l1_2 = s1 + 0.004899465284856127;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 359.9910335767149 * r0 * r1;
+                l2_1 = 0.0014420897963740578;
+                const double s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
+                l2_2 = s2 + 1.1153817526860825;
+                l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
+                l2_4 = 79.8275894892242 * r0 * r1;
+            } else if (left_o == 8U) {
+                l1_1 = 0.9995008164815138;
+                l1_2 = -0.4960345371406728;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 0.0;
+                l2_1 = 0.0014420897963740578;
+                l2_2 = 2.2101945239792857;
+                l2_3 = 1.0319275340206813;
+                l2_4 = 1.3304598248204031;
+            } else {
+                l1_1 = 1.9995008164815138;
+                l1_2 = 999.2535286720462;
+                l1_3 = 0.005627803367048088;
+                l1_4 = 29.999252798059576;
+                l2_1 = 0.0014420897963740578;
+                l2_2 = 2.4788577332214805;
+                l2_3 = 1.5319275340206813;
+                l2_4 = 2.6609196496408063;
+            }
+            const double s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+            const double x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
+            const double s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+            const double x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
+            const double s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+            const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+            const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
+            status = PTC_E_RANGE;
+            if ((isfinite(x1) != 0)
+                && (isfinite(x1_on) != 0)
+                && (isfinite(x2) != 0)
+                && (isfinite(x2_on) != 0)
+                && (isfinite(x3) != 0)
+                && (isfinite(x3_on) != 0)
+                && (isfinite(d) != 0)
+                && (isfinite(d_on) != 0)) {
+                self->u1 = u;
+                self->x1_hat = x1;
+                self->x1_next = x1_on;
+                self->x2_hat = x2;
+                self->x2_next = x2_on;
+                self->x3_hat = x3;
+                self->x3_next = x3_on;
+                self->d_hat = d;
+                self->d_next = d_on;
+                self->seen = 1U;
+                if (left_o == 0U) {
+                    status = PTC_HOLD;
+                } else {
+                    status = PTC_OK;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage16_observer_estimate(const stage16_observer *self, double xhat[3])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        xhat[2] = self->x3_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                xhat[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage16_observer_disturbance(const stage16_observer *self, double *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

@@ -1,0 +1,259 @@
+/*
+ * Prescribed-time observer stage16_observer: order n = 3, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage16 --what observer --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0],[0,0,1]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --after-observer=-90+20i,-90-20i,-100,-120 --sample-time=1e-3 --delay=1
+ * Version 0.1.0.
+ *
+ * Plant: x' = A x + B (u + d), d constant and unknown of --A and --B above; u held from
+ *       sample to sample, one sample late, y = C x.
+ * Goal: the estimates of the state and of d are exact up to rounding from sample 20 after the
+ *       start on, from any state and at any sample period, as long as the measurement is
+ *       exact, u is what was applied and nothing else acts on the plant.
+ * Observer: xhat(k) = Phi xhat(k - 1) + Gamma u + G (y(k - 1) - C xhat(k - 1)) with the plant
+ *       sampled, Phi and Gamma: the estimates of tick k hold y up to tick k - 1. The gains
+ *       follow by duality from the rows that Theorem 1 gives for the mapping exp. Close to
+ *       the end deadbeat takes over.
+ *
+ * Parameters:
+ *   h = 1e-3 [s], fixed: sample period
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *
+ * k counts samples and may wrap; arm again within 2^32 - 20 samples.
+ * u is the input of tick k - 1 as it was applied, after clipping: it acts from tick k to tick
+ *       k + 1, and the observer keeps it until then.
+ * From sample 20 on the status is HOLD; from there on the observer has the poles
+ *       after_observer.
+ * Guard full: what is measured and u are finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: not checked: an observer alone has no law.
+ *   sampling: not checked: an observer alone has no law.
+ *   deadline: not checked: an observer alone has no law.
+ *   loop: not checked: an observer alone has no law.
+ *   envelope: not checked: an observer alone has no law.
+ */
+#ifndef STAGE16_OBSERVER_HPP
+#define STAGE16_OBSERVER_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage16ObserverParams {
+};
+
+/// Observer: set by init, changed by arm and by what is not const.
+class Stage16Observer {
+public:
+    using Params = Stage16ObserverParams;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        start_ = 0U;
+        u1_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x1_next_ = 0.0;
+        x2_hat_ = 0.0;
+        x2_next_ = 0.0;
+        x3_hat_ = 0.0;
+        x3_next_ = 0.0;
+        d_hat_ = 0.0;
+        d_next_ = 0.0;
+        return Status::Ok;
+    }
+
+    /// Starts a round of 20 samples at tick `k`. Estimates and inputs under way are kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// The estimates of tick `k`, which may wrap, from what is measured, y = C x at that tick and
+    /// u, the input of tick `k` - 1 as it was applied, 0 where there was none. y of tick `k` shows
+    /// in the estimates from the next tick on. Call it once for each tick, before the law, which
+    /// takes its estimates. Status Hold from sample 20 on: the round is over.
+    /// On a negative status nothing has changed.
+    [[nodiscard]] constexpr Status update(std::uint32_t k, const std::array<double, 2>& y, double u) noexcept
+    {
+        if (!(finite(y[0]) && finite(y[1]) && finite(u))) {
+            return Status::Input;
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // The estimates; at first what y shows.
+        double x1{};
+        double x2{};
+        double x3{};
+        double d{};
+        if (seen_ == 0U) {
+            x1 = y[0];
+            x2 = 0.0;
+            x3 = y[1];
+            d = 0.0;
+        } else {
+            x1 = x1_next_ + (0.00010816330676811052 * u1_);
+            x2 = x2_next_ + (0.30941358230147875 * u1_);
+            x3 = x3_next_ + (0.37459048481653323 * u1_);
+            d = d_next_;
+        }
+
+        // Prediction of the next sample.
+        const double miss1 = y[0] - x1;
+        const double miss2 = y[1] - x3;
+        const double off1 = miss1;
+        const double off2 = miss2;
+        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1_1{};
+        double l1_2{};
+        double l1_3{};
+        double l1_4{};
+        double l2_1{};
+        double l2_2{};
+        double l2_3{};
+        double l2_4{};
+        if (left_o == 0U) {
+            l1_1 = 0.17200400622757925;
+            l1_2 = 7.693835124666324;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 0.23319622641969587;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 1.2843129003368876;
+            l2_3 = -0.2598303207324358;
+            l2_4 = 0.028634005234458536;
+        } else if (8.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
+            const double s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
+            l1_2 = s1 + 0.004899465284856127;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 359.9910335767149 * r0 * r1;
+            l2_1 = 0.0014420897963740578;
+            const double s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
+            l2_2 = s2 + 1.1153817526860825;
+            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
+            l2_4 = 79.8275894892242 * r0 * r1;
+        } else if (left_o == 8U) {
+            l1_1 = 0.9995008164815138;
+            l1_2 = -0.4960345371406728;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 0.0;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 2.2101945239792857;
+            l2_3 = 1.0319275340206813;
+            l2_4 = 1.3304598248204031;
+        } else {
+            l1_1 = 1.9995008164815138;
+            l1_2 = 999.2535286720462;
+            l1_3 = 0.005627803367048088;
+            l1_4 = 29.999252798059576;
+            l2_1 = 0.0014420897963740578;
+            l2_2 = 2.4788577332214805;
+            l2_3 = 1.5319275340206813;
+            l2_4 = 2.6609196496408063;
+        }
+        const double s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+        const double x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
+        const double s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+        const double x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
+        const double s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+        const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+        const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
+        if (!(finite(x1)
+                && finite(x1_on)
+                && finite(x2)
+                && finite(x2_on)
+                && finite(x3)
+                && finite(x3_on)
+                && finite(d)
+                && finite(d_on))) {
+            return Status::Range;
+        }
+        u1_ = u;
+        x1_hat_ = x1;
+        x1_next_ = x1_on;
+        x2_hat_ = x2;
+        x2_next_ = x2_on;
+        x3_hat_ = x3;
+        x3_next_ = x3_on;
+        d_hat_ = d;
+        d_next_ = d_on;
+        seen_ = 1U;
+        if (left_o == 0U) {
+            return Status::Hold;
+        } else {
+            return Status::Ok;
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 3> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_, x3_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr double disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    double u1_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x1_next_{}; // prediction of x1 without u
+    double x2_hat_{}; // estimate of x2
+    double x2_next_{}; // prediction of x2 without u
+    double x3_hat_{}; // estimate of x3
+    double x3_next_{}; // prediction of x3 without u
+    double d_hat_{}; // estimate of d
+    double d_next_{}; // prediction of d without u
+};
+
+} // namespace ptc
+
+#endif

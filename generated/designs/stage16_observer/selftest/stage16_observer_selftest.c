@@ -1,0 +1,211 @@
+/* Self-test of the prescribed-time observer stage16_observer: see stage16_observer_selftest.h. DO NOT EDIT. */
+#include "stage16_observer_selftest.h"
+#include "stage16_observer.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* A call, and what it must give. */
+typedef struct stage16_observer_selftest_call {
+    uint32_t is_armed; /* arm is called before it */
+    uint32_t start;
+    uint32_t k;
+    double y[2]; /* what is measured */
+    double applied; /* the input of the tick before */
+    ptc_status status;
+    double xhat[3]; /* the estimates behind it */
+    double d;
+} stage16_observer_selftest_call;
+
+/* A set of parameters that init takes, and the calls with it, one after the other. */
+typedef struct stage16_observer_selftest_session {
+    stage16_observer_params params;
+    uint32_t first; /* of its calls */
+    uint32_t count;
+} stage16_observer_selftest_session;
+
+static const stage16_observer_selftest_session stage16_observer_selftest_sessions[3] = {
+    {.params = {.none = (char)0}, .first = 0U, .count = 42U},
+    {.params = {.none = (char)0}, .first = 42U, .count = 2U},
+    {.params = {.none = (char)0}, .first = 44U, .count = 1U},
+};
+
+static const stage16_observer_selftest_call stage16_observer_selftest_calls[45] = {
+    {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75, 0.25}, .applied = -0.1875, .status = PTC_OK, .xhat = {0.75, 0.0, 0.25}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.676875, 0.225625}, .applied = -0.16921875, .status = PTC_OK, .xhat = {0.7501344261711317, 0.22285046353529728, 0.06506653678467897}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.6075, 0.2025}, .applied = -0.151875, .status = PTC_OK, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {(double)NAN, 0.5}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.5, (double)NAN}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.5, 0.5}, .applied = (double)NAN, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {(double)INFINITY, 0.5}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.5, (double)INFINITY}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.5, 0.5}, .applied = (double)INFINITY, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {-(double)INFINITY, 0.5}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.5, -(double)INFINITY}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.5, 0.5}, .applied = -(double)INFINITY, .status = PTC_E_INPUT, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
+    {.is_armed = 0U, .start = 0U, .k = 3U, .y = {0.5418749999999999, 0.18062499999999998}, .applied = -0.13546874999999997, .status = PTC_OK, .xhat = {0.6681718440766353, -6.141444900870137, -0.01071553265814048}, .d = -0.11766275211562624},
+    {.is_armed = 0U, .start = 0U, .k = 10U, .y = {0.1875, 0.0625}, .applied = -0.046875, .status = PTC_OK, .xhat = {0.602923016040534, -11.39699456921053, 0.013168703930955039}, .d = -0.2286608327882059},
+    {.is_armed = 0U, .start = 0U, .k = 16U, .y = {0.030000000000000006, 0.010000000000000002}, .applied = -0.0075000000000000015, .status = PTC_OK, .xhat = {0.25948429352183505, -66.49597069141558, 0.06572384265711101}, .d = -1.8465559712817277},
+    {.is_armed = 0U, .start = 0U, .k = 18U, .y = {0.0075000000000000015, 0.0025000000000000005}, .applied = -0.0018750000000000004, .status = PTC_OK, .xhat = {-0.26587357115040605, -295.79654960641784, 0.0014592187844728217}, .d = -8.879189973707161},
+    {.is_armed = 0U, .start = 0U, .k = 19U, .y = {0.0018750000000000004, 0.0006250000000000001}, .applied = -0.0004687500000000001, .status = PTC_OK, .xhat = {-0.014984000120151601, -22.477661236881076, 0.00032215529516796404}, .d = -0.6754176692704303},
+    {.is_armed = 0U, .start = 0U, .k = 20U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.0037460000300379684, -5.619415309220324, 8.053882379251463e-5}, .d = -0.16885441731760845},
+    {.is_armed = 0U, .start = 0U, .k = 21U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.00871978177248389, -5.587891415563847, -3.366361148888659e-5}, .d = -0.16798317039553756},
+    {.is_armed = 0U, .start = 0U, .k = 2147483647U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.012806451138288264, -5.518120444537398, -0.0001249509603638404}, .d = -0.16594878626696347},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.016120374641331894, -5.416945569634747, -0.00019686618366370907}, .d = -0.1629587923412333},
+    {.is_armed = 1U, .start = 4294967293U, .k = 4294967293U, .y = {0.75, 0.25}, .applied = -0.1875, .status = PTC_OK, .xhat = {-0.01876308608742629, -5.290326758403973, -0.0002524610363992594}, .d = -0.15919394473906945},
+    {.is_armed = 0U, .start = 0U, .k = 4294967294U, .y = {0.676875, 0.225625}, .applied = -0.16921875, .status = PTC_OK, .xhat = {0.28340978518502197, 19.183866063804217, -0.033228436510529334}, .d = 0.6216609727991395},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.6075, 0.2025}, .applied = -0.151875, .status = PTC_OK, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {(double)NAN, 0.5}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.5, (double)NAN}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.5, 0.5}, .applied = (double)NAN, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {(double)INFINITY, 0.5}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.5, (double)INFINITY}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.5, 0.5}, .applied = (double)INFINITY, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {-(double)INFINITY, 0.5}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.5, -(double)INFINITY}, .applied = 0.5, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.5, 0.5}, .applied = -(double)INFINITY, .status = PTC_E_INPUT, .xhat = {0.4684014320447811, 33.244316101274826, -0.0194878714004681}, .d = 1.0962445845692144},
+    {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.5418749999999999, 0.18062499999999998}, .applied = -0.13546874999999997, .status = PTC_OK, .xhat = {0.5636919408723257, 38.97897570162454, 0.014585900055871522}, .d = 1.3177968522717745},
+    {.is_armed = 0U, .start = 0U, .k = 7U, .y = {0.1875, 0.0625}, .applied = -0.046875, .status = PTC_OK, .xhat = {0.5926551557853736, 38.29896937022504, 0.052231839791371026}, .d = 1.337651992034236},
+    {.is_armed = 0U, .start = 0U, .k = 13U, .y = {0.030000000000000006, 0.010000000000000002}, .applied = -0.0075000000000000015, .status = PTC_OK, .xhat = {0.3070851586416439, -15.470751131859855, 0.08674215429198329}, .d = -0.273820683656515},
+    {.is_armed = 0U, .start = 0U, .k = 15U, .y = {0.0075000000000000015, 0.0025000000000000005}, .applied = -0.0018750000000000004, .status = PTC_OK, .xhat = {-0.26245095106535243, -292.3775852920062, -0.003749199330249333}, .d = -8.790373110648936},
+    {.is_armed = 0U, .start = 0U, .k = 16U, .y = {0.0018750000000000004, 0.0006250000000000001}, .applied = -0.0004687500000000001, .status = PTC_OK, .xhat = {-0.014984000120151776, -22.477661236881147, 0.00032215529516762317}, .d = -0.6754176692704348},
+    {.is_armed = 0U, .start = 0U, .k = 17U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.003746000030037864, -5.61941530922022, 8.053882379192758e-5}, .d = -0.16885441731760675},
+    {.is_armed = 0U, .start = 0U, .k = 18U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.008719781772483701, -5.587891415563744, -3.366361148990013e-5}, .d = -0.1679831703955359},
+    {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.012806451138288006, -5.5181204445372956, -0.00012495096036518725}, .d = -0.16594878626696183},
+    {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.01612037464133158, -5.416945569634645, -0.00019686618366532337}, .d = -0.1629587923412317},
+    {.is_armed = 0U, .start = 0U, .k = 12U, .y = {0.9345176227593099, -0.34868870628381476}, .applied = 0.25, .status = PTC_OK, .xhat = {0.9345176227593099, 0.0, -0.34868870628381476}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 17U, .y = {-1.0106924722705522e308, 1.6512261333402054e308}, .applied = 1.7976931348623157e308, .status = PTC_E_RANGE, .xhat = {0.9345176227593099, 0.0, -0.34868870628381476}, .d = 0.0},
+    {.is_armed = 1U, .start = 0U, .k = 12U, .y = {8.192421146273686e307, 1.7501158716715385e308}, .applied = 0.0, .status = PTC_E_RANGE, .xhat = {0.0, 0.0, 0.0}, .d = 0.0},
+};
+
+/* 1 where a number is not the one that must come. */
+static uint32_t stage16_observer_selftest_differs(double value, double wanted)
+{
+    uint32_t failures = 1U;
+
+    if (fabs(value - wanted) <= 0.0) {
+        failures = 0U;
+    }
+    return failures;
+}
+
+/* The failures of one call. */
+static uint32_t stage16_observer_selftest_check(stage16_observer *self, const stage16_observer_selftest_call *call)
+{
+    uint32_t failures = 0U;
+    double xhat[3] = {12345.0, 12345.0, 12345.0};
+    double d = 12345.0;
+
+    if (call->is_armed != 0U) {
+        if (stage16_observer_arm(self, call->start) != PTC_OK) {
+            failures++;
+        }
+    }
+    if (stage16_observer_update(self, call->k, call->y, call->applied) != call->status) {
+        failures++;
+    }
+    if (stage16_observer_estimate(self, xhat) != PTC_OK) {
+        failures++;
+    }
+    for (uint32_t i = 0U; i < 3U; i++) {
+        failures += stage16_observer_selftest_differs(xhat[i], call->xhat[i]);
+    }
+    if (stage16_observer_disturbance(self, &d) != PTC_OK) {
+        failures++;
+    }
+    failures += stage16_observer_selftest_differs(d, call->d);
+    return failures;
+}
+
+/* The calls of a session, of which init has been called. */
+static uint32_t stage16_observer_selftest_calls_of(stage16_observer *self, const stage16_observer_selftest_session *session)
+{
+    uint32_t failures = 0U;
+
+    for (uint32_t j = 0U; j < session->count; j++) {
+        failures += stage16_observer_selftest_check(self, &stage16_observer_selftest_calls[session->first + j]);
+    }
+    return failures;
+}
+
+/* Every session with its calls. */
+static uint32_t stage16_observer_selftest_run(void)
+{
+    uint32_t failures = 0U;
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const stage16_observer_selftest_session *session = &stage16_observer_selftest_sessions[i];
+        stage16_observer self;
+
+        if (stage16_observer_init(&self, &session->params) == PTC_OK) {
+            failures += stage16_observer_selftest_calls_of(&self, session);
+        } else {
+            failures++;
+        }
+    }
+    return failures;
+}
+
+/* What init must refuse without a change. */
+static uint32_t stage16_observer_selftest_refuse(void)
+{
+    const stage16_observer_selftest_session *session = &stage16_observer_selftest_sessions[0];
+    uint32_t failures = 0U;
+    stage16_observer self;
+
+    if (stage16_observer_init(&self, &session->params) != PTC_OK) {
+        failures++;
+    }
+    if (stage16_observer_init(NULL, &session->params) != PTC_E_PARAM) {
+        failures++;
+    }
+    failures += stage16_observer_selftest_calls_of(&self, session);
+    return failures;
+}
+
+/* Calls that lack a pointer: each is refused, and changes nothing. */
+static uint32_t stage16_observer_selftest_pointers(void)
+{
+    const stage16_observer_selftest_session *session = &stage16_observer_selftest_sessions[0];
+    const stage16_observer_selftest_call *call = &stage16_observer_selftest_calls[0];
+    uint32_t failures = 0U;
+    double xhat[3];
+    double d;
+    stage16_observer self;
+
+    if (stage16_observer_init(&self, &session->params) != PTC_OK) {
+        failures++;
+    }
+    if (stage16_observer_arm(NULL, call->start) != PTC_E_INPUT) {
+        failures++;
+    }
+    if (stage16_observer_update(NULL, call->k, call->y, call->applied) != PTC_E_INPUT) {
+        failures++;
+    }
+    if (stage16_observer_update(&self, call->k, NULL, call->applied) != PTC_E_INPUT) {
+        failures++;
+    }
+    if (stage16_observer_estimate(NULL, xhat) != PTC_E_INPUT) {
+        failures++;
+    }
+    if (stage16_observer_estimate(&self, NULL) != PTC_E_INPUT) {
+        failures++;
+    }
+    if (stage16_observer_disturbance(NULL, &d) != PTC_E_INPUT) {
+        failures++;
+    }
+    if (stage16_observer_disturbance(&self, NULL) != PTC_E_INPUT) {
+        failures++;
+    }
+    failures += stage16_observer_selftest_calls_of(&self, session);
+    return failures;
+}
+
+uint32_t stage16_observer_selftest(void)
+{
+    uint32_t failures = stage16_observer_selftest_run();
+
+    failures += stage16_observer_selftest_refuse();
+    failures += stage16_observer_selftest_pointers();
+    return failures;
+}

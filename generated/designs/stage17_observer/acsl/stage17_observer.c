@@ -1,0 +1,115 @@
+/* Prescribed-time observer stage17_observer: see stage17_observer.h. DO NOT EDIT. */
+#include "stage17_observer.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage17_observer_init(stage17_observer *self, const stage17_observer_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1e-150 <= params->h) && (params->h <= 1e150)) {
+            const double phi1_2 = params->h;
+            const double q2_1 = 12.0 * (1.0 / params->h);
+            const double e1_2 = 1.0 / params->h;
+            const double e0_2 = 0.3333333333333333 * (1.0 / params->h);
+            if ((isfinite(q2_1) != 0)
+                && (isfinite(e1_2) != 0)
+                && (isfinite(e0_2) != 0)
+                && (1e-200 <= params->h * params->h)
+                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                self->start = 0U;
+                self->seen = 0U;
+                self->x2_hat = 0.0;
+                self->d_hat = 0.0;
+                self->phi1_2 = phi1_2;
+                self->q2_1 = q2_1;
+                self->e1_2 = e1_2;
+                self->e0_2 = e0_2;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage17_observer_arm(stage17_observer *self, uint32_t k)
+{
+    ptc_status status = PTC_OK;
+
+    self->start = k;
+    status = PTC_OK;
+    return status;
+}
+
+ptc_status stage17_observer_update(stage17_observer *self, uint32_t k, const double y[2], double u)
+{
+    ptc_status status = PTC_OK;
+
+    const uint32_t elapsed = k - self->start;
+
+    /* Predict. */
+    const double s1 = self->x2_hat + (self->phi1_2 * self->d_hat);
+    const double p1 = s1 + (self->phi1_2 * u);
+    const double p2 = self->d_hat;
+
+    /* Correct by what is measured. */
+    double base;
+    double miss;
+    if (self->seen == 0U) {
+        base = y[1];
+        miss = 0.0;
+    } else {
+        base = p1;
+        miss = y[1] - p1;
+    }
+    const uint32_t left_o = (elapsed < 8U) ? (8U - elapsed) : 0U;
+    const double o0 = (double)left_o;
+    double l1;
+    double l2;
+    if (6.0 < o0) {
+        const double r0 = 1.0 / o0;
+        const double r1 = 1.0 / (o0 - 1.0);
+        l1 = (((-20.0) * r0) + 8.0) * r1;
+        l2 = self->q2_1 * r0 * r1;
+    } else if (left_o == 6U) {
+        l1 = 1.0;
+        l2 = self->e0_2;
+    } else {
+        l1 = 1.0;
+        l2 = self->e1_2;
+    }
+    const double x2 = base + (l1 * miss);
+    const double d = p2 + (l2 * miss);
+    status = PTC_E_RANGE;
+    if ((isfinite(x2) != 0) && (isfinite(d) != 0)) {
+        self->x2_hat = x2;
+        self->d_hat = d;
+        self->seen = 1U;
+        if (left_o == 0U) {
+            status = PTC_HOLD;
+        } else {
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status stage17_observer_estimate(const stage17_observer *self, double xhat[1])
+{
+    ptc_status status = PTC_OK;
+
+    xhat[0] = self->x2_hat;
+    status = PTC_OK;
+    return status;
+}
+
+ptc_status stage17_observer_disturbance(const stage17_observer *self, double *d)
+{
+    ptc_status status = PTC_OK;
+
+    *d = self->d_hat;
+    status = PTC_OK;
+    return status;
+}

@@ -1,0 +1,203 @@
+/*
+ * Prescribed-time observer stage17_observer: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage17 --what observer --clock samples --disturbance constant --observer-poles=-4,-5 --observer-samples=8 --guard none
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample.
+ * Goal: the estimates of the state and of d are exact up to rounding from sample 8 after the
+ *       start on, from any state and at any sample period, as long as the measurement is
+ *       exact, u is what was applied and nothing else acts on the plant.
+ * Observer: xhat(k) = p + L (y(k) - p1), p = Phi xhat(k - 1) + Gamma u with the chain
+ *       sampled, Phi and Gamma: the estimates of tick k hold y up to tick k. The gains follow
+ *       by duality from the rows that Theorem 1 gives for the mapping exp. Close to the end
+ *       deadbeat takes over.
+ *
+ * Parameters:
+ *   h [s]: sample period
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *
+ * k counts samples and may wrap; arm again within 2^32 - 8 samples.
+ * u is the input of tick k - 1 as it was applied, after clipping: it acted from tick k - 1 to
+ *       tick k.
+ * From sample 8 on the status is HOLD; with noise or sensor_step given, or observer_eps, the
+ *       gains of the observer are then held below deadbeat.
+ * Guard none: finite measurements and inputs are the responsibility of the caller.
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: not checked: an observer alone has no law.
+ *   sampling: not checked: an observer alone has no law.
+ *   deadline: not checked: an observer alone has no law.
+ *   loop: not checked: an observer alone has no law.
+ *   envelope: not checked: an observer alone has no law.
+ */
+#ifndef STAGE17_OBSERVER_HPP
+#define STAGE17_OBSERVER_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage17ObserverParams {
+    double h{}; ///< sample period [s], from 1e-150 to 1e150
+};
+
+/// Observer: set by init, changed by arm and by what is not const.
+class Stage17Observer {
+public:
+    using Params = Stage17ObserverParams;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!((1e-150 <= params.h) && (params.h <= 1e150))) {
+            return Status::Param;
+        }
+        const double phi1_2 = params.h;
+        const double q2_1 = 12.0 * (1.0 / params.h);
+        const double e1_2 = 1.0 / params.h;
+        const double e0_2 = 0.3333333333333333 * (1.0 / params.h);
+        if (!(finite(q2_1)
+                && finite(e1_2)
+                && finite(e0_2)
+                && (1e-200 <= params.h * params.h)
+                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+            return Status::Param;
+        }
+        start_ = 0U;
+        seen_ = 0U;
+        x2_hat_ = 0.0;
+        d_hat_ = 0.0;
+        phi1_2_ = phi1_2;
+        q2_1_ = q2_1;
+        e1_2_ = e1_2;
+        e0_2_ = e0_2;
+        return Status::Ok;
+    }
+
+    /// Starts a round of 8 samples at tick `k`. The estimates are kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// The estimates of tick `k`, which may wrap, from what is measured, y = (x1, ...) at that tick
+    /// and u, the input of tick `k` - 1 as it was applied, 0 where there was none. Call it once for
+    /// each tick, before the law, which takes its estimates. Status Hold from sample 8 on: the
+    /// round is over.
+    /// On a negative status nothing has changed.
+    [[nodiscard]] constexpr Status update(std::uint32_t k, const std::array<double, 2>& y, double u) noexcept
+    {
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const double s1 = x2_hat_ + (phi1_2_ * d_hat_);
+        const double p1 = s1 + (phi1_2_ * u);
+        const double p2 = d_hat_;
+
+        // Correct by what is measured.
+        double base{};
+        double miss{};
+        if (seen_ == 0U) {
+            base = y[1];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[1] - p1;
+        }
+        const std::uint32_t left_o = (elapsed < 8U) ? (8U - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1{};
+        double l2{};
+        if (6.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            l1 = (((-20.0) * r0) + 8.0) * r1;
+            l2 = q2_1_ * r0 * r1;
+        } else if (left_o == 6U) {
+            l1 = 1.0;
+            l2 = e0_2_;
+        } else {
+            l1 = 1.0;
+            l2 = e1_2_;
+        }
+        const double x2 = base + (l1 * miss);
+        const double d = p2 + (l2 * miss);
+        if (!(finite(x2) && finite(d))) {
+            return Status::Range;
+        }
+        x2_hat_ = x2;
+        d_hat_ = d;
+        seen_ = 1U;
+        if (left_o == 0U) {
+            return Status::Hold;
+        } else {
+            return Status::Ok;
+        }
+    }
+
+    /// The estimates of x2, ... at the last sample.
+    [[nodiscard]] constexpr std::array<double, 1> estimate() const noexcept
+    {
+        return {{x2_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr double disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x2_hat_{}; // estimate of x2
+    double d_hat_{}; // estimate of d
+    double phi1_2_{}; // prediction from a state
+    double q2_1_{}; // weight in the observer's gains
+    double e1_2_{}; // gain of the observer at its end
+    double e0_2_{}; // gain of the observer at its end
+};
+
+} // namespace ptc
+
+#endif

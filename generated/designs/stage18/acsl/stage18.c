@@ -1,0 +1,85 @@
+/* Prescribed-time controller stage18: see stage18.h. DO NOT EDIT. */
+#include "stage18.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage18_init(stage18 *self, const stage18_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((0.0 < params->u_max) && (isfinite(params->k) != 0)) {
+            const double p_k = params->k;
+            const double u_max = params->u_max;
+            self->start = 0U;
+            self->p_k = p_k;
+            self->u_max = u_max;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status stage18_arm(stage18 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage18_step(const stage18 *self, uint32_t k, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The chain of the output. */
+            const double v1 = x[0] * x[0];
+            const double v2 = x[0] * v1;
+            const double x1 = x[0] + (v2 * 0.16666666666666666);
+            const double v3 = 2.0 + v1;
+            const double x2 = x[1] * v3 * 0.5;
+            double w;
+            if (elapsed < 25U) {
+                /* The exact law in samples. */
+                const double m0 = (double)(30U - elapsed);
+                const double z1 = ((-120000.0) * x1) + (600.0 * x2);
+                const double z2 = (-600.0) * x2;
+                w = ((z1 / m0) + z2) / (m0 - 1.0);
+            } else {
+                /* Deadbeat. */
+                w = ((-10000.0) * x1) - (150.0 * x2);
+            }
+            const double s1 = (-((self->p_k * v2) + (3.0 * x[1]))) * v3;
+            const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
+            if (isfinite(v) != 0) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (elapsed < 30U) {
+                    *u = v;
+                    status = PTC_OK;
+                } else {
+                    *u = v;
+                    status = PTC_HOLD;
+                }
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

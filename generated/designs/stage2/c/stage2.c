@@ -1,0 +1,59 @@
+/* Prescribed-time controller stage2: see stage2.h. DO NOT EDIT. */
+#include "stage2.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage2_init(stage2 *self, const stage2_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    (void)params;
+    if (self != NULL) {
+        self->start = 0U;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage2_arm(stage2 *self, uint32_t k)
+{
+    ptc_status status = PTC_OK;
+
+    self->start = k;
+    status = PTC_OK;
+    return status;
+}
+
+ptc_status stage2_step(const stage2 *self, uint32_t k, const double x[3], double *u)
+{
+    ptc_status status = PTC_OK;
+
+    const uint32_t elapsed = k - self->start;
+    const double x1 = x[0];
+    const double x2 = x[1];
+    const double x3 = x[2];
+    double v;
+    if (elapsed < 12U) {
+        /* The exact law in samples. */
+        const double m0 = (double)(20U - elapsed);
+        const double z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
+        const double z2 = ((-60000000.0) * x2) + (30000.0 * x3);
+        const double z3 = (-12000.0) * x3;
+        v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+    } else {
+        /* Deadbeat. */
+        const double s1 = ((-1000000000.0) * x1) - (2000000.0 * x2);
+        v = s1 - (1833.3333333333333 * x3);
+    }
+    *u = v;
+    if (isfinite(v) != 0) {
+        if (!(elapsed < 20U)) {
+            status = PTC_HOLD;
+        }
+    } else {
+        *u = 0.0;
+        status = PTC_E_RANGE;
+    }
+    return status;
+}

@@ -1,0 +1,87 @@
+/*
+ * Prescribed-time controller stage2: order n = 3, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples = 20 [samples], fixed: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max = inf [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * u is not clipped.
+ * Guard none: finite measurements and valid pointers are the responsibility of the caller.
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE2_H
+#define STAGE2_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage2_params {
+    char none; /* every parameter is fixed */
+} stage2_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage2 {
+    uint32_t start; /* tick at which it was armed */
+} stage2;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stage2_init(stage2 *self, const stage2_params *params);
+
+/* Starts again: the deadline is N samples after tick `k`. */
+ptc_status stage2_arm(stage2 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
+ * and nothing has changed.
+ */
+ptc_status stage2_step(const stage2 *self, uint32_t k, const double x[3], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,49 @@
+function [u, status] = stage2_step(self, k, x) %#codegen
+%STAGE2_STEP u from tick `k`, which may wrap, and the state x = (x1, x1', ...).
+%
+%   [u, status] = stage2_step(self, k, x), with self from stage2_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+x = double(x);
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+x1 = x(1);
+x2 = x(2);
+x3 = x(3);
+if elapsed < uint32(12)
+    % The exact law in samples.
+    m0 = double(uint32(mod(double(uint32(20)) - double(elapsed), 4294967296)));
+    z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
+    z2 = ((-60000000.0) * x2) + (30000.0 * x3);
+    z3 = (-12000.0) * x3;
+    v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+else
+    % Deadbeat.
+    s1 = ((-1000000000.0) * x1) - (2000000.0 * x2);
+    v = s1 - (1833.3333333333333 * x3);
+end
+if isfinite(v)
+    if elapsed < uint32(20)
+        u = v;
+        status = int32(0);
+    else
+        u = v;
+        status = int32(1);
+    end
+else
+    status = int32(-3);
+end
+end

@@ -1,0 +1,289 @@
+/* Prescribed-time controller stage20: see stage20.h. DO NOT EDIT. */
+#include "stage20.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage20_init(stage20 *self, const stage20_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((7U < params->samples)
+            && (1e-150 <= params->h)
+            && (params->h <= 1e150)
+            && (0.0 < params->u_max)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->k[2]) != 0)
+            && (isfinite(params->k[3]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0 <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const double phi1_2 = params->h;
+            const double phi1_3 = 0.25 * (params->h * params->h);
+            const double gamma1 = 0.109375 * (params->h * params->h);
+            const double late_gamma1 = 0.140625 * (params->h * params->h);
+            const double phi2_3 = 0.5 * params->h;
+            const double gamma2 = 0.125 * params->h;
+            const double late_gamma2 = 0.375 * params->h;
+            const double q2_1 = (-108.0) * (1.0 / params->h);
+            const double q2_2 = 36.0 * (1.0 / params->h);
+            const double q3_1 = 48.0 * (1.0 / (params->h * params->h));
+            const double e2_2 = 1.5 * (1.0 / params->h);
+            const double e2_3 = 2.0 * (1.0 / (params->h * params->h));
+            const double e1_2 = 0.8571428571428571 * (1.0 / params->h);
+            const double e1_3 = (-0.5714285714285714) * (1.0 / (params->h * params->h));
+            const double e0_2 = 0.42857142857142855 * (1.0 / params->h);
+            const double e0_3 = 0.2857142857142857 * (1.0 / (params->h * params->h));
+            const double s1 = (params->k[3] - 9.0) + 4.0;
+            const double s2 = (s1 < 8.0) ? 8.0 : s1;
+            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double w1_1 = 2.0 * (-params->k[0]) * (1.0 / (params->h * params->h));
+            const double w1_2 = (-2.5) * (-params->k[0]) * (1.0 / params->h);
+            const double w1_4 = 0.65625 * (-params->k[0]);
+            const double s3 = 2.0 * (((1.0 - params->k[1]) + params->k[2]) - params->k[3]);
+            const double w2_2 = s3 * (1.0 / params->h);
+            const double w2_4 = (-0.75) * (((1.0 - params->k[1]) + params->k[2]) - params->k[3]);
+            const double w3_4 = ((-7.0) - params->k[2]) + (3.0 * params->k[3]);
+            const double w4_3 = 6.0 - params->k[3];
+            const double w4_4 = -(6.0 - params->k[3]);
+            const double b_1 = (-2.0) * (1.0 / (params->h * params->h));
+            const double b_2 = (-5.5) * (1.0 / params->h);
+            const double u_max = params->u_max;
+            if ((isfinite(phi1_3) != 0)
+                && (isfinite(gamma1) != 0)
+                && (isfinite(late_gamma1) != 0)
+                && (isfinite(phi2_3) != 0)
+                && (isfinite(gamma2) != 0)
+                && (isfinite(late_gamma2) != 0)
+                && (isfinite(q2_1) != 0)
+                && (isfinite(q2_2) != 0)
+                && (isfinite(q3_1) != 0)
+                && (isfinite(e2_2) != 0)
+                && (isfinite(e2_3) != 0)
+                && (isfinite(e1_2) != 0)
+                && (isfinite(e1_3) != 0)
+                && (isfinite(e0_2) != 0)
+                && (isfinite(e0_3) != 0)
+                && (isfinite(deadbeat) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(w1_2) != 0)
+                && (isfinite(w1_4) != 0)
+                && (isfinite(w2_2) != 0)
+                && (isfinite(w2_4) != 0)
+                && (isfinite(w3_4) != 0)
+                && (isfinite(w4_3) != 0)
+                && (isfinite(w4_4) != 0)
+                && (isfinite(b_1) != 0)
+                && (isfinite(b_2) != 0)
+                && (1e-200 <= params->h * params->h)
+                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                self->start = 0U;
+                self->samples = samples;
+                self->u1 = 0.0;
+                self->u2 = 0.0;
+                self->u3 = 0.0;
+                self->seen = 0U;
+                self->x1_hat = 0.0;
+                self->x2_hat = 0.0;
+                self->d_hat = 0.0;
+                self->phi1_2 = phi1_2;
+                self->phi1_3 = phi1_3;
+                self->gamma1 = gamma1;
+                self->late_gamma1 = late_gamma1;
+                self->phi2_3 = phi2_3;
+                self->gamma2 = gamma2;
+                self->late_gamma2 = late_gamma2;
+                self->q2_1 = q2_1;
+                self->q2_2 = q2_2;
+                self->q3_1 = q3_1;
+                self->e2_2 = e2_2;
+                self->e2_3 = e2_3;
+                self->e1_2 = e1_2;
+                self->e1_3 = e1_3;
+                self->e0_2 = e0_2;
+                self->e0_3 = e0_3;
+                self->rho1 = 0.0;
+                self->rho2 = 0.0;
+                self->deadbeat = deadbeat;
+                self->w1_1 = w1_1;
+                self->w1_2 = w1_2;
+                self->w1_4 = w1_4;
+                self->w2_2 = w2_2;
+                self->w2_4 = w2_4;
+                self->w3_4 = w3_4;
+                self->w4_3 = w4_3;
+                self->w4_4 = w4_4;
+                self->b_1 = b_1;
+                self->b_2 = b_2;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage20_arm(stage20 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const double r[3], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (y != NULL) && (r != NULL) && (u != NULL)) {
+        if ((isfinite(y[0]) != 0)
+            && (isfinite(r[0]) != 0)
+            && (isfinite(r[1]) != 0)
+            && (isfinite(r[2]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const double s1 = self->x1_hat + (self->phi1_2 * self->x2_hat);
+            const double s2 = self->late_gamma1 * (self->u2 + 0.5);
+            const double s3 = (self->gamma1 * (self->u3 + 0.5)) + s2;
+            const double p1 = s1 + (self->phi1_3 * self->d_hat) + s3;
+            const double s4 = self->late_gamma2 * (self->u2 + 0.5);
+            const double s5 = self->x2_hat + (self->phi2_3 * self->d_hat);
+            const double p2 = s5 + ((self->gamma2 * (self->u3 + 0.5)) + s4);
+            const double p3 = self->d_hat;
+
+            /* Correct by what is measured. */
+            double base;
+            double miss;
+            if (self->seen == 0U) {
+                base = y[0];
+                miss = 0.0;
+            } else {
+                base = p1;
+                miss = y[0] - p1;
+            }
+            const uint32_t left_o = (elapsed < (self->samples / 2U)) ? ((self->samples / 2U) - elapsed) : 0U;
+            const double o0 = (double)left_o;
+            double l1;
+            double l2;
+            double l3;
+            if (8.0 < o0) {
+                const double r0 = 1.0 / o0;
+                const double r1 = 1.0 / (o0 - 1.0);
+                const double r2 = 1.0 / (o0 - 2.0);
+                l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+                l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
+                l3 = self->q3_1 * r0 * r1 * r2;
+            } else if (left_o == 8U) {
+                l1 = 1.0;
+                l2 = self->e0_2;
+                l3 = self->e0_3;
+            } else if (left_o == 7U) {
+                l1 = 1.0;
+                l2 = self->e1_2;
+                l3 = self->e1_3;
+            } else {
+                l1 = 1.0;
+                l2 = self->e2_2;
+                l3 = self->e2_3;
+            }
+            const double x1 = base + (l1 * miss);
+            const double x2 = p2 + (l2 * miss);
+            const double d = p3 + (l3 * miss);
+
+            /* The tracking error. */
+            const double e1 = x1 - r[0];
+            const double e2 = x2 - r[1];
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const double m0 = (double)left;
+            double v;
+            if (self->deadbeat < m0) {
+                /* The exact law in samples. */
+                const double s6 = self->w1_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
+                const double z1 = (self->w1_1 * e1) + (self->w1_2 * e2) + s6;
+                const double s7 = self->w2_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
+                const double z2 = (self->w2_2 * e2) + s7;
+                const double z3 = self->w3_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
+                const double s8 = self->w4_3 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
+                const double z4 = s8 + (self->w4_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2)));
+                const double s9 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+                const double s10 = 2.0 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
+                const double s11 = s10 - ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
+                v = (((s9 / (m0 - 3.0)) + s11) - (d + 0.5)) + (2.0 * r[2]);
+            } else {
+                /* Deadbeat. */
+                const double s12 = 2.0 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
+                const double s13 = 0.65625 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
+                const double s14 = ((((self->b_1 * e1) + (self->b_2 * e2)) - s12) - s13) - (d + 0.5);
+                v = s14 + (2.0 * r[2]);
+            }
+            status = PTC_E_RANGE;
+            if (isfinite(v) != 0) {
+                double u_now;
+                if (self->u_max < v) {
+                    u_now = self->u_max;
+                } else if (v < -self->u_max) {
+                    u_now = -self->u_max;
+                } else {
+                    u_now = v;
+                }
+                self->u3 = self->u2;
+                self->u2 = self->u1;
+                self->u1 = u_now;
+                self->rho2 = self->rho1;
+                self->rho1 = r[2];
+                self->x1_hat = x1;
+                self->x2_hat = x2;
+                self->d_hat = d;
+                self->seen = 1U;
+                *u = u_now;
+                if ((self->u_max < v) || (v < -self->u_max)) {
+                    status = PTC_SATURATED;
+                } else if (elapsed < self->samples) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage20_estimate(const stage20 *self, double xhat[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                xhat[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage20_disturbance(const stage20 *self, double *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

@@ -1,0 +1,57 @@
+/*
+ * Self-test of the prescribed-time controller stage21, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage21 --clock samples --eps=0 --g="2" --reference="size*dt^2/(1 + t^2)" --delay=0.25 --selftest
+ * Version 0.1.0.
+ *
+ * 5 sets of parameters with 60 calls, 51 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   isfinite(c_r5) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(c_r6) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(c_r12) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(deadbeat) != 0: held with each of 3072 sets of parameters that passed the tests
+ *     before it.
+ *   isfinite(w1_2) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w1_3) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w1_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w2_3) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w2_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w3_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(w4_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(b_1) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(b_2) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ *   isfinite(b_3) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *     it.
+ */
+#ifndef STAGE21_SELFTEST_H
+#define STAGE21_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t stage21_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,68 @@
+function [u, status] = stage22_step(self, k, x, r) %#codegen
+%STAGE22_STEP u from tick `k`, which may wrap, and the state x of the model, and the reference.
+%
+%   [u, status] = stage22_step(self, k, x, r), with self from stage22_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+x = double(x);
+r = double(r);
+if ~(isfinite(x(1)) && isfinite(x(2)) && isfinite(r(1)) && isfinite(r(2)) && isfinite(r(3)))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+
+% The chain of the output.
+v1 = x(1) * x(1);
+v2 = x(1) * v1;
+x1 = x(1) + (v2 * 0.16666666666666666);
+v3 = 2.0 + v1;
+x2 = x(2) * v3 * 0.5;
+
+% The tracking error.
+e1 = x1 - r(1);
+e2 = x2 - r(2);
+if elapsed < uint32(25)
+    % The exact law in samples.
+    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    z1 = ((-120000.0) * e1) + (600.0 * e2);
+    z2 = (-600.0) * e2;
+    w = (((z1 / m0) + z2) / (m0 - 1.0)) + r(3);
+else
+    % Deadbeat.
+    w = (((-10000.0) * e1) - (150.0 * e2)) + r(3);
+end
+s1 = (-((self.p_k * v2) + (3.0 * x(2)))) * v3;
+v = (w - ((s1 + (x(2) * (2.0 * x(1) * x(2)))) * 0.5)) * 2.0;
+if isfinite(v)
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < -self.u_max
+        u = -self.u_max;
+        status = int32(2);
+    elseif elapsed < uint32(30)
+        u = v;
+        status = int32(0);
+    else
+        u = v;
+        status = int32(1);
+    end
+else
+    status = int32(-3);
+end
+end

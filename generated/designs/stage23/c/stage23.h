@@ -1,0 +1,121 @@
+/*
+ * Prescribed-time controller stage23: order n = 3, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --observer-poles=-4,-5,-6 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
+ * Version 0.1.0.
+ *
+ * Plant: x' = A x + B u of --A and --B above; u held from sample to sample, one sample late,
+ *       y = C x.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
+ *       z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for the
+ *       mapping exp. Close to the end deadbeat takes over.
+ * With the reference r with its derivatives r[0]..r[2] at tick k, x - x_r is in place of x
+ *       above, and u = w + u_r, where the inputs under way count less the u_r of their own
+ *       samples: with them the output y = x1 is r, and stays so. At sample N x = x_r where
+ *       u_r is constant over each sample; else an error of order h^(5-i) is left in y^(i-1).
+ * r[3] is r^(3) over the sample in which u acts: its mean, (r^(2)(t + h) - r^(2)(t))/h, or
+ *       that in its middle. u_r is the mean over that sample. To four digits, the last at one
+ *       time:
+ *   x_r1 = r
+ *   x_r2 = r^(1)
+ *   x_r3 = 0.1*r^(1) + 0.1*r^(2)
+ *   u_r = 0.07*r^(1) + 0.051*r^(2) + 0.001*r^(3)
+ *
+ * Parameters:
+ *   samples = 50 [samples], fixed: samples N from the start to rest
+ *   h = 0.01 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 840 [1/s^4], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 638 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 179 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_4 = 22 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured and the reference are finite and no pointer is NULL, or the
+ *       call is refused (status E_INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x goes to 0 and u stays bounded at the deadline.
+ *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE23_H
+#define STAGE23_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage23_params {
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+} stage23_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage23 {
+    uint32_t start; /* tick at which it was armed */
+    double u1; /* input of the last sample */
+    double u2; /* input of 2 samples ago */
+    uint32_t seen; /* 1 once y has been measured */
+    double x1_hat; /* estimate of x1 */
+    double x1_next; /* prediction of x1 without u */
+    double x2_hat; /* estimate of x2 */
+    double x2_next; /* prediction of x2 without u */
+    double x3_hat; /* estimate of x3 */
+    double x3_next; /* prediction of x3 without u */
+    double u_r1; /* input on the reference, 1 samples ago */
+    double u_max; /* bound of |u| */
+} stage23;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stage23_init(stage23 *self, const stage23_params *params);
+
+/*
+ * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
+ */
+ptc_status stage23_arm(stage23 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and what is measured, y = C x, and the reference. Call it once
+ * for each tick. On a negative status u is 0 and nothing has changed.
+ */
+ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const double r[4], double *u);
+
+/* The estimate of the state at the last sample. */
+ptc_status stage23_estimate(const stage23 *self, double xhat[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

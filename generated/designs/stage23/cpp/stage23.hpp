@@ -1,0 +1,276 @@
+/*
+ * Prescribed-time controller stage23: order n = 3, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --observer-poles=-4,-5,-6 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
+ * Version 0.1.0.
+ *
+ * Plant: x' = A x + B u of --A and --B above; u held from sample to sample, one sample late,
+ *       y = C x.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
+ *       z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for the
+ *       mapping exp. Close to the end deadbeat takes over.
+ * With the reference r with its derivatives r[0]..r[2] at tick k, x - x_r is in place of x
+ *       above, and u = w + u_r, where the inputs under way count less the u_r of their own
+ *       samples: with them the output y = x1 is r, and stays so. At sample N x = x_r where
+ *       u_r is constant over each sample; else an error of order h^(5-i) is left in y^(i-1).
+ * r[3] is r^(3) over the sample in which u acts: its mean, (r^(2)(t + h) - r^(2)(t))/h, or
+ *       that in its middle. u_r is the mean over that sample. To four digits, the last at one
+ *       time:
+ *   x_r1 = r
+ *   x_r2 = r^(1)
+ *   x_r3 = 0.1*r^(1) + 0.1*r^(2)
+ *   u_r = 0.07*r^(1) + 0.051*r^(2) + 0.001*r^(3)
+ *
+ * Parameters:
+ *   samples = 50 [samples], fixed: samples N from the start to rest
+ *   h = 0.01 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 840 [1/s^4], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 638 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 179 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_4 = 22 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured and the reference are finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x goes to 0 and u stays bounded at the deadline.
+ *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE23_HPP
+#define STAGE23_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage23Params {
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage23 {
+public:
+    using Params = Stage23Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!(0.0 < params.u_max)) {
+            return Status::Param;
+        }
+        const double u_max = params.u_max;
+        start_ = 0U;
+        u1_ = 0.0;
+        u2_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x1_next_ = 0.0;
+        x2_hat_ = 0.0;
+        x2_next_ = 0.0;
+        x3_hat_ = 0.0;
+        x3_next_ = 0.0;
+        u_r1_ = 0.0;
+        u_max_ = u_max;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = C x, and the reference. Call it
+    /// once for each tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 1>& y, const std::array<double, 4>& r) noexcept
+    {
+        if (!(finite(y[0]) && finite(r[0]) && finite(r[1]) && finite(r[2]) && finite(r[3]))) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // The estimates; at first what y shows.
+        double x1{};
+        double x2{};
+        double x3{};
+        if (seen_ == 0U) {
+            x1 = y[0];
+            x2 = 0.0;
+            x3 = 0.0;
+        } else {
+            x1 = x1_next_ + (0.00014736313620654503 * u2_);
+            x2 = x2_next_ + (0.04245805872561294 * u2_);
+            x3 = x3_next_ + (0.7866781644184895 * u2_);
+        }
+
+        // Prediction of the next sample.
+        const double miss1 = y[0] - x1;
+        const double off1 = miss1;
+        const std::uint32_t left_o = (elapsed < 25U) ? (25U - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1{};
+        double l2{};
+        double l3{};
+        if (8.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            const double r2 = 1.0 / (o0 - 2.0);
+            l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.4049846310800092;
+            const double s1 = (((-12098.699806867564) * r0) + 5834.153087954333) * r1;
+            l2 = ((s1 - 616.5581920200482) * r2) + 20.107642470674392;
+            const double s2 = ((90981.25917900148 * r0) - 29002.765439771665) * r1;
+            l3 = ((s2 + 2998.7909601002407) * r2) - 97.7033199358119;
+        } else if (left_o == 8U) {
+            l1 = 1.0950153689199909;
+            l2 = 15.297392853547647;
+            l3 = 98.32269091567703;
+        } else if (left_o == 7U) {
+            l1 = 1.309301083205705;
+            l2 = 6.605837883444068;
+            l3 = -407.1438225313707;
+        } else {
+            l1 = 2.5950153689199906;
+            l2 = 180.07490250022406;
+            l3 = 358.78371927742626;
+        }
+        const double s3 = x1 + (0.009947226521739929 * x2);
+        const double x1_on = s3 + (0.00042458058725612934 * x3) + (l1 * off1);
+        const double s4 = (0.9892036123037478 * x2) + (0.07824323585459282 * x3);
+        const double x2_on = s4 + (l2 * off1);
+        const double s5 = ((-0.015648647170918566) * x2) + (0.605811756616243 * x3);
+        const double x3_on = s5 + (l3 * off1);
+
+        // The tracking error.
+        const double u_r = (0.07 * r[1]) + (0.05205 * r[2]) + (0.0017731666666666666 * r[3]);
+        const double e1 = x1 - r[0];
+        const double e2 = x2 - r[1];
+        const double e3 = x3 - ((0.1 * r[1]) + (0.1 * r[2]));
+        double v{};
+        if (elapsed < 40U) {
+            // The exact law in samples.
+            const double m0 = static_cast<double>(50U - elapsed);
+            const double s6 = ((-1072951.6050632286) * e1) + (11224.193450693596 * e2);
+            const double z1 = s6 - (404.795716419329 * e3);
+            const double z2 = ((-6164.422229232715) * e2) + (332.70200299979865 * e3);
+            const double z3 = (15.336789013047456 * e2) - (153.36789013047456 * e3);
+            const double s7 = (0.29792241063993585 * e2) + (8.220775893600642 * e3);
+            const double z4 = s7 - (16.0 * (u1_ - u_r1_));
+            const double s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+            const double s9 = ((-0.00824128170492625) * e2) - (0.20107642470674394 * e3);
+            const double s10 = s9 + (1.4049846310800091 * (u1_ - u_r1_));
+            v = (s8 / (m0 - 3.0)) + s10 + u_r;
+        } else {
+            // Deadbeat.
+            const double s11 = ((-1277.3233393609864) * e1) - (37.174971411649004 * e2);
+            const double s12 = 2.5950153689199906 * (u1_ - u_r1_);
+            v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (u_max_ < v) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
+        } else {
+            u_now = v;
+        }
+        u2_ = u1_;
+        u1_ = u_now;
+        u_r1_ = u_r;
+        x1_hat_ = x1;
+        x1_next_ = x1_on;
+        x2_hat_ = x2;
+        x2_next_ = x2_on;
+        x3_hat_ = x3;
+        x3_next_ = x3_on;
+        seen_ = 1U;
+        if ((u_max_ < v) || (v < -u_max_)) {
+            return {u_now, Status::Saturated};
+        } else if (elapsed < 50U) {
+            return {u_now, Status::Ok};
+        } else {
+            return {u_now, Status::Hold};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 3> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_, x3_hat_}};
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    double u1_{}; // input of the last sample
+    double u2_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x1_next_{}; // prediction of x1 without u
+    double x2_hat_{}; // estimate of x2
+    double x2_next_{}; // prediction of x2 without u
+    double x3_hat_{}; // estimate of x3
+    double x3_next_{}; // prediction of x3 without u
+    double u_r1_{}; // input on the reference, 1 samples ago
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

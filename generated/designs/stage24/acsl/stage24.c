@@ -1,0 +1,102 @@
+/* Prescribed-time controller stage24: see stage24.h. DO NOT EDIT. */
+#include "stage24.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage24_init(stage24 *self, const stage24_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((0.0f < params->u_max) && (isfinite(params->size) != 0)) {
+            const float p_size = params->size;
+            const float c_r4 = 2.0f * p_size;
+            const float u_max = params->u_max;
+            if (isfinite(c_r4) != 0) {
+                self->start = 0U;
+                self->p_size = p_size;
+                self->c_r4 = c_r4;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage24_arm(stage24 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0f;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+            const float x1 = x[0];
+            const float x2 = x[1];
+
+            /* The tracking error. */
+            const float t = 0.01f * ((float)elapsed);
+            const float v_r1 = t * t;
+            const float v_r2 = 1.0f + v_r1;
+            const float v_r3 = (self->p_size * v_r1) / v_r2;
+            const float v_r5 = (self->c_r4 * t * (v_r2 - v_r1)) / (v_r2 * v_r2);
+            const float x_r1 = ((-1.3333334f) * v_r3) + ((-0.33333334f) * v_r5);
+            const float x_r2 = ((-1.6666666f) * v_r3) + ((-0.6666667f) * v_r5);
+            const float v_r6 = t + 0.005f;
+            const float v_r7 = v_r6 * v_r6;
+            const float v_r8 = 1.0f + v_r7;
+            const float v_r9 = v_r8 * v_r8;
+            const float s1 = (self->c_r4 * v_r6 * (v_r8 - v_r7)) / v_r9;
+            const float s2 = (v_r9 + (4.0f * v_r7 * v_r7)) - (4.0f * v_r8 * v_r6 * v_r6);
+            const float s3 = (-0.33333334f) * ((self->c_r4 * (s2 - (v_r8 * v_r7))) / (v_r8 * v_r9));
+            const float u_r0 = ((0.33333334f * ((self->p_size * v_r7) / v_r8)) - s1) + s3;
+            const float e1 = x1 - x_r1;
+            const float e2 = x2 - x_r2;
+            float v;
+            if (elapsed < 24U) {
+                /* The exact law in samples. */
+                const float m0 = (float)(30U - elapsed);
+                const float z1 = ((-137042.42f) * e1) + (69031.28f * e2);
+                const float z2 = (1353.4108f * e1) - (1082.7286f * e2);
+                const float s4 = ((-5.658292f) * e1) + (4.3266335f * e2);
+                v = (((z1 / m0) + z2) / (m0 - 1.0f)) + s4 + u_r0;
+            } else {
+                /* Deadbeat. */
+                v = ((-6519.427f) * e1) + (3185.2085f * e2) + u_r0;
+            }
+            if (isfinite(v) != 0) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (elapsed < 30U) {
+                    *u = v;
+                    status = PTC_OK;
+                } else {
+                    *u = v;
+                    status = PTC_HOLD;
+                }
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,107 @@
+/*
+ * Prescribed-time controller stage24: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
+ * Version 0.1.0.
+ *
+ * Plant: x' = A x + B u of --A and --B above; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
+ *       z_j/((M-j+1)...(M-1)) less the drift of z; the rows are those of Theorem 1 for the
+ *       mapping exp. Close to the end deadbeat takes over.
+ * With the reference r = size*dt^2/(1 + t^2), x - x_r is in place of x above, and u = w +
+ *       u_r: with them the output y = -2*x1 + x2 is r, and stays so. At sample N x = x_r
+ *       where u_r is constant over each sample; else an error of order h^(4-i) is left in
+ *       y^(i-1).
+ * t counts from the tick at which it was armed, and u_r is that in the middle of the time in
+ *       which u acts. To four digits:
+ *   r^(1) = 2*size*dt*(1 + t^2 - dt*t)/(1 + t^2)^2
+ *   r^(2) = 2*size*((1 + t^2)^2 + 4*dt^2*t^2 - 4*(1 + t^2)*dt*t - (1 + t^2)*dt^2)/(1 + t^2)^3
+ *   x_r1 = -1.333*r - 0.3333*r^(1)
+ *   x_r2 = -1.667*r - 0.6667*r^(1)
+ *   u_r = 0.3333*r - r^(1) - 0.3333*r^(2)
+ *
+ * Parameters:
+ *   samples = 30 [samples], fixed: samples N from the start to rest
+ *   h = 0.01 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 20 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 9 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   size [as in its expression]: parameter of an expression of the design
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   loop: not checked: `size` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE24_H
+#define STAGE24_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage24_params {
+    float u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    float size; /* parameter of an expression of the design [as in its expression], finite */
+} stage24_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage24 {
+    uint32_t start; /* tick at which it was armed */
+    float p_size; /* parameter of an expression of the design */
+    float c_r4; /* derived from the parameters */
+    float u_max; /* bound of |u| */
+} stage24;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stage24_init(stage24 *self, const stage24_params *params);
+
+/*
+ * Starts again: the deadline is N samples after tick `k`. The time of the reference counts from
+ * there.
+ */
+ptc_status stage24_arm(stage24 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and the state x. On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

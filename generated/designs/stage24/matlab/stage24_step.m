@@ -1,0 +1,76 @@
+function [u, status] = stage24_step(self, k, x) %#codegen
+%STAGE24_STEP u from tick `k`, which may wrap, and the state x.
+%
+%   [u, status] = stage24_step(self, k, x), with self from stage24_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = single(0.0);
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+x = single(x);
+if ~(isfinite(x(1)) && isfinite(x(2)))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+x1 = x(1);
+x2 = x(2);
+
+% The tracking error.
+t = single(0.009999999776482582) * single(elapsed);
+v_r1 = t * t;
+v_r2 = single(1.0) + v_r1;
+v_r3 = (self.p_size * v_r1) / v_r2;
+v_r5 = (self.c_r4 * t * (v_r2 - v_r1)) / (v_r2 * v_r2);
+x_r1 = ((-single(1.3333333730697632)) * v_r3) + ((-single(0.3333333432674408)) * v_r5);
+x_r2 = ((-single(1.6666666269302368)) * v_r3) + ((-single(0.6666666865348816)) * v_r5);
+v_r6 = t + single(0.004999999888241291);
+v_r7 = v_r6 * v_r6;
+v_r8 = single(1.0) + v_r7;
+v_r9 = v_r8 * v_r8;
+s1 = (self.c_r4 * v_r6 * (v_r8 - v_r7)) / v_r9;
+s2 = (v_r9 + (single(4.0) * v_r7 * v_r7)) - (single(4.0) * v_r8 * v_r6 * v_r6);
+s3 = (-single(0.3333333432674408)) * ((self.c_r4 * (s2 - (v_r8 * v_r7))) / (v_r8 * v_r9));
+u_r0 = ((single(0.3333333432674408) * ((self.p_size * v_r7) / v_r8)) - s1) + s3;
+e1 = x1 - x_r1;
+e2 = x2 - x_r2;
+if elapsed < uint32(24)
+    % The exact law in samples.
+    m0 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    z1 = ((-single(137042.421875)) * e1) + (single(69031.28125) * e2);
+    z2 = (single(1353.4107666015625) * e1) - (single(1082.7286376953125) * e2);
+    s4 = ((-single(5.658291816711426)) * e1) + (single(4.326633453369141) * e2);
+    v = (((z1 / m0) + z2) / (m0 - single(1.0))) + s4 + u_r0;
+else
+    % Deadbeat.
+    v = ((-single(6519.4267578125)) * e1) + (single(3185.20849609375) * e2) + u_r0;
+end
+if isfinite(v)
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < -self.u_max
+        u = -self.u_max;
+        status = int32(2);
+    elseif elapsed < uint32(30)
+        u = v;
+        status = int32(0);
+    else
+        u = v;
+        status = int32(1);
+    end
+else
+    status = int32(-3);
+end
+end

@@ -1,0 +1,62 @@
+function self = stage25_init(~) %#codegen
+%STAGE25_INIT Takes the parameters and arms at tick 0.
+%
+%   self = stage25_init(params) is the controller, for the functions that stand beside this one. A
+%   parameter outside its domain, or coefficients that leave the range of numbers, raise an error
+%   stage25:param, which names what is wrong and what is legal.
+
+% Prescribed-time controller stage25: outputs of order 1, 2, clock in samples.
+%
+% DO NOT EDIT. Made by:
+%   ptc-codegen emit --lang matlab --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01
+% Version 0.1.0.
+%
+% Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
+%       = h, output 2 = e; u held from sample to sample.
+% Goal: every output with its derivatives is 0 at sample N after the start, from any state,
+%       as long as no u is clipped and the plant is the model. The plant is known at the
+%       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
+%       n.
+% Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
+%       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+%       Close to the end deadbeat takes over. v_i is law_i in step.
+% Output 1, of order n = 1:
+%   x_1 = h
+%   f_1 = -h/10
+% Output 2, of order n = 2:
+%   x_1 = e
+%   x_2 = (c - e)*(1 + h)
+%   f_2 = (-c*(1 + h) - (c - e)*(1 + h))*(1 + h) + (c - e)*(-h/10)
+% u = adj(D) w/det(D) with w_i = v_i - f_i:
+%   det(D) = 1 + h
+%   adj(D) = [[1 + h, 0], [-(c - e), 1]]
+% Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+%       input of this number.
+%   output 1: k = 4; u_max = 2
+%   output 2: k = 13.5, 7.5; u_max = 3
+%
+% Parameters:
+%   samples = 30 [samples], fixed: samples N from the start to rest
+%   h = 0.01 [s], fixed: sample period
+%   eps = 0.04 [s], fixed: time-to-go at which the gains are held
+%   a = 1 [1/s], fixed: rate of stretched time
+%
+% k counts samples and may wrap; arm again within 2^32 - N samples.
+% From sample N on the last gains are held (status HOLD).
+% |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+%       lasts.
+% Guard full: what is measured is finite, or the call is refused (INPUT).
+%
+% Checks of the design (details: ptc-codegen check):
+%   membership: sound: exp is of class M for all its parameters.
+%   growth: sound: x and u go to 0 at the deadline.
+%   sampling: not checked: `loop` bounds what the period leaves of a plant with several
+%       inputs.
+%   deadline: not checked: `loop` bounds what the period leaves of a plant with several
+%       inputs.
+%   loop: not checked: `x0_max` is not given.
+%   envelope: not checked: `x_max` is not given.
+%   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
+
+self.start = uint32(0);
+end

@@ -1,0 +1,115 @@
+function [u, axes, status] = stage25_step(self, k, x) %#codegen
+%STAGE25_STEP u = (q, p) from tick `k`, which may wrap, and state x = (h, c, e). Where one of them
+%is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else
+%the status is SATURATED where one was clipped.
+%
+%   [u, axes, status] = stage25_step(self, k, x), with self from stage25_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = zeros(2, 1, 'double');
+axes = repmat(int32(-2), 2, 1);
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+x = double(x);
+if ~(isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3)))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+
+% The chain of each output.
+x1_1 = x(1);
+x1_2 = x(3);
+v1 = x(2) - x1_2;
+v2 = 1.0 + x1_1;
+x2_2 = v1 * v2;
+left = uint32(30) - elapsed;
+m0 = pick(double(left) < 4.0, 4.0, double(left));
+if 0.5 < m0
+    % The exact law in samples.
+    z1_1 = (-400.0) * x1_1;
+    law_1 = z1_1 / m0;
+else
+    % Deadbeat.
+    law_1 = (-100.0) * x1_1;
+end
+if 1.5 < m0
+    % The exact law in samples.
+    z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+    z2_2 = (-650.0) * x2_2;
+    law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+else
+    % Deadbeat.
+    law_2 = ((-10000.0) * x1_2) - (150.0 * x2_2);
+end
+
+% The inputs that give all of them.
+v3 = (-x1_1) * 0.1;
+v4 = law_1 - v3;
+v5 = pick((v2 < 0.0) || (v2 > 0.0), 1.0 / v2, double(NaN));
+control1 = v2 * v4 * v5;
+s1 = ((-v1) * v4) + (law_2 - (((((-x(2)) * v2) - x2_2) * v2) + (v1 * v3)));
+control2 = s1 * v5;
+if 4.0 < double(left)
+    status = int32(0);
+else
+    status = int32(1);
+end
+if isfinite(control1) && isfinite(control2)
+    u(1) = control1;
+    axes(1) = status;
+    u(2) = control2;
+    axes(2) = status;
+    if 2.0 < control1
+        u(1) = 2.0;
+        axes(1) = int32(2);
+        status = int32(2);
+    elseif control1 < -2.0
+        u(1) = -2.0;
+        axes(1) = int32(2);
+        status = int32(2);
+    end
+    if 3.0 < control2
+        u(2) = 3.0;
+        axes(2) = int32(2);
+        status = int32(2);
+    elseif control2 < -3.0
+        u(2) = -3.0;
+        axes(2) = int32(2);
+        status = int32(2);
+    end
+else
+    u(1) = 0.0;
+    if isfinite(control1)
+        axes(1) = status;
+    else
+        axes(1) = int32(-3);
+    end
+    u(2) = 0.0;
+    if isfinite(control2)
+        axes(2) = status;
+    else
+        axes(2) = int32(-3);
+    end
+    status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

@@ -1,0 +1,219 @@
+"""
+Prescribed-time controller stage25: outputs of order 1, 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01
+Version 0.1.0.
+
+Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
+      = h, output 2 = e; u held from sample to sample.
+Goal: every output with its derivatives is 0 at sample N after the start, from any state,
+      as long as no u is clipped and the plant is the model. The plant is known at the
+      samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
+      n.
+Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
+      h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+      Close to the end deadbeat takes over. v_i is law_i in step.
+Output 1, of order n = 1:
+  x_1 = h
+  f_1 = -h/10
+Output 2, of order n = 2:
+  x_1 = e
+  x_2 = (c - e)*(1 + h)
+  f_2 = (-c*(1 + h) - (c - e)*(1 + h))*(1 + h) + (c - e)*(-h/10)
+u = adj(D) w/det(D) with w_i = v_i - f_i:
+  det(D) = 1 + h
+  adj(D) = [[1 + h, 0], [-(c - e), 1]]
+Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+      input of this number.
+  output 1: k = 4; u_max = 2
+  output 2: k = 13.5, 7.5; u_max = 3
+
+Parameters:
+  samples = 30 [samples], fixed: samples N from the start to rest
+  h = 0.01 [s], fixed: sample period
+  eps = 0.04 [s], fixed: time-to-go at which the gains are held
+  a = 1 [1/s], fixed: rate of stretched time
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+      lasts.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: x and u go to 0 at the deadline.
+  sampling: not checked: `loop` bounds what the period leaves of a plant with several
+      inputs.
+  deadline: not checked: `loop` bounds what the period leaves of a plant with several
+      inputs.
+  loop: not checked: `x0_max` is not given.
+  envelope: not checked: `x_max` is not given.
+  zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Axes", "Control", "Params", "Stage25", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+class Axes(NamedTuple):
+    """What a step of several axes gives, for each time and state of the batch."""
+
+    u: Array
+    """Inputs of the plants along the last axis; 0 on a negative status."""
+    axes: NDArray[np.int8]
+    """The Status of each axis, along the last axis."""
+    status: NDArray[np.int8]
+    """That of the first axis that fails; else SATURATED where one is."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+class Stage25:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            self._start = 0
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`."""
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, x: ArrayLike) -> Axes:
+        """u = (q, p) from tick `k`, which may wrap, and state x = (h, c, e). Where one of them is
+        not finite, as at a state at which the inputs do not decouple the outputs, every u is 0;
+        else the status is SATURATED where one was clipped.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            x = _numbers(x, 3, "x")
+            u = np.zeros(2, dtype=_R)
+            axes = np.zeros(2, dtype=np.int8)
+            if not (np.isfinite(x[0]) and np.isfinite(x[1]) and np.isfinite(x[2])):
+                return Axes(
+                    np.zeros(2, dtype=_R),
+                    np.full(2, Status.INPUT, dtype=np.int8),
+                    np.asarray(Status.INPUT, dtype=np.int8),
+                )
+            elapsed = (k - self._start) & _WRAP
+
+            # The chain of each output.
+            x1_1 = x[0]
+            x1_2 = x[2]
+            v1 = x[1] - x1_2
+            v2 = 1.0 + x1_1
+            x2_2 = v1 * v2
+            left = max(30 - elapsed, 0)
+            m0 = max(_R(left), _R(4.0))
+            if 0.5 < m0:
+                # The exact law in samples.
+                z1_1 = (-400.0) * x1_1
+                law_1 = z1_1 / m0
+            else:
+                # Deadbeat.
+                law_1 = (-100.0) * x1_1
+            if 1.5 < m0:
+                # The exact law in samples.
+                z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2)
+                z2_2 = (-650.0) * x2_2
+                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                law_2 = ((-10000.0) * x1_2) - (150.0 * x2_2)
+
+            # The inputs that give all of them.
+            v3 = (-x1_1) * 0.1
+            v4 = law_1 - v3
+            v5 = np.where((v2 < 0.0) | (v2 > 0.0), 1.0 / v2, _R(np.nan))
+            control1 = v2 * v4 * v5
+            s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)))
+            control2 = s1 * v5
+            if 4.0 < _R(left):
+                status = Status.OK
+            else:
+                status = Status.HOLD
+            if np.isfinite(control1) and np.isfinite(control2):
+                u[0] = control1
+                axes[0] = status
+                u[1] = control2
+                axes[1] = status
+                if 2.0 < control1:
+                    u[0] = _R(2.0)
+                    axes[0] = Status.SATURATED
+                    status = Status.SATURATED
+                elif control1 < -2.0:
+                    u[0] = -2.0
+                    axes[0] = Status.SATURATED
+                    status = Status.SATURATED
+                if 3.0 < control2:
+                    u[1] = _R(3.0)
+                    axes[1] = Status.SATURATED
+                    status = Status.SATURATED
+                elif control2 < -3.0:
+                    u[1] = -3.0
+                    axes[1] = Status.SATURATED
+                    status = Status.SATURATED
+            else:
+                u[0] = _R(0.0)
+                if np.isfinite(control1):
+                    axes[0] = status
+                else:
+                    axes[0] = Status.RANGE
+                u[1] = _R(0.0)
+                if np.isfinite(control2):
+                    axes[1] = status
+                else:
+                    axes[1] = Status.RANGE
+                status = Status.RANGE
+            return Axes(u, axes, np.asarray(status, dtype=np.int8))

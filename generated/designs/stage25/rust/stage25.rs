@@ -1,0 +1,274 @@
+//! Prescribed-time controller stage25: outputs of order 1, 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01
+//! Version 0.1.0.
+//!
+//! Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
+//!       = h, output 2 = e; u held from sample to sample.
+//! Goal: every output with its derivatives is 0 at sample N after the start, from any state,
+//!       as long as no u is clipped and the plant is the model. The plant is known at the
+//!       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
+//!       n.
+//! Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
+//!       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+//!       Close to the end deadbeat takes over. v_i is law_i in step.
+//! Output 1, of order n = 1:
+//!   x_1 = h
+//!   f_1 = -h/10
+//! Output 2, of order n = 2:
+//!   x_1 = e
+//!   x_2 = (c - e)*(1 + h)
+//!   f_2 = (-c*(1 + h) - (c - e)*(1 + h))*(1 + h) + (c - e)*(-h/10)
+//! u = adj(D) w/det(D) with w_i = v_i - f_i:
+//!   det(D) = 1 + h
+//!   adj(D) = [[1 + h, 0], [-(c - e), 1]]
+//! Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+//!       input of this number.
+//!   output 1: k = 4; u_max = 2
+//!   output 2: k = 13.5, 7.5; u_max = 3
+//!
+//! Parameters:
+//!   samples = 30 [samples], fixed: samples N from the start to rest
+//!   h = 0.01 [s], fixed: sample period
+//!   eps = 0.04 [s], fixed: time-to-go at which the gains are held
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on the last gains are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: x and u go to 0 at the deadline.
+//!   sampling: not checked: `loop` bounds what the period leaves of a plant with several
+//!       inputs.
+//!   deadline: not checked: `loop` bounds what the period leaves of a plant with several
+//!       inputs.
+//!   loop: not checked: `x0_max` is not given.
+//!   envelope: not checked: `x_max` is not given.
+//!   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// What a step of several axes gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Axes<const M: usize, R = f64> {
+    /// Inputs of the plants; 0 where `status` is an error.
+    pub u: [R; M],
+    /// Status of each axis.
+    pub axes: [Result<Status, Error>; M],
+    /// The error of the first axis that fails; else `Saturated` where one is, else that of the gains.
+    pub status: Result<Status, Error>,
+}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Stage25`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage25Params {}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage25 {
+    /// tick at which it was armed.
+    start: u32,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Stage25 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: Stage25Params) -> Result<Self, Error> {
+        Ok(Self { start: 0 })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+    }
+
+    /// u = (q, p) from tick `k`, which may wrap, and state x = (h, c, e). Where one of them is not
+    /// finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else
+    /// the status is SATURATED where one was clipped.
+    #[inline]
+    pub fn step(&self, k: u32, x: &[f64; 3]) -> Axes<2, f64> {
+        let failed = |error| Axes {
+            u: [0.0; 2],
+            axes: [Err(error); 2],
+            status: Err(error),
+        };
+        let mut u = [0.0; 2];
+        let mut axes = [Ok(Status::Ok); 2];
+        let mut status;
+        if !(x[0].is_finite() && x[1].is_finite() && x[2].is_finite()) {
+            return failed(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // The chain of each output.
+        let x1_1 = x[0];
+        let x1_2 = x[2];
+        let v1 = x[1] - x1_2;
+        let v2 = 1.0 + x1_1;
+        let x2_2 = v1 * v2;
+        let left = 30_u32.saturating_sub(elapsed);
+        let m0 = if (left as f64) < 4.0 {
+            4.0
+        } else {
+            left as f64
+        };
+        let law_1: f64;
+        let law_2: f64;
+        if 0.5 < m0 {
+            // The exact law in samples.
+            let z1_1 = (-400.0) * x1_1;
+            law_1 = z1_1 / m0;
+        } else {
+            // Deadbeat.
+            law_1 = (-100.0) * x1_1;
+        }
+        if 1.5 < m0 {
+            // The exact law in samples.
+            let z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+            let z2_2 = (-650.0) * x2_2;
+            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            law_2 = ((-10000.0) * x1_2) - (150.0 * x2_2);
+        }
+
+        // The inputs that give all of them.
+        let v3 = (-x1_1) * 0.1;
+        let v4 = law_1 - v3;
+        let v5 = if v2 < 0.0 || v2 > 0.0 {
+            1.0 / v2
+        } else {
+            f64::NAN
+        };
+        let control1 = v2 * v4 * v5;
+        let s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+        let control2 = s1 * v5;
+        if 4.0 < (left as f64) {
+            status = Ok(Status::Ok);
+        } else {
+            status = Ok(Status::Hold);
+        }
+        if control1.is_finite() && control2.is_finite() {
+            u[0] = control1;
+            axes[0] = status;
+            u[1] = control2;
+            axes[1] = status;
+            if 2.0 < control1 {
+                u[0] = 2.0;
+                axes[0] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            } else if control1 < -2.0 {
+                u[0] = -2.0;
+                axes[0] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            }
+            if 3.0 < control2 {
+                u[1] = 3.0;
+                axes[1] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            } else if control2 < -3.0 {
+                u[1] = -3.0;
+                axes[1] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            }
+        } else {
+            u[0] = 0.0;
+            if control1.is_finite() {
+                axes[0] = status;
+            } else {
+                axes[0] = Err(Error::Range);
+            }
+            u[1] = 0.0;
+            if control2.is_finite() {
+                axes[1] = status;
+            } else {
+                axes[1] = Err(Error::Range);
+            }
+            status = Err(Error::Range);
+        }
+        Axes { u, axes, status }
+    }
+}

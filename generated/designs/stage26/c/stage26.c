@@ -1,0 +1,156 @@
+/* Prescribed-time controller stage26: see stage26.h. DO NOT EDIT. */
+#include "stage26.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage26_init(stage26 *self, const stage26_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1U < params->samples)
+            && (1e-18f <= params->h)
+            && (params->h <= 1e18f)
+            && (0.0f < params->u_max)
+            && (1e-18f <= params->a)
+            && (params->a <= 1e18f)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0f <= params->deadbeat)
+            && (isfinite(params->m) != 0)) {
+            const uint32_t samples = params->samples;
+            const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
+            const float s2 = (s1 < 4.0f) ? 4.0f : s1;
+            const float deadbeat_1 = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float s3 = -(params->k[0] / (params->a * params->a));
+            const float w1_1_1 = s3 * (1.0f / (params->h * params->h));
+            const float s4 = (-0.5f) * (-(params->k[0] / (params->a * params->a)));
+            const float w1_2_1 = s4 * (1.0f / params->h);
+            const float w2_2_1 = (1.0f - (params->k[1] / params->a)) * (1.0f / params->h);
+            const float b_1_1 = -(1.0f / (params->h * params->h));
+            const float b_2_1 = (-1.5f) * (1.0f / params->h);
+            const float p_m = params->m;
+            const float u_max = params->u_max;
+            if ((isfinite(deadbeat_1) != 0)
+                && (isfinite(w1_1_1) != 0)
+                && (isfinite(w1_2_1) != 0)
+                && (isfinite(w2_2_1) != 0)
+                && (isfinite(b_1_1) != 0)
+                && (isfinite(b_2_1) != 0)
+                && (1e-30f <= params->h * params->h)
+                && (1e-30f <= 1.0f / (params->h * params->h))) {
+                self->start = 0U;
+                self->samples = samples;
+                self->deadbeat_1 = deadbeat_1;
+                self->w1_1_1 = w1_1_1;
+                self->w1_2_1 = w1_2_1;
+                self->w2_2_1 = w2_2_1;
+                self->b_1_1 = b_1_1;
+                self->b_2_1 = b_2_1;
+                self->p_m = p_m;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage26_arm(stage26 *self, uint32_t k)
+{
+    ptc_status status = PTC_OK;
+
+    self->start = k;
+    status = PTC_OK;
+    return status;
+}
+
+ptc_status stage26_step(
+    const stage26 *self,
+    uint32_t k,
+    const float x[4],
+    float u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_OK;
+
+    const uint32_t elapsed = k - self->start;
+
+    /* The chain of each output. */
+    const float x1_1 = x[0];
+    const float x2_1 = x[2];
+    const float x1_2 = x[1];
+    const float x2_2 = x[3];
+    const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+    const float m0 = (float)left;
+    float law_1;
+    float law_2;
+    if (self->deadbeat_1 < m0) {
+        /* The exact law in samples. */
+        const float z1_1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
+        const float z2_1 = self->w2_2_1 * x2_1;
+        law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0f);
+        const float z1_2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
+        const float z2_2 = self->w2_2_1 * x2_2;
+        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0f);
+    } else {
+        /* Deadbeat. */
+        law_1 = (self->b_1_1 * x1_1) + (self->b_2_1 * x2_1);
+        law_2 = (self->b_1_1 * x1_2) + (self->b_2_1 * x2_2);
+    }
+
+    /* The inputs that give all of them. */
+    const float s1 = ((self->p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);
+    const float control1 = s1 + (self->p_m * x1_2 * x2_1 * x2_2);
+    const float control2 = (x1_2 * law_1) + law_2 + ((x2_1 * x2_1 * 0.5f) - x1_1);
+    if (elapsed < self->samples) {
+        status = PTC_OK;
+    } else {
+        status = PTC_HOLD;
+    }
+    if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+        u[0] = control1;
+        axes[0] = status;
+        u[1] = control2;
+        axes[1] = status;
+        if (self->u_max < control1) {
+            u[0] = self->u_max;
+            axes[0] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else if (control1 < -self->u_max) {
+            u[0] = -self->u_max;
+            axes[0] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else {
+            /* neither */
+        }
+        if (self->u_max < control2) {
+            u[1] = self->u_max;
+            axes[1] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else if (control2 < -self->u_max) {
+            u[1] = -self->u_max;
+            axes[1] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else {
+            /* neither */
+        }
+    } else {
+        u[0] = 0.0f;
+        if (isfinite(control1) != 0) {
+            axes[0] = status;
+        } else {
+            axes[0] = PTC_E_RANGE;
+        }
+        u[1] = 0.0f;
+        if (isfinite(control2) != 0) {
+            axes[1] = status;
+        } else {
+            axes[1] = PTC_E_RANGE;
+        }
+        status = PTC_E_RANGE;
+    }
+    return status;
+}

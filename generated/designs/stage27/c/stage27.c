@@ -1,0 +1,270 @@
+/* Prescribed-time controller stage27: see stage27.h. DO NOT EDIT. */
+#include "stage27.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage27_init(stage27 *self, const stage27_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1U < params->samples) && (1e-150 <= params->h) && (params->h <= 1e150)) {
+            const uint32_t samples = params->samples;
+            const double w1_1_1 = (-5.0) * (1.0 / params->h);
+            const double b_1_1 = -(1.0 / params->h);
+            const double w1_1_2 = (-18.75) * (1.0 / (params->h * params->h));
+            const double w1_2_2 = 9.375 * (1.0 / params->h);
+            const double w2_2_2 = (-7.75) * (1.0 / params->h);
+            const double b_1_2 = -(1.0 / (params->h * params->h));
+            const double b_2_2 = (-1.5) * (1.0 / params->h);
+            const double w1_1_3 = (-6.25) * (1.0 / params->h);
+            const double w1_1_4 = (-23.4375) * (1.0 / (params->h * params->h));
+            const double w1_2_4 = 11.71875 * (1.0 / params->h);
+            const double w2_2_4 = (-9.625) * (1.0 / params->h);
+            if ((isfinite(w1_1_1) != 0)
+                && (isfinite(b_1_1) != 0)
+                && (isfinite(w1_1_2) != 0)
+                && (isfinite(w1_2_2) != 0)
+                && (isfinite(w2_2_2) != 0)
+                && (isfinite(b_1_2) != 0)
+                && (isfinite(b_2_2) != 0)
+                && (isfinite(w1_1_3) != 0)
+                && (isfinite(w1_1_4) != 0)
+                && (isfinite(w1_2_4) != 0)
+                && (isfinite(w2_2_4) != 0)
+                && (1e-200 <= params->h * params->h)
+                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                self->start = 0U;
+                self->samples = samples;
+                self->w1_1_1 = w1_1_1;
+                self->b_1_1 = b_1_1;
+                self->w1_1_2 = w1_1_2;
+                self->w1_2_2 = w1_2_2;
+                self->w2_2_2 = w2_2_2;
+                self->b_1_2 = b_1_2;
+                self->b_2_2 = b_2_2;
+                self->w1_1_3 = w1_1_3;
+                self->w1_1_4 = w1_1_4;
+                self->w1_2_4 = w1_2_4;
+                self->w2_2_4 = w2_2_4;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+/*
+ * Solves a x = b, with a row by row, by elimination with the largest pivot of each column: b
+ * becomes x, NaN where a is singular.
+ */
+static void stage27_eliminate(double b[4], double a[16])
+{
+    for (uint32_t k = 0U; k < 4U; k++) {
+        uint32_t most = k;
+        double largest = fabs(a[(4U * k) + k]);
+        for (uint32_t i = k + 1U; i < 4U; i++) {
+            const double size = fabs(a[(4U * i) + k]);
+            if (largest < size) {
+                largest = size;
+                most = i;
+            }
+        }
+        for (uint32_t i = k + 1U; i < 4U; i++) {
+            if (most == i) {
+                const double kept = b[k];
+                b[k] = b[i];
+                b[i] = kept;
+                for (uint32_t j = k; j < 4U; j++) {
+                    const double entry = a[(4U * k) + j];
+                    a[(4U * k) + j] = a[(4U * i) + j];
+                    a[(4U * i) + j] = entry;
+                }
+            }
+        }
+        a[(4U * k) + k] = ((a[(4U * k) + k] < 0.0) || (a[(4U * k) + k] > 0.0)) ? (a[(4U * k) + k]) : (double)NAN;
+        for (uint32_t i = k + 1U; i < 4U; i++) {
+            const double factor = a[(4U * i) + k] / a[(4U * k) + k];
+            for (uint32_t j = k + 1U; j < 4U; j++) {
+                a[(4U * i) + j] = a[(4U * i) + j] - (factor * a[(4U * k) + j]);
+            }
+            b[i] = b[i] - (factor * b[k]);
+        }
+    }
+    for (uint32_t left = 4U; left > 0U; left--) {
+        const uint32_t k = left - 1U;
+        for (uint32_t j = k + 1U; j < 4U; j++) {
+            b[k] = b[k] - (a[(4U * k) + j] * b[j]);
+        }
+        b[k] = b[k] / a[(4U * k) + k];
+    }
+}
+
+ptc_status stage27_arm(stage27 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage27_step(
+    const stage27 *self,
+    uint32_t k,
+    const double x[6],
+    double u[4],
+    ptc_status axes[4])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)
+            && (isfinite(x[5]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The chain of each output. */
+            const double x1_1 = x[0];
+            const double x1_2 = x[1];
+            const double x2_2 = x[2];
+            const double x1_3 = x[3];
+            const double x1_4 = x[4];
+            const double x2_4 = x[5];
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const double m0 = (double)left;
+            double law_1;
+            double law_2;
+            double law_3;
+            double law_4;
+            if (5.0 < m0) {
+                /* The exact law in samples. */
+                const double z1_1 = self->w1_1_1 * x1_1;
+                law_1 = z1_1 / m0;
+            } else {
+                /* Deadbeat. */
+                law_1 = self->b_1_1 * x1_1;
+            }
+            if (6.0 < m0) {
+                /* The exact law in samples. */
+                const double z1_2 = (self->w1_1_2 * x1_2) + (self->w1_2_2 * x2_2);
+                const double z2_2 = self->w2_2_2 * x2_2;
+                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            } else {
+                /* Deadbeat. */
+                law_2 = (self->b_1_2 * x1_2) + (self->b_2_2 * x2_2);
+            }
+            if (7.0 < m0) {
+                /* The exact law in samples. */
+                const double z1_3 = self->w1_1_3 * x1_3;
+                law_3 = z1_3 / m0;
+            } else {
+                /* Deadbeat. */
+                law_3 = self->b_1_1 * x1_3;
+            }
+            if (9.0 < m0) {
+                /* The exact law in samples. */
+                const double z1_4 = (self->w1_1_4 * x1_4) + (self->w1_2_4 * x2_4);
+                const double z2_4 = self->w2_2_4 * x2_4;
+                law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0);
+            } else {
+                /* Deadbeat. */
+                law_4 = (self->b_1_2 * x1_4) + (self->b_2_2 * x2_4);
+            }
+
+            /* The inputs that give all of them. */
+            double v1[4] = {
+                law_1 - ((-x1_1) * x1_3),
+                law_2 - ((-x1_2) * x2_4),
+                law_3 - (-(x1_3 * x1_3)),
+                law_4 - x1_1,
+            };
+            double v1_a[16] = {
+                2.0 + (x1_2 * x1_2),
+                1.0,
+                0.0,
+                0.0,
+                0.0,
+                3.0 + x1_1,
+                x1_4,
+                0.0,
+                0.0,
+                0.0,
+                1.0,
+                x1_1,
+                x1_3,
+                0.0,
+                0.0,
+                2.0 - x1_2,
+            };
+            stage27_eliminate(v1, v1_a);
+            const double control1 = v1[0];
+            const double control2 = v1[1];
+            const double control3 = v1[2];
+            const double control4 = v1[3];
+            if (elapsed < self->samples) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            if ((isfinite(control1) != 0)
+                && (isfinite(control2) != 0)
+                && (isfinite(control3) != 0)
+                && (isfinite(control4) != 0)) {
+                u[0] = control1;
+                axes[0] = status;
+                u[1] = control2;
+                axes[1] = status;
+                u[2] = control3;
+                axes[2] = status;
+                u[3] = control4;
+                axes[3] = status;
+            } else {
+                u[0] = 0.0;
+                if (isfinite(control1) != 0) {
+                    axes[0] = status;
+                } else {
+                    axes[0] = PTC_E_RANGE;
+                }
+                u[1] = 0.0;
+                if (isfinite(control2) != 0) {
+                    axes[1] = status;
+                } else {
+                    axes[1] = PTC_E_RANGE;
+                }
+                u[2] = 0.0;
+                if (isfinite(control3) != 0) {
+                    axes[2] = status;
+                } else {
+                    axes[2] = PTC_E_RANGE;
+                }
+                u[3] = 0.0;
+                if (isfinite(control4) != 0) {
+                    axes[3] = status;
+                } else {
+                    axes[3] = PTC_E_RANGE;
+                }
+                status = PTC_E_RANGE;
+            }
+        } else {
+            for (uint32_t i = 0U; i < 4U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 4U; i++) {
+                u[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}

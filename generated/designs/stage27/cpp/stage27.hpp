@@ -1,0 +1,393 @@
+/*
+ * Prescribed-time controller stage27: outputs of order 1, 2, 1, 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-5/2,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
+ * Version 0.1.0.
+ *
+ * Plant: the inputs A, B, C, D: a' = A*(2 + b^2) + B - a*c, b' = b1, b1' = B*(3 + a) + C*d -
+ *       b*d1, c' = C + D*a - c^2, d' = d1, d1' = D*(2 - b) + A*c + a, output 1 = a, output 2
+ *       = b, output 3 = c, output 4 = d; u held from sample to sample.
+ * Goal: every output with its derivatives is 0 at sample N after the start, from any state,
+ *       as long as no u is clipped and the plant is the model. The plant is known at the
+ *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
+ *       n.
+ * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Output 1, of order n = 1:
+ *   x_1 = a
+ *   f_1 = -a*c
+ * Output 2, of order n = 2:
+ *   x_1 = b
+ *   x_2 = b1
+ *   f_2 = -b*d1
+ * Output 3, of order n = 1:
+ *   x_1 = c
+ *   f_3 = -c^2
+ * Output 4, of order n = 2:
+ *   x_1 = d
+ *   x_2 = d1
+ *   f_4 = a
+ * u of D u = w with w_i = v_i - f_i, by elimination with pivots:
+ *   D = [[2 + b^2, 1, 0, 0], [0, 3 + a, d, 0], [0, 0, 1, a], [c, 0, 0, 2 - b]]
+ * Outputs: 4, each with a law of its own, with this deadline and mapping; u_max is of the
+ *       input of this number.
+ *   output 1: k = 4
+ *   output 2: k = 12, 7
+ *   output 3: k = 5
+ *   output 4: k = 15, 8.5
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h [s]: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max = inf [unit of u], fixed: bound of |u|
+ *   a = 0.8 [1/s], fixed: rate of stretched time
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * u is not clipped.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
+ *       inputs.
+ *   deadline: not checked: `loop` bounds what the period leaves of a plant with several
+ *       inputs.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: `x_max` is not given.
+ *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
+ *       states.
+ */
+#ifndef STAGE27_HPP
+#define STAGE27_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+#ifndef PTC_AXES_HPP
+#define PTC_AXES_HPP
+/// What a step of several axes gives.
+template <class Real, std::size_t Count>
+struct [[nodiscard]] Axes {
+    std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status
+    std::array<Status, Count> axes{}; ///< status of each axis
+    Status status{Status::Input}; ///< that of the first axis that fails; else Saturated where one is
+};
+#endif
+
+/// Run-time parameters.
+struct Stage27Params {
+    std::uint32_t samples{}; ///< samples N from the start to rest [samples], at least 2
+    double h{}; ///< sample period [s], from 1e-150 to 1e150
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage27 {
+public:
+    using Params = Stage27Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!((1U < params.samples) && (1e-150 <= params.h) && (params.h <= 1e150))) {
+            return Status::Param;
+        }
+        const std::uint32_t samples = params.samples;
+        const double w1_1_1 = (-5.0) * (1.0 / params.h);
+        const double b_1_1 = -(1.0 / params.h);
+        const double w1_1_2 = (-18.75) * (1.0 / (params.h * params.h));
+        const double w1_2_2 = 9.375 * (1.0 / params.h);
+        const double w2_2_2 = (-7.75) * (1.0 / params.h);
+        const double b_1_2 = -(1.0 / (params.h * params.h));
+        const double b_2_2 = (-1.5) * (1.0 / params.h);
+        const double w1_1_3 = (-6.25) * (1.0 / params.h);
+        const double w1_1_4 = (-23.4375) * (1.0 / (params.h * params.h));
+        const double w1_2_4 = 11.71875 * (1.0 / params.h);
+        const double w2_2_4 = (-9.625) * (1.0 / params.h);
+        if (!(finite(w1_1_1)
+                && finite(b_1_1)
+                && finite(w1_1_2)
+                && finite(w1_2_2)
+                && finite(w2_2_2)
+                && finite(b_1_2)
+                && finite(b_2_2)
+                && finite(w1_1_3)
+                && finite(w1_1_4)
+                && finite(w1_2_4)
+                && finite(w2_2_4)
+                && (1e-200 <= params.h * params.h)
+                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+            return Status::Param;
+        }
+        start_ = 0U;
+        samples_ = samples;
+        w1_1_1_ = w1_1_1;
+        b_1_1_ = b_1_1;
+        w1_1_2_ = w1_1_2;
+        w1_2_2_ = w1_2_2;
+        w2_2_2_ = w2_2_2;
+        b_1_2_ = b_1_2;
+        b_2_2_ = b_2_2;
+        w1_1_3_ = w1_1_3;
+        w1_1_4_ = w1_1_4;
+        w1_2_4_ = w1_2_4;
+        w2_2_4_ = w2_2_4;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u = (A, B, C, D) from tick `k`, which may wrap, and state x = (a, b, b1, c, d, d1). Where
+    /// one of them is not finite, as at a state at which the inputs do not decouple the outputs,
+    /// every u is 0; else the status is SATURATED where one was clipped.
+    constexpr Axes<double, 4> step(std::uint32_t k, const std::array<double, 6>& x) const noexcept
+    {
+        Axes<double, 4> all{};
+        if (!(finite(x[0])
+                && finite(x[1])
+                && finite(x[2])
+                && finite(x[3])
+                && finite(x[4])
+                && finite(x[5]))) {
+            return {{}, {{Status::Input, Status::Input, Status::Input, Status::Input}}, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // The chain of each output.
+        const double x1_1 = x[0];
+        const double x1_2 = x[1];
+        const double x2_2 = x[2];
+        const double x1_3 = x[3];
+        const double x1_4 = x[4];
+        const double x2_4 = x[5];
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0 = static_cast<double>(left);
+        double law_1{};
+        double law_2{};
+        double law_3{};
+        double law_4{};
+        if (5.0 < m0) {
+            // The exact law in samples.
+            const double z1_1 = w1_1_1_ * x1_1;
+            law_1 = z1_1 / m0;
+        } else {
+            // Deadbeat.
+            law_1 = b_1_1_ * x1_1;
+        }
+        if (6.0 < m0) {
+            // The exact law in samples.
+            const double z1_2 = (w1_1_2_ * x1_2) + (w1_2_2_ * x2_2);
+            const double z2_2 = w2_2_2_ * x2_2;
+            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            law_2 = (b_1_2_ * x1_2) + (b_2_2_ * x2_2);
+        }
+        if (7.0 < m0) {
+            // The exact law in samples.
+            const double z1_3 = w1_1_3_ * x1_3;
+            law_3 = z1_3 / m0;
+        } else {
+            // Deadbeat.
+            law_3 = b_1_1_ * x1_3;
+        }
+        if (9.0 < m0) {
+            // The exact law in samples.
+            const double z1_4 = (w1_1_4_ * x1_4) + (w1_2_4_ * x2_4);
+            const double z2_4 = w2_2_4_ * x2_4;
+            law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            law_4 = (b_1_2_ * x1_4) + (b_2_2_ * x2_4);
+        }
+
+        // The inputs that give all of them.
+        const std::array<double, 16> v1_a{{
+            2.0 + (x1_2 * x1_2),
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+            3.0 + x1_1,
+            x1_4,
+            0.0,
+            0.0,
+            0.0,
+            1.0,
+            x1_1,
+            x1_3,
+            0.0,
+            0.0,
+            2.0 - x1_2,
+        }};
+        const std::array<double, 4> given_v1{{
+            law_1 - ((-x1_1) * x1_3),
+            law_2 - ((-x1_2) * x2_4),
+            law_3 - (-(x1_3 * x1_3)),
+            law_4 - x1_1,
+        }};
+        const auto v1 = eliminate(given_v1, v1_a);
+        const double control1 = v1[0];
+        const double control2 = v1[1];
+        const double control3 = v1[2];
+        const double control4 = v1[3];
+        if (elapsed < samples_) {
+            all.status = Status::Ok;
+        } else {
+            all.status = Status::Hold;
+        }
+        if (finite(control1) && finite(control2) && finite(control3) && finite(control4)) {
+            all.u[0] = control1;
+            all.axes[0] = all.status;
+            all.u[1] = control2;
+            all.axes[1] = all.status;
+            all.u[2] = control3;
+            all.axes[2] = all.status;
+            all.u[3] = control4;
+            all.axes[3] = all.status;
+        } else {
+            all.u[0] = 0.0;
+            if (finite(control1)) {
+                all.axes[0] = all.status;
+            } else {
+                all.axes[0] = Status::Range;
+            }
+            all.u[1] = 0.0;
+            if (finite(control2)) {
+                all.axes[1] = all.status;
+            } else {
+                all.axes[1] = Status::Range;
+            }
+            all.u[2] = 0.0;
+            if (finite(control3)) {
+                all.axes[2] = all.status;
+            } else {
+                all.axes[2] = Status::Range;
+            }
+            all.u[3] = 0.0;
+            if (finite(control4)) {
+                all.axes[3] = all.status;
+            } else {
+                all.axes[3] = Status::Range;
+            }
+            all.status = Status::Range;
+        }
+        return all;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+
+    /// Solves a x = b, with a row by row, by elimination with the largest pivot of each column: b
+    /// becomes x, NaN where a is singular.
+    static constexpr std::array<double, 4> eliminate(
+        std::array<double, 4> b, std::array<double, 16> a) noexcept
+    {
+        for (std::size_t k = 0U; k < 4U; k++) {
+            std::size_t most = k;
+            double largest = absolute(a[(4U * k) + k]);
+            for (std::size_t i = k + 1U; i < 4U; i++) {
+                const double size = absolute(a[(4U * i) + k]);
+                if (largest < size) {
+                    largest = size;
+                    most = i;
+                }
+            }
+            for (std::size_t i = k + 1U; i < 4U; i++) {
+                if (most == i) {
+                    const double kept = b[k];
+                    b[k] = b[i];
+                    b[i] = kept;
+                    for (std::size_t j = k; j < 4U; j++) {
+                        const double entry = a[(4U * k) + j];
+                        a[(4U * k) + j] = a[(4U * i) + j];
+                        a[(4U * i) + j] = entry;
+                    }
+                }
+            }
+            a[(4U * k) + k] = ((a[(4U * k) + k] < 0.0) || (a[(4U * k) + k] > 0.0)) ? (a[(4U * k) + k]) : std::numeric_limits<double>::quiet_NaN();
+            for (std::size_t i = k + 1U; i < 4U; i++) {
+                const double factor = a[(4U * i) + k] / a[(4U * k) + k];
+                for (std::size_t j = k + 1U; j < 4U; j++) {
+                    a[(4U * i) + j] = a[(4U * i) + j] - (factor * a[(4U * k) + j]);
+                }
+                b[i] = b[i] - (factor * b[k]);
+            }
+        }
+        for (std::size_t left = 4U; left > 0U; left--) {
+            const std::size_t k = left - 1U;
+            for (std::size_t j = k + 1U; j < 4U; j++) {
+                b[k] = b[k] - (a[(4U * k) + j] * b[j]);
+            }
+            b[k] = b[k] / a[(4U * k) + k];
+        }
+        return b;
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    std::uint32_t samples_{}; // samples from the start to rest
+    double w1_1_1_{}; // weight of a state in the law
+    double b_1_1_{}; // weight of a state in the law
+    double w1_1_2_{}; // weight of a state in the law
+    double w1_2_2_{}; // weight of a state in the law
+    double w2_2_2_{}; // weight of a state in the law
+    double b_1_2_{}; // weight of a state in the law
+    double b_2_2_{}; // weight of a state in the law
+    double w1_1_3_{}; // weight of a state in the law
+    double w1_1_4_{}; // weight of a state in the law
+    double w1_2_4_{}; // weight of a state in the law
+    double w2_2_4_{}; // weight of a state in the law
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,345 @@
+"""
+Prescribed-time controller stage27: outputs of order 1, 2, 1, 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-5/2,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
+Version 0.1.0.
+
+Plant: the inputs A, B, C, D: a' = A*(2 + b^2) + B - a*c, b' = b1, b1' = B*(3 + a) + C*d -
+      b*d1, c' = C + D*a - c^2, d' = d1, d1' = D*(2 - b) + A*c + a, output 1 = a, output 2
+      = b, output 3 = c, output 4 = d; u held from sample to sample.
+Goal: every output with its derivatives is 0 at sample N after the start, from any state,
+      as long as no u is clipped and the plant is the model. The plant is known at the
+      samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
+      n.
+Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
+      h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+      Close to the end deadbeat takes over. v_i is law_i in step.
+Output 1, of order n = 1:
+  x_1 = a
+  f_1 = -a*c
+Output 2, of order n = 2:
+  x_1 = b
+  x_2 = b1
+  f_2 = -b*d1
+Output 3, of order n = 1:
+  x_1 = c
+  f_3 = -c^2
+Output 4, of order n = 2:
+  x_1 = d
+  x_2 = d1
+  f_4 = a
+u of D u = w with w_i = v_i - f_i, by elimination with pivots:
+  D = [[2 + b^2, 1, 0, 0], [0, 3 + a, d, 0], [0, 0, 1, a], [c, 0, 0, 2 - b]]
+Outputs: 4, each with a law of its own, with this deadline and mapping; u_max is of the
+      input of this number.
+  output 1: k = 4
+  output 2: k = 12, 7
+  output 3: k = 5
+  output 4: k = 15, 8.5
+
+Parameters:
+  samples [samples]: samples N from the start to rest
+  h [s]: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  u_max = inf [unit of u], fixed: bound of |u|
+  a = 0.8 [1/s], fixed: rate of stretched time
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+u is not clipped.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: x and u go to 0 at the deadline.
+  sampling: not checked: `loop` bounds what the period leaves of a plant with several
+      inputs.
+  deadline: not checked: `loop` bounds what the period leaves of a plant with several
+      inputs.
+  loop: not checked: `samples` is left to run time.
+  envelope: not checked: `x_max` is not given.
+  zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
+      states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Axes", "Control", "Params", "Stage27", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+class Axes(NamedTuple):
+    """What a step of several axes gives, for each time and state of the batch."""
+
+    u: Array
+    """Inputs of the plants along the last axis; 0 on a negative status."""
+    axes: NDArray[np.int8]
+    """The Status of each axis, along the last axis."""
+    status: NDArray[np.int8]
+    """That of the first axis that fails; else SATURATED where one is."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+    samples: int
+    """samples N from the start to rest [samples], at least 2"""
+    h: float
+    """sample period [s], from 1e-150 to 1e150"""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+def _eliminate(given_b: Sequence[ArrayLike], given_a: Sequence[ArrayLike]) -> list[Array]:
+    """Solves a x = b, with a row by row, by elimination with the largest pivot of each column: b
+    becomes x, NaN where a is singular.
+    """
+    b = [np.asarray(v, dtype=_R) for v in given_b]
+    a = [np.asarray(v, dtype=_R) for v in given_a]
+    for k in range(4):
+        most = np.asarray(k)
+        largest = np.asarray(np.abs(a[(4 * k) + k]))
+        for i in range(k + 1, 4):
+            size = np.abs(a[(4 * i) + k])
+            holds = np.asarray(largest < size)
+            if holds.any():
+                largest = np.where(holds, size, largest)
+                most = np.where(holds, i, most)
+        for i in range(k + 1, 4):
+            holds = np.asarray(most == i)
+            if holds.any():
+                kept = b[k]
+                b[k] = np.where(holds, b[i], b[k])
+                b[i] = np.where(holds, kept, b[i])
+                for j in range(k, 4):
+                    entry = a[(4 * k) + j]
+                    a[(4 * k) + j] = np.where(holds, a[(4 * i) + j], a[(4 * k) + j])
+                    a[(4 * i) + j] = np.where(holds, entry, a[(4 * i) + j])
+        a[(4 * k) + k] = np.where((a[(4 * k) + k] < 0.0) | (a[(4 * k) + k] > 0.0), a[(4 * k) + k], _R(np.nan))
+        for i in range(k + 1, 4):
+            factor = a[(4 * i) + k] / a[(4 * k) + k]
+            for j in range(k + 1, 4):
+                a[(4 * i) + j] = a[(4 * i) + j] - (factor * a[(4 * k) + j])
+            b[i] = b[i] - (factor * b[k])
+    for k in reversed(range(4)):
+        for j in range(k + 1, 4):
+            b[k] = b[k] - (a[(4 * k) + j] * b[j])
+        b[k] = b[k] / a[(4 * k) + k]
+    return b
+
+class Stage27:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            given_samples = params.samples.__index__()
+            if given_samples != given_samples & _WRAP:
+                raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
+            given_h = _R(params.h)
+            if not (1 < given_samples):
+                raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
+            if not (1e-150 <= given_h <= 1e150):
+                raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
+            samples = given_samples
+            w1_1_1 = (-5.0) * (1.0 / given_h)
+            b_1_1 = -(1.0 / given_h)
+            w1_1_2 = (-18.75) * (1.0 / (given_h * given_h))
+            w1_2_2 = 9.375 * (1.0 / given_h)
+            w2_2_2 = (-7.75) * (1.0 / given_h)
+            b_1_2 = -(1.0 / (given_h * given_h))
+            b_2_2 = (-1.5) * (1.0 / given_h)
+            w1_1_3 = (-6.25) * (1.0 / given_h)
+            w1_1_4 = (-23.4375) * (1.0 / (given_h * given_h))
+            w1_2_4 = 11.71875 * (1.0 / given_h)
+            w2_2_4 = (-9.625) * (1.0 / given_h)
+            if not (
+                np.isfinite(w1_1_1)
+                and np.isfinite(b_1_1)
+                and np.isfinite(w1_1_2)
+                and np.isfinite(w1_2_2)
+                and np.isfinite(w2_2_2)
+                and np.isfinite(b_1_2)
+                and np.isfinite(b_2_2)
+                and np.isfinite(w1_1_3)
+                and np.isfinite(w1_1_4)
+                and np.isfinite(w1_2_4)
+                and np.isfinite(w2_2_4)
+                and (1e-200 <= given_h * given_h)
+                and (1e-200 <= 1.0 / (given_h * given_h))
+            ):
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            self._start = 0
+            self._samples = samples
+            self._w1_1_1 = w1_1_1
+            self._b_1_1 = b_1_1
+            self._w1_1_2 = w1_1_2
+            self._w1_2_2 = w1_2_2
+            self._w2_2_2 = w2_2_2
+            self._b_1_2 = b_1_2
+            self._b_2_2 = b_2_2
+            self._w1_1_3 = w1_1_3
+            self._w1_1_4 = w1_1_4
+            self._w1_2_4 = w1_2_4
+            self._w2_2_4 = w2_2_4
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`."""
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, x: ArrayLike) -> Axes:
+        """u = (A, B, C, D) from tick `k`, which may wrap, and state x = (a, b, b1, c, d, d1). Where
+        one of them is not finite, as at a state at which the inputs do not decouple the outputs,
+        every u is 0; else the status is SATURATED where one was clipped.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            x = _numbers(x, 6, "x")
+            u = np.zeros(4, dtype=_R)
+            axes = np.zeros(4, dtype=np.int8)
+            if not (
+                np.isfinite(x[0])
+                and np.isfinite(x[1])
+                and np.isfinite(x[2])
+                and np.isfinite(x[3])
+                and np.isfinite(x[4])
+                and np.isfinite(x[5])
+            ):
+                return Axes(
+                    np.zeros(4, dtype=_R),
+                    np.full(4, Status.INPUT, dtype=np.int8),
+                    np.asarray(Status.INPUT, dtype=np.int8),
+                )
+            elapsed = (k - self._start) & _WRAP
+
+            # The chain of each output.
+            x1_1 = x[0]
+            x1_2 = x[1]
+            x2_2 = x[2]
+            x1_3 = x[3]
+            x1_4 = x[4]
+            x2_4 = x[5]
+            left = max(self._samples - elapsed, 0)
+            m0 = _R(left)
+            if 5.0 < m0:
+                # The exact law in samples.
+                z1_1 = self._w1_1_1 * x1_1
+                law_1 = z1_1 / m0
+            else:
+                # Deadbeat.
+                law_1 = self._b_1_1 * x1_1
+            if 6.0 < m0:
+                # The exact law in samples.
+                z1_2 = (self._w1_1_2 * x1_2) + (self._w1_2_2 * x2_2)
+                z2_2 = self._w2_2_2 * x2_2
+                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                law_2 = (self._b_1_2 * x1_2) + (self._b_2_2 * x2_2)
+            if 7.0 < m0:
+                # The exact law in samples.
+                z1_3 = self._w1_1_3 * x1_3
+                law_3 = z1_3 / m0
+            else:
+                # Deadbeat.
+                law_3 = self._b_1_1 * x1_3
+            if 9.0 < m0:
+                # The exact law in samples.
+                z1_4 = (self._w1_1_4 * x1_4) + (self._w1_2_4 * x2_4)
+                z2_4 = self._w2_2_4 * x2_4
+                law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                law_4 = (self._b_1_2 * x1_4) + (self._b_2_2 * x2_4)
+
+            # The inputs that give all of them.
+            v1 = _eliminate([law_1 - ((-x1_1) * x1_3), law_2 - ((-x1_2) * x2_4), law_3 - (-(x1_3 * x1_3)), law_4 - x1_1], [2.0 + (x1_2 * x1_2), 1.0, 0.0, 0.0, 0.0, 3.0 + x1_1, x1_4, 0.0, 0.0, 0.0, 1.0, x1_1, x1_3, 0.0, 0.0, 2.0 - x1_2])
+            control1 = v1[0]
+            control2 = v1[1]
+            control3 = v1[2]
+            control4 = v1[3]
+            if elapsed < self._samples:
+                status = Status.OK
+            else:
+                status = Status.HOLD
+            if (
+                np.isfinite(control1)
+                and np.isfinite(control2)
+                and np.isfinite(control3)
+                and np.isfinite(control4)
+            ):
+                u[0] = control1
+                axes[0] = status
+                u[1] = control2
+                axes[1] = status
+                u[2] = control3
+                axes[2] = status
+                u[3] = control4
+                axes[3] = status
+            else:
+                u[0] = _R(0.0)
+                if np.isfinite(control1):
+                    axes[0] = status
+                else:
+                    axes[0] = Status.RANGE
+                u[1] = _R(0.0)
+                if np.isfinite(control2):
+                    axes[1] = status
+                else:
+                    axes[1] = Status.RANGE
+                u[2] = _R(0.0)
+                if np.isfinite(control3):
+                    axes[2] = status
+                else:
+                    axes[2] = Status.RANGE
+                u[3] = _R(0.0)
+                if np.isfinite(control4):
+                    axes[3] = status
+                else:
+                    axes[3] = Status.RANGE
+                status = Status.RANGE
+            return Axes(u, axes, np.asarray(status, dtype=np.int8))

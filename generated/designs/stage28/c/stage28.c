@@ -1,0 +1,155 @@
+/* Prescribed-time controller stage28: see stage28.h. DO NOT EDIT. */
+#include "stage28.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage28_init(stage28 *self, const stage28_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((0U < params->samples)
+            && (1e-150 <= params->h)
+            && (params->h <= 1e150)
+            && (0.0 < params->u_max)
+            && (isfinite(params->k) != 0)) {
+            const uint32_t samples = params->samples;
+            const double w1_1_1 = (-3.0) * (1.0 / params->h);
+            const double b_1_1 = -(1.0 / params->h);
+            const double w1_1_2 = (-4.5) * (1.0 / params->h);
+            const double p_k = params->k;
+            const double c1 = -p_k;
+            const double u_max = params->u_max;
+            if ((isfinite(w1_1_1) != 0)
+                && (isfinite(b_1_1) != 0)
+                && (isfinite(w1_1_2) != 0)
+                && (isfinite(c1) != 0)
+                && (1e-200 <= params->h)
+                && (1e-200 <= 1.0 / params->h)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->w1_1_1 = w1_1_1;
+                self->b_1_1 = b_1_1;
+                self->w1_1_2 = w1_1_2;
+                self->p_k = p_k;
+                self->c1 = c1;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage28_arm(stage28 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage28_step(
+    const stage28 *self,
+    uint32_t k,
+    const double x[2],
+    double u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The chain of each output. */
+            const double x1_1 = x[0];
+            const double x1_2 = x[1];
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const double m0 = (double)left;
+            double law_1;
+            double law_2;
+            if (9.0 < m0) {
+                /* The exact law in samples. */
+                const double z1_1 = self->w1_1_1 * x1_1;
+                law_1 = z1_1 / m0;
+                const double z1_2 = self->w1_1_2 * x1_2;
+                law_2 = z1_2 / m0;
+            } else {
+                /* Deadbeat. */
+                law_1 = self->b_1_1 * x1_1;
+                law_2 = self->b_1_1 * x1_2;
+            }
+
+            /* The inputs that give all of them. */
+            const double v2 = x1_2 - 1.0;
+            const double v3 = 1.0 / (((v2 < 0.0) || (v2 > 0.0)) ? v2 : (double)NAN);
+            const double control1 = law_1 * v3;
+            const double control2 = ((-law_1) + (v2 * (law_2 - (self->c1 * x1_1)))) * v3;
+            if (elapsed < self->samples) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+                u[0] = control1;
+                axes[0] = status;
+                u[1] = control2;
+                axes[1] = status;
+                if (self->u_max < control1) {
+                    u[0] = self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control1 < -self->u_max) {
+                    u[0] = -self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+                if (self->u_max < control2) {
+                    u[1] = self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control2 < -self->u_max) {
+                    u[1] = -self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+            } else {
+                u[0] = 0.0;
+                if (isfinite(control1) != 0) {
+                    axes[0] = status;
+                } else {
+                    axes[0] = PTC_E_RANGE;
+                }
+                u[1] = 0.0;
+                if (isfinite(control2) != 0) {
+                    axes[1] = status;
+                } else {
+                    axes[1] = PTC_E_RANGE;
+                }
+                status = PTC_E_RANGE;
+            }
+        } else {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}

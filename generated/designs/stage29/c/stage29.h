@@ -1,0 +1,95 @@
+/*
+ * Prescribed-time controller stage29: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = g u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ * Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
+ *       on time once.
+ *   axis 1: k = 20, 9; u_max = 1; g = 1/2
+ *   axis 2: k = 10, 6; u_max = 2; g = 2
+ *   axis 3: k = 45, 13.5; u_max = 3; g = -1
+ *
+ * Parameters:
+ *   samples = 30 [samples], fixed: samples N from the start to rest
+ *   h = 0.01 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE29_H
+#define STAGE29_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage29_params {
+    char none; /* every parameter is fixed */
+} stage29_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage29 {
+    uint32_t start; /* tick at which it was armed */
+} stage29;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stage29_init(stage29 *self, const stage29_params *params);
+
+/* Starts again: the deadline is N samples after tick `k`. */
+ptc_status stage29_arm(stage29 *self, uint32_t k);
+
+/*
+ * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each. Where one
+ * of them is not finite, every u is 0; else the status is SATURATED where one was clipped.
+ */
+ptc_status stage29_step(
+    const stage29 *self,
+    uint32_t k,
+    const double x[3][2],
+    double u[3],
+    ptc_status axes[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

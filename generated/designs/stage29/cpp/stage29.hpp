@@ -1,0 +1,240 @@
+/*
+ * Prescribed-time controller stage29: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = g u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ * Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
+ *       on time once.
+ *   axis 1: k = 20, 9; u_max = 1; g = 1/2
+ *   axis 2: k = 10, 6; u_max = 2; g = 2
+ *   axis 3: k = 45, 13.5; u_max = 3; g = -1
+ *
+ * Parameters:
+ *   samples = 30 [samples], fixed: samples N from the start to rest
+ *   h = 0.01 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE29_HPP
+#define STAGE29_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+#ifndef PTC_AXES_HPP
+#define PTC_AXES_HPP
+/// What a step of several axes gives.
+template <class Real, std::size_t Count>
+struct [[nodiscard]] Axes {
+    std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status
+    std::array<Status, Count> axes{}; ///< status of each axis
+    Status status{Status::Input}; ///< that of the first axis that fails; else Saturated where one is
+};
+#endif
+
+/// Run-time parameters.
+struct Stage29Params {
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage29 {
+public:
+    using Params = Stage29Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        start_ = 0U;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each.
+    /// Where one of them is not finite, every u is 0; else the status is SATURATED where one was
+    /// clipped.
+    constexpr Axes<double, 3> step(std::uint32_t k, const std::array<std::array<double, 2>, 3>& x) const noexcept
+    {
+        Axes<double, 3> all{};
+        if (!(finite(x[0][0])
+                && finite(x[0][1])
+                && finite(x[1][0])
+                && finite(x[1][1])
+                && finite(x[2][0])
+                && finite(x[2][1]))) {
+            return {{}, {{Status::Input, Status::Input, Status::Input}}, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+        const double x1_1 = x[0][0];
+        const double x2_1 = x[0][1];
+        const double x1_2 = x[1][0];
+        const double x2_2 = x[1][1];
+        const double x1_3 = x[2][0];
+        const double x2_3 = x[2][1];
+        double law_1{};
+        double law_2{};
+        double law_3{};
+        if (elapsed < 24U) {
+            // The exact law in samples.
+            const double m0 = static_cast<double>(30U - elapsed);
+            const double z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
+            const double z2_1 = (-1600.0) * x2_1;
+            law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            law_1 = ((-20000.0) * x1_1) - (300.0 * x2_1);
+        }
+        if (elapsed < 26U) {
+            // The exact law in samples.
+            const double m0 = static_cast<double>(30U - elapsed);
+            const double z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
+            const double z2_2 = (-250.0) * x2_2;
+            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            law_2 = ((-5000.0) * x1_2) - (75.0 * x2_2);
+        }
+        if (elapsed < 21U) {
+            // The exact law in samples.
+            const double m0 = static_cast<double>(30U - elapsed);
+            const double z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
+            const double z2_3 = 1250.0 * x2_3;
+            law_3 = ((z1_3 / m0) + z2_3) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            law_3 = (10000.0 * x1_3) + (150.0 * x2_3);
+        }
+        if (elapsed < 30U) {
+            all.status = Status::Ok;
+        } else {
+            all.status = Status::Hold;
+        }
+        if (finite(law_1) && finite(law_2) && finite(law_3)) {
+            all.u[0] = law_1;
+            all.axes[0] = all.status;
+            all.u[1] = law_2;
+            all.axes[1] = all.status;
+            all.u[2] = law_3;
+            all.axes[2] = all.status;
+            if (1.0 < law_1) {
+                all.u[0] = 1.0;
+                all.axes[0] = Status::Saturated;
+                all.status = Status::Saturated;
+            } else if (law_1 < -1.0) {
+                all.u[0] = -1.0;
+                all.axes[0] = Status::Saturated;
+                all.status = Status::Saturated;
+            }
+            if (2.0 < law_2) {
+                all.u[1] = 2.0;
+                all.axes[1] = Status::Saturated;
+                all.status = Status::Saturated;
+            } else if (law_2 < -2.0) {
+                all.u[1] = -2.0;
+                all.axes[1] = Status::Saturated;
+                all.status = Status::Saturated;
+            }
+            if (3.0 < law_3) {
+                all.u[2] = 3.0;
+                all.axes[2] = Status::Saturated;
+                all.status = Status::Saturated;
+            } else if (law_3 < -3.0) {
+                all.u[2] = -3.0;
+                all.axes[2] = Status::Saturated;
+                all.status = Status::Saturated;
+            }
+        } else {
+            all.u[0] = 0.0;
+            if (finite(law_1)) {
+                all.axes[0] = all.status;
+            } else {
+                all.axes[0] = Status::Range;
+            }
+            all.u[1] = 0.0;
+            if (finite(law_2)) {
+                all.axes[1] = all.status;
+            } else {
+                all.axes[1] = Status::Range;
+            }
+            all.u[2] = 0.0;
+            if (finite(law_3)) {
+                all.axes[2] = all.status;
+            } else {
+                all.axes[2] = Status::Range;
+            }
+            all.status = Status::Range;
+        }
+        return all;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,13 @@
+function self = stage29_arm(self, k) %#codegen
+%STAGE29_ARM Starts again: the deadline is N samples after tick `k`.
+%
+%   self = stage29_arm(self, k), with self from stage29_init. Keep self: it is what the next call
+%   needs.
+
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    error('stage29:param', 'k is %g; legal: whole', k);
+end
+k = uint32(mod(k, 4294967296));
+self.start = k;
+end

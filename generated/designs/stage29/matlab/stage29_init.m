@@ -1,0 +1,47 @@
+function self = stage29_init(~) %#codegen
+%STAGE29_INIT Takes the parameters and arms at tick 0.
+%
+%   self = stage29_init(params) is the controller, for the functions that stand beside this one. A
+%   parameter outside its domain, or coefficients that leave the range of numbers, raise an error
+%   stage29:param, which names what is wrong and what is legal.
+
+% Prescribed-time controller stage29: order n = 2, clock in samples.
+%
+% DO NOT EDIT. Made by:
+%   ptc-codegen emit --lang matlab --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01
+% Version 0.1.0.
+%
+% Plant: x1' = x2, x2' = g u; u held from sample to sample.
+% Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+%       sample period, as long as u is not clipped and nothing else acts on the plant.
+% Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+%       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+%       over.
+% Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
+%       on time once.
+%   axis 1: k = 20, 9; u_max = 1; g = 1/2
+%   axis 2: k = 10, 6; u_max = 2; g = 2
+%   axis 3: k = 45, 13.5; u_max = 3; g = -1
+%
+% Parameters:
+%   samples = 30 [samples], fixed: samples N from the start to rest
+%   h = 0.01 [s], fixed: sample period
+%   eps = 0 [s], fixed: time-to-go at which the gains are held
+%   a = 1 [1/s], fixed: rate of stretched time
+%
+% k counts samples and may wrap; arm again within 2^32 - N samples.
+% From sample N on the last gains are held (status HOLD).
+% |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+%       lasts.
+% Guard full: what is measured is finite, or the call is refused (INPUT).
+%
+% Checks of the design (details: ptc-codegen check):
+%   membership: sound: exp is of class M for all its parameters.
+%   growth: sound: x and u go to 0 at the deadline.
+%   sampling: not checked: the law is exact in samples, at any period.
+%   deadline: not checked: the law is exact in samples, at any period.
+%   loop: not checked: `x0_max` is not given.
+%   envelope: not checked: it does not examine a clock in samples.
+
+self.start = uint32(0);
+end

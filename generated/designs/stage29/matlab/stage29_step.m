@@ -1,0 +1,131 @@
+function [u, axes, status] = stage29_step(self, k, x) %#codegen
+%STAGE29_STEP u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of
+%each. Where one of them is not finite, every u is 0; else the status is SATURATED where one was
+%clipped.
+%
+%   [u, axes, status] = stage29_step(self, k, x), with self from stage29_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = zeros(3, 1, 'double');
+axes = repmat(int32(-2), 3, 1);
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+x = double(x);
+if ~(isfinite(x(1, 1)) ...
+    && isfinite(x(1, 2)) ...
+    && isfinite(x(2, 1)) ...
+    && isfinite(x(2, 2)) ...
+    && isfinite(x(3, 1)) ...
+    && isfinite(x(3, 2)))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+x1_1 = x(1, 1);
+x2_1 = x(1, 2);
+x1_2 = x(2, 1);
+x2_2 = x(2, 2);
+x1_3 = x(3, 1);
+x2_3 = x(3, 2);
+if elapsed < uint32(24)
+    % The exact law in samples.
+    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
+    z2_1 = (-1600.0) * x2_1;
+    law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
+else
+    % Deadbeat.
+    law_1 = ((-20000.0) * x1_1) - (300.0 * x2_1);
+end
+if elapsed < uint32(26)
+    % The exact law in samples.
+    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
+    z2_2 = (-250.0) * x2_2;
+    law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+else
+    % Deadbeat.
+    law_2 = ((-5000.0) * x1_2) - (75.0 * x2_2);
+end
+if elapsed < uint32(21)
+    % The exact law in samples.
+    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
+    z2_3 = 1250.0 * x2_3;
+    law_3 = ((z1_3 / m0) + z2_3) / (m0 - 1.0);
+else
+    % Deadbeat.
+    law_3 = (10000.0 * x1_3) + (150.0 * x2_3);
+end
+if elapsed < uint32(30)
+    status = int32(0);
+else
+    status = int32(1);
+end
+if isfinite(law_1) && isfinite(law_2) && isfinite(law_3)
+    u(1) = law_1;
+    axes(1) = status;
+    u(2) = law_2;
+    axes(2) = status;
+    u(3) = law_3;
+    axes(3) = status;
+    if 1.0 < law_1
+        u(1) = 1.0;
+        axes(1) = int32(2);
+        status = int32(2);
+    elseif law_1 < -1.0
+        u(1) = -1.0;
+        axes(1) = int32(2);
+        status = int32(2);
+    end
+    if 2.0 < law_2
+        u(2) = 2.0;
+        axes(2) = int32(2);
+        status = int32(2);
+    elseif law_2 < -2.0
+        u(2) = -2.0;
+        axes(2) = int32(2);
+        status = int32(2);
+    end
+    if 3.0 < law_3
+        u(3) = 3.0;
+        axes(3) = int32(2);
+        status = int32(2);
+    elseif law_3 < -3.0
+        u(3) = -3.0;
+        axes(3) = int32(2);
+        status = int32(2);
+    end
+else
+    u(1) = 0.0;
+    if isfinite(law_1)
+        axes(1) = status;
+    else
+        axes(1) = int32(-3);
+    end
+    u(2) = 0.0;
+    if isfinite(law_2)
+        axes(2) = status;
+    else
+        axes(2) = int32(-3);
+    end
+    u(3) = 0.0;
+    if isfinite(law_3)
+        axes(3) = status;
+    else
+        axes(3) = int32(-3);
+    end
+    status = int32(-3);
+end
+end

@@ -1,0 +1,234 @@
+"""
+Prescribed-time controller stage29: order n = 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01
+Version 0.1.0.
+
+Plant: x1' = x2, x2' = g u; u held from sample to sample.
+Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+      sample period, as long as u is not clipped and nothing else acts on the plant.
+Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+      the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+      over.
+Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
+      on time once.
+  axis 1: k = 20, 9; u_max = 1; g = 1/2
+  axis 2: k = 10, 6; u_max = 2; g = 2
+  axis 3: k = 45, 13.5; u_max = 3; g = -1
+
+Parameters:
+  samples = 30 [samples], fixed: samples N from the start to rest
+  h = 0.01 [s], fixed: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  a = 1 [1/s], fixed: rate of stretched time
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+      lasts.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: x and u go to 0 at the deadline.
+  sampling: not checked: the law is exact in samples, at any period.
+  deadline: not checked: the law is exact in samples, at any period.
+  loop: not checked: `x0_max` is not given.
+  envelope: not checked: it does not examine a clock in samples.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Axes", "Control", "Params", "Stage29", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+class Axes(NamedTuple):
+    """What a step of several axes gives, for each time and state of the batch."""
+
+    u: Array
+    """Inputs of the plants along the last axis; 0 on a negative status."""
+    axes: NDArray[np.int8]
+    """The Status of each axis, along the last axis."""
+    status: NDArray[np.int8]
+    """That of the first axis that fails; else SATURATED where one is."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+def _of_axes(given: ArrayLike, count: int, length: int, name: str) -> Array:
+    """The numbers of each axis: the last two dimensions."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape[-2:] != (count, length):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: (..., {count}, {length})")
+    return numbers
+
+class Stage29:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            self._start = 0
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`."""
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, x: ArrayLike) -> Axes:
+        """u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each.
+        Where one of them is not finite, every u is 0; else the status is SATURATED where one was
+        clipped.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            x = _of_axes(x, 3, 2, "x")
+            u = np.zeros(3, dtype=_R)
+            axes = np.zeros(3, dtype=np.int8)
+            if not (
+                np.isfinite(x[..., 0, 0])
+                and np.isfinite(x[..., 0, 1])
+                and np.isfinite(x[..., 1, 0])
+                and np.isfinite(x[..., 1, 1])
+                and np.isfinite(x[..., 2, 0])
+                and np.isfinite(x[..., 2, 1])
+            ):
+                return Axes(
+                    np.zeros(3, dtype=_R),
+                    np.full(3, Status.INPUT, dtype=np.int8),
+                    np.asarray(Status.INPUT, dtype=np.int8),
+                )
+            elapsed = (k - self._start) & _WRAP
+            x1_1 = x[..., 0, 0]
+            x2_1 = x[..., 0, 1]
+            x1_2 = x[..., 1, 0]
+            x2_2 = x[..., 1, 1]
+            x1_3 = x[..., 2, 0]
+            x2_3 = x[..., 2, 1]
+            if elapsed < 24:
+                # The exact law in samples.
+                m0 = _R((30 - elapsed) & _WRAP)
+                z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1)
+                z2_1 = (-1600.0) * x2_1
+                law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                law_1 = ((-20000.0) * x1_1) - (300.0 * x2_1)
+            if elapsed < 26:
+                # The exact law in samples.
+                m0 = _R((30 - elapsed) & _WRAP)
+                z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2)
+                z2_2 = (-250.0) * x2_2
+                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                law_2 = ((-5000.0) * x1_2) - (75.0 * x2_2)
+            if elapsed < 21:
+                # The exact law in samples.
+                m0 = _R((30 - elapsed) & _WRAP)
+                z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3)
+                z2_3 = 1250.0 * x2_3
+                law_3 = ((z1_3 / m0) + z2_3) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                law_3 = (10000.0 * x1_3) + (150.0 * x2_3)
+            if elapsed < 30:
+                status = Status.OK
+            else:
+                status = Status.HOLD
+            if np.isfinite(law_1) and np.isfinite(law_2) and np.isfinite(law_3):
+                u[0] = law_1
+                axes[0] = status
+                u[1] = law_2
+                axes[1] = status
+                u[2] = law_3
+                axes[2] = status
+                if 1.0 < law_1:
+                    u[0] = _R(1.0)
+                    axes[0] = Status.SATURATED
+                    status = Status.SATURATED
+                elif law_1 < -1.0:
+                    u[0] = -1.0
+                    axes[0] = Status.SATURATED
+                    status = Status.SATURATED
+                if 2.0 < law_2:
+                    u[1] = _R(2.0)
+                    axes[1] = Status.SATURATED
+                    status = Status.SATURATED
+                elif law_2 < -2.0:
+                    u[1] = -2.0
+                    axes[1] = Status.SATURATED
+                    status = Status.SATURATED
+                if 3.0 < law_3:
+                    u[2] = _R(3.0)
+                    axes[2] = Status.SATURATED
+                    status = Status.SATURATED
+                elif law_3 < -3.0:
+                    u[2] = -3.0
+                    axes[2] = Status.SATURATED
+                    status = Status.SATURATED
+            else:
+                u[0] = _R(0.0)
+                if np.isfinite(law_1):
+                    axes[0] = status
+                else:
+                    axes[0] = Status.RANGE
+                u[1] = _R(0.0)
+                if np.isfinite(law_2):
+                    axes[1] = status
+                else:
+                    axes[1] = Status.RANGE
+                u[2] = _R(0.0)
+                if np.isfinite(law_3):
+                    axes[2] = status
+                else:
+                    axes[2] = Status.RANGE
+                status = Status.RANGE
+            return Axes(u, axes, np.asarray(status, dtype=np.int8))

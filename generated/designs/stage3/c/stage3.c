@@ -1,0 +1,165 @@
+/* Prescribed-time controller stage3: see stage3.h. DO NOT EDIT. */
+#include "stage3.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage3_init(stage3 *self, const stage3_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if (0.0 < params->u_max) {
+            const double u_max = params->u_max;
+            self->start = 0U;
+            self->u1 = 0.0;
+            self->u2 = 0.0;
+            self->seen = 0U;
+            self->x1_hat = 0.0;
+            self->x2_hat = 0.0;
+            self->d_hat = 0.0;
+            self->u_max = u_max;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status stage3_arm(stage3 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage3_step(stage3 *self, uint32_t k, const double y[1], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if (isfinite(y[0]) != 0) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const double s1 = self->x1_hat + (0.001 * self->x2_hat) + (5e-7 * self->d_hat);
+            const double p1 = s1 + (5e-7 * self->u2);
+            const double p2 = self->x2_hat + (0.001 * self->d_hat) + (0.001 * self->u2);
+            const double p3 = self->d_hat;
+
+            /* Correct by what is measured. */
+            double base;
+            double miss;
+            if (self->seen == 0U) {
+                base = y[0];
+                miss = 0.0;
+            } else {
+                base = p1;
+                miss = y[0] - p1;
+            }
+            const uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+            const double o0 = (double)left_o;
+            double l1;
+            double l2;
+            double l3;
+            if (8.0 < o0) {
+                const double r0 = 1.0 / o0;
+                const double r1 = 1.0 / (o0 - 1.0);
+                const double r2 = 1.0 / (o0 - 2.0);
+                l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+                l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
+                l3 = 24000000.0 * r0 * r1 * r2;
+            } else if (left_o == 8U) {
+                l1 = 1.0;
+                l2 = 428.57142857142856;
+                l3 = 142857.14285714287;
+            } else if (left_o == 7U) {
+                l1 = 1.0;
+                l2 = 857.1428571428571;
+                l3 = -285714.28571428574;
+            } else {
+                l1 = 1.0;
+                l2 = 1500.0;
+                l3 = 1000000.0;
+            }
+            const double x1 = base + (l1 * miss);
+            const double x2 = p2 + (l2 * miss);
+            const double d = p3 + (l3 * miss);
+            double v;
+            if (elapsed < 32U) {
+                /* The exact law in samples. */
+                const double m0 = (double)(40U - elapsed);
+                const double z1 = ((-120000000.0) * x1) + (60000.0 * x2);
+                const double z2 = (-60000.0) * x2;
+                const double z3 = (-12.0) * (self->u1 + d);
+                const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+                v = (s2 + (self->u1 + d)) - d;
+            } else {
+                /* Deadbeat. */
+                v = ((((-1000000.0) * x1) - (2500.0 * x2)) - (2.0 * (self->u1 + d))) - d;
+            }
+            status = PTC_E_RANGE;
+            if (isfinite(v) != 0) {
+                double u_now;
+                if (self->u_max < v) {
+                    u_now = self->u_max;
+                } else if (v < -self->u_max) {
+                    u_now = -self->u_max;
+                } else {
+                    u_now = v;
+                }
+                self->u2 = self->u1;
+                self->u1 = u_now;
+                self->x1_hat = x1;
+                self->x2_hat = x2;
+                self->d_hat = d;
+                self->seen = 1U;
+                *u = u_now;
+                if ((self->u_max < v) || (v < -self->u_max)) {
+                    status = PTC_SATURATED;
+                } else if (elapsed < 40U) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage3_estimate(const stage3 *self, double xhat[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                xhat[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage3_disturbance(const stage3 *self, double *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

@@ -1,0 +1,239 @@
+/*
+ * Prescribed-time controller stage3: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage3 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+ *       sample late.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples = 40 [samples], fixed: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample 20 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE3_HPP
+#define STAGE3_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage3Params {
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage3 {
+public:
+    using Params = Stage3Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!(0.0 < params.u_max)) {
+            return Status::Param;
+        }
+        const double u_max = params.u_max;
+        start_ = 0U;
+        u1_ = 0.0;
+        u2_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x2_hat_ = 0.0;
+        d_hat_ = 0.0;
+        u_max_ = u_max;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 1>& y) noexcept
+    {
+        if (!finite(y[0])) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const double s1 = x1_hat_ + (0.001 * x2_hat_) + (5e-7 * d_hat_);
+        const double p1 = s1 + (5e-7 * u2_);
+        const double p2 = x2_hat_ + (0.001 * d_hat_) + (0.001 * u2_);
+        const double p3 = d_hat_;
+
+        // Correct by what is measured.
+        double base{};
+        double miss{};
+        if (seen_ == 0U) {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1{};
+        double l2{};
+        double l3{};
+        if (8.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            const double r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
+            l3 = 24000000.0 * r0 * r1 * r2;
+        } else if (left_o == 8U) {
+            l1 = 1.0;
+            l2 = 428.57142857142856;
+            l3 = 142857.14285714287;
+        } else if (left_o == 7U) {
+            l1 = 1.0;
+            l2 = 857.1428571428571;
+            l3 = -285714.28571428574;
+        } else {
+            l1 = 1.0;
+            l2 = 1500.0;
+            l3 = 1000000.0;
+        }
+        const double x1 = base + (l1 * miss);
+        const double x2 = p2 + (l2 * miss);
+        const double d = p3 + (l3 * miss);
+        double v{};
+        if (elapsed < 32U) {
+            // The exact law in samples.
+            const double m0 = static_cast<double>(40U - elapsed);
+            const double z1 = ((-120000000.0) * x1) + (60000.0 * x2);
+            const double z2 = (-60000.0) * x2;
+            const double z3 = (-12.0) * (u1_ + d);
+            const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+            v = (s2 + (u1_ + d)) - d;
+        } else {
+            // Deadbeat.
+            v = ((((-1000000.0) * x1) - (2500.0 * x2)) - (2.0 * (u1_ + d))) - d;
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (u_max_ < v) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
+        } else {
+            u_now = v;
+        }
+        u2_ = u1_;
+        u1_ = u_now;
+        x1_hat_ = x1;
+        x2_hat_ = x2;
+        d_hat_ = d;
+        seen_ = 1U;
+        if ((u_max_ < v) || (v < -u_max_)) {
+            return {u_now, Status::Saturated};
+        } else if (elapsed < 40U) {
+            return {u_now, Status::Ok};
+        } else {
+            return {u_now, Status::Hold};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 2> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr double disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    double u1_{}; // input of the last sample
+    double u2_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x2_hat_{}; // estimate of x2
+    double d_hat_{}; // estimate of d
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

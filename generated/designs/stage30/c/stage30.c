@@ -1,0 +1,194 @@
+/* Prescribed-time controller stage30: see stage30.h. DO NOT EDIT. */
+#include "stage30.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage30_init(stage30 *self, const stage30_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((2U < params->samples)
+            && (1e-18f <= params->h)
+            && (params->h <= 1e18f)
+            && (0.0f < params->u_max)
+            && (1e-18f <= params->a)
+            && (params->a <= 1e18f)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->k[2]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0f <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const float hold = 0.02f / params->h;
+            const float s1 = -(params->k[0] / (params->a * params->a * params->a));
+            const float w1_1_1 = 0.33333334f * s1 * (1.0f / (params->h * params->h * params->h));
+            const float s2 = -(params->k[0] / (params->a * params->a * params->a));
+            const float w1_2_1 = (-0.33333334f) * s2 * (1.0f / (params->h * params->h));
+            const float s3 = -(params->k[0] / (params->a * params->a * params->a));
+            const float w1_3_1 = 0.11111111f * s3 * (1.0f / params->h);
+            const float s4 = (-1.0f) - (params->k[1] / (params->a * params->a));
+            const float s5 = 0.33333334f * (s4 + (params->k[2] / params->a));
+            const float w2_2_1 = s5 * (1.0f / (params->h * params->h));
+            const float s6 = (-1.0f) - (params->k[1] / (params->a * params->a));
+            const float s7 = (-0.16666667f) * (s6 + (params->k[2] / params->a));
+            const float w2_3_1 = s7 * (1.0f / params->h);
+            const float s8 = 0.33333334f * (3.0f - (params->k[2] / params->a));
+            const float w3_3_1 = s8 * (1.0f / params->h);
+            const float b_1_1 = (-0.33333334f) * (1.0f / (params->h * params->h * params->h));
+            const float b_2_1 = (-0.6666667f) * (1.0f / (params->h * params->h));
+            const float b_3_1 = (-0.6111111f) * (1.0f / params->h);
+            const float u_max = params->u_max;
+            if ((isfinite(hold) != 0)
+                && (isfinite(w1_1_1) != 0)
+                && (isfinite(w1_2_1) != 0)
+                && (isfinite(w1_3_1) != 0)
+                && (isfinite(w2_2_1) != 0)
+                && (isfinite(w2_3_1) != 0)
+                && (isfinite(w3_3_1) != 0)
+                && (isfinite(b_1_1) != 0)
+                && (isfinite(b_2_1) != 0)
+                && (isfinite(b_3_1) != 0)
+                && (1e-30f <= params->h * params->h * params->h)
+                && (1e-30f <= 1.0f / (params->h * params->h * params->h))) {
+                self->start = 0U;
+                self->samples = samples;
+                self->hold = hold;
+                self->w1_1_1 = w1_1_1;
+                self->w1_2_1 = w1_2_1;
+                self->w1_3_1 = w1_3_1;
+                self->w2_2_1 = w2_2_1;
+                self->w2_3_1 = w2_3_1;
+                self->w3_3_1 = w3_3_1;
+                self->b_1_1 = b_1_1;
+                self->b_2_1 = b_2_1;
+                self->b_3_1 = b_3_1;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage30_arm(stage30 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage30_step(
+    const stage30 *self,
+    uint32_t k,
+    const float x[2][3],
+    float u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(x[0][0]) != 0)
+            && (isfinite(x[0][1]) != 0)
+            && (isfinite(x[0][2]) != 0)
+            && (isfinite(x[1][0]) != 0)
+            && (isfinite(x[1][1]) != 0)
+            && (isfinite(x[1][2]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+            const float x1_1 = x[0][0];
+            const float x2_1 = x[0][1];
+            const float x3_1 = x[0][2];
+            const float x1_2 = x[1][0];
+            const float x2_2 = x[1][1];
+            const float x3_2 = x[1][2];
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const float m0 = ((float)left < self->hold) ? self->hold : (float)left;
+            float law_1;
+            float law_2;
+            if (2.5f < m0) {
+                /* The exact law in samples. */
+                const float s1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
+                const float z1_1 = s1 + (self->w1_3_1 * x3_1);
+                const float z2_1 = (self->w2_2_1 * x2_1) + (self->w2_3_1 * x3_1);
+                const float z3_1 = self->w3_3_1 * x3_1;
+                law_1 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0f)) + z3_1) / (m0 - 2.0f);
+                const float s2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
+                const float z1_2 = s2 + (self->w1_3_1 * x3_2);
+                const float z2_2 = (self->w2_2_1 * x2_2) + (self->w2_3_1 * x3_2);
+                const float z3_2 = self->w3_3_1 * x3_2;
+                law_2 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0f)) + z3_2) / (m0 - 2.0f);
+            } else {
+                /* Deadbeat. */
+                const float s3 = (self->b_1_1 * x1_1) + (self->b_2_1 * x2_1);
+                law_1 = s3 + (self->b_3_1 * x3_1);
+                const float s4 = (self->b_1_1 * x1_2) + (self->b_2_1 * x2_2);
+                law_2 = s4 + (self->b_3_1 * x3_2);
+            }
+            if (self->hold < (float)left) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            if ((isfinite(law_1) != 0) && (isfinite(law_2) != 0)) {
+                u[0] = law_1;
+                axes[0] = status;
+                u[1] = law_2;
+                axes[1] = status;
+                if (self->u_max < law_1) {
+                    u[0] = self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (law_1 < -self->u_max) {
+                    u[0] = -self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+                if (self->u_max < law_2) {
+                    u[1] = self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (law_2 < -self->u_max) {
+                    u[1] = -self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+            } else {
+                u[0] = 0.0f;
+                if (isfinite(law_1) != 0) {
+                    axes[0] = status;
+                } else {
+                    axes[0] = PTC_E_RANGE;
+                }
+                u[1] = 0.0f;
+                if (isfinite(law_2) != 0) {
+                    axes[1] = status;
+                } else {
+                    axes[1] = PTC_E_RANGE;
+                }
+                status = PTC_E_RANGE;
+            }
+        } else {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0f;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0f;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,180 @@
+/* Prescribed-time controller stage31: see stage31.h. DO NOT EDIT. */
+#include "stage31.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage31_init(stage31 *self, const stage31_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1U < params->samples) && (1e-150 <= params->h) && (params->h <= 1e150)) {
+            const uint32_t samples = params->samples;
+            const double w1_1_1 = (-4.0) * (1.0 / params->h);
+            const double b_1_1 = -(1.0 / params->h);
+            const double w1_1_2 = (-13.5) * (1.0 / (params->h * params->h));
+            const double w1_2_2 = 6.75 * (1.0 / params->h);
+            const double w2_2_2 = (-6.5) * (1.0 / params->h);
+            const double b_1_2 = -(1.0 / (params->h * params->h));
+            const double b_2_2 = (-1.5) * (1.0 / params->h);
+            if ((isfinite(w1_1_1) != 0)
+                && (isfinite(b_1_1) != 0)
+                && (isfinite(w1_1_2) != 0)
+                && (isfinite(w1_2_2) != 0)
+                && (isfinite(w2_2_2) != 0)
+                && (isfinite(b_1_2) != 0)
+                && (isfinite(b_2_2) != 0)
+                && (1e-200 <= params->h * params->h)
+                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                self->start = 0U;
+                self->samples = samples;
+                self->w1_1_1 = w1_1_1;
+                self->b_1_1 = b_1_1;
+                self->w1_1_2 = w1_1_2;
+                self->w1_2_2 = w1_2_2;
+                self->w2_2_2 = w2_2_2;
+                self->b_1_2 = b_1_2;
+                self->b_2_2 = b_2_2;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage31_arm(stage31 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage31_step(
+    const stage31 *self,
+    uint32_t k,
+    const double x[3],
+    const double r[2][3],
+    double u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (r != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(r[0][0]) != 0)
+            && (isfinite(r[0][1]) != 0)
+            && (isfinite(r[1][0]) != 0)
+            && (isfinite(r[1][1]) != 0)
+            && (isfinite(r[1][2]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The chain of each output. */
+            const double x1_1 = x[0];
+            const double x1_2 = x[2];
+            const double v1 = x[1] - x1_2;
+            const double v2 = 1.0 + x1_1;
+            const double x2_2 = v1 * v2;
+
+            /* The tracking error. */
+            const double e1_1 = x1_1 - r[0][0];
+            const double e1_2 = x1_2 - r[1][0];
+            const double e2_2 = x2_2 - r[1][1];
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const double m0 = (double)left;
+            double law_1;
+            double law_2;
+            if (4.0 < m0) {
+                /* The exact law in samples. */
+                const double z1_1 = self->w1_1_1 * e1_1;
+                law_1 = (z1_1 / m0) + r[0][1];
+            } else {
+                /* Deadbeat. */
+                law_1 = (self->b_1_1 * e1_1) + r[0][1];
+            }
+            if (6.0 < m0) {
+                /* The exact law in samples. */
+                const double z1_2 = (self->w1_1_2 * e1_2) + (self->w1_2_2 * e2_2);
+                const double z2_2 = self->w2_2_2 * e2_2;
+                law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + r[1][2];
+            } else {
+                /* Deadbeat. */
+                law_2 = (self->b_1_2 * e1_2) + (self->b_2_2 * e2_2) + r[1][2];
+            }
+
+            /* The inputs that give all of them. */
+            const double v3 = (-x1_1) * 0.1;
+            const double v4 = law_1 - v3;
+            const double v5 = 1.0 / (((v2 < 0.0) || (v2 > 0.0)) ? v2 : (double)NAN);
+            const double control1 = v2 * v4 * v5;
+            const double s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+            const double control2 = s1 * v5;
+            if (elapsed < self->samples) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+                u[0] = control1;
+                axes[0] = status;
+                u[1] = control2;
+                axes[1] = status;
+                if (2.0 < control1) {
+                    u[0] = 2.0;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control1 < -2.0) {
+                    u[0] = -2.0;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+                if (3.0 < control2) {
+                    u[1] = 3.0;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control2 < -3.0) {
+                    u[1] = -3.0;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+            } else {
+                u[0] = 0.0;
+                if (isfinite(control1) != 0) {
+                    axes[0] = status;
+                } else {
+                    axes[0] = PTC_E_RANGE;
+                }
+                u[1] = 0.0;
+                if (isfinite(control2) != 0) {
+                    axes[1] = status;
+                } else {
+                    axes[1] = PTC_E_RANGE;
+                }
+                status = PTC_E_RANGE;
+            }
+        } else {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}

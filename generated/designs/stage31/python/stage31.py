@@ -1,0 +1,289 @@
+"""
+Prescribed-time controller stage31: outputs of order 1, 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
+Version 0.1.0.
+
+Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
+      = h, output 2 = e; u held from sample to sample.
+Goal: every output with its derivatives is 0 at sample N after the start, from any state,
+      as long as no u is clipped and the plant is the model. The plant is known at the
+      samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
+      n.
+Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
+      h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+      Close to the end deadbeat takes over. v_i is law_i in step.
+Output 1, of order n = 1:
+  x_1 = h
+  f_1 = -h/10
+Output 2, of order n = 2:
+  x_1 = e
+  x_2 = (c - e)*(1 + h)
+  f_2 = (-c*(1 + h) - (c - e)*(1 + h))*(1 + h) + (c - e)*(-h/10)
+u = adj(D) w/det(D) with w_i = v_i - f_i:
+  det(D) = 1 + h
+  adj(D) = [[1 + h, 0], [-(c - e), 1]]
+With a reference r of each output, e_i = x_i - r^(i-1) is in place of x_i above, and law_i
+      = v_i + rho of output i is in place of v_i. What r^(n) changes over a sample leaves
+      an error of order h^(n+2-i) in e_i at sample N, h^3 for n = 1, and none where it is
+      constant there.
+Row i of r is of output i, of order n: in its places 0..n-1 the reference and its
+      derivatives at tick k, and in place n rho, r^(n) over the sample in which u acts: its
+      mean, (r^(n-1)(t + h) - r^(n-1)(t))/h, or that in its middle.
+Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+      input of this number.
+  output 1: k = 4; u_max = 2
+  output 2: k = 13.5, 7.5; u_max = 3
+
+Parameters:
+  samples [samples]: samples N from the start to rest
+  h [s]: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  a = 1 [1/s], fixed: rate of stretched time
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+      lasts.
+Guard full: what is measured and the reference are finite, or the call is refused (INPUT).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: x and u go to 0 at the deadline.
+  sampling: not checked: `loop` bounds what the period leaves of a plant with several
+      inputs.
+  deadline: not checked: `loop` bounds what the period leaves of a plant with several
+      inputs.
+  loop: not checked: `samples` is left to run time.
+  envelope: not checked: `x_max` is not given.
+  zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Axes", "Control", "Params", "Stage31", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+class Axes(NamedTuple):
+    """What a step of several axes gives, for each time and state of the batch."""
+
+    u: Array
+    """Inputs of the plants along the last axis; 0 on a negative status."""
+    axes: NDArray[np.int8]
+    """The Status of each axis, along the last axis."""
+    status: NDArray[np.int8]
+    """That of the first axis that fails; else SATURATED where one is."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+    samples: int
+    """samples N from the start to rest [samples], at least 2"""
+    h: float
+    """sample period [s], from 1e-150 to 1e150"""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+def _of_axes(given: ArrayLike, count: int, length: int, name: str) -> Array:
+    """The numbers of each axis: the last two dimensions."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape[-2:] != (count, length):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: (..., {count}, {length})")
+    return numbers
+
+class Stage31:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            given_samples = params.samples.__index__()
+            if given_samples != given_samples & _WRAP:
+                raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
+            given_h = _R(params.h)
+            if not (1 < given_samples):
+                raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
+            if not (1e-150 <= given_h <= 1e150):
+                raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
+            samples = given_samples
+            w1_1_1 = (-4.0) * (1.0 / given_h)
+            b_1_1 = -(1.0 / given_h)
+            w1_1_2 = (-13.5) * (1.0 / (given_h * given_h))
+            w1_2_2 = 6.75 * (1.0 / given_h)
+            w2_2_2 = (-6.5) * (1.0 / given_h)
+            b_1_2 = -(1.0 / (given_h * given_h))
+            b_2_2 = (-1.5) * (1.0 / given_h)
+            if not (
+                np.isfinite(w1_1_1)
+                and np.isfinite(b_1_1)
+                and np.isfinite(w1_1_2)
+                and np.isfinite(w1_2_2)
+                and np.isfinite(w2_2_2)
+                and np.isfinite(b_1_2)
+                and np.isfinite(b_2_2)
+                and (1e-200 <= given_h * given_h)
+                and (1e-200 <= 1.0 / (given_h * given_h))
+            ):
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            self._start = 0
+            self._samples = samples
+            self._w1_1_1 = w1_1_1
+            self._b_1_1 = b_1_1
+            self._w1_1_2 = w1_1_2
+            self._w1_2_2 = w1_2_2
+            self._w2_2_2 = w2_2_2
+            self._b_1_2 = b_1_2
+            self._b_2_2 = b_2_2
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`."""
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, x: ArrayLike, r: ArrayLike) -> Axes:
+        """u = (q, p) from tick `k`, which may wrap, state x = (h, c, e) and the reference r of each
+        output. Where one of them is not finite, as at a state at which the inputs do not decouple
+        the outputs, every u is 0; else the status is SATURATED where one was clipped.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            x = _numbers(x, 3, "x")
+            r = _of_axes(r, 2, 3, "r")
+            u = np.zeros(2, dtype=_R)
+            axes = np.zeros(2, dtype=np.int8)
+            if not (
+                np.isfinite(x[0])
+                and np.isfinite(x[1])
+                and np.isfinite(x[2])
+                and np.isfinite(r[..., 0, 0])
+                and np.isfinite(r[..., 0, 1])
+                and np.isfinite(r[..., 1, 0])
+                and np.isfinite(r[..., 1, 1])
+                and np.isfinite(r[..., 1, 2])
+            ):
+                return Axes(
+                    np.zeros(2, dtype=_R),
+                    np.full(2, Status.INPUT, dtype=np.int8),
+                    np.asarray(Status.INPUT, dtype=np.int8),
+                )
+            elapsed = (k - self._start) & _WRAP
+
+            # The chain of each output.
+            x1_1 = x[0]
+            x1_2 = x[2]
+            v1 = x[1] - x1_2
+            v2 = 1.0 + x1_1
+            x2_2 = v1 * v2
+
+            # The tracking error.
+            e1_1 = x1_1 - r[..., 0, 0]
+            e1_2 = x1_2 - r[..., 1, 0]
+            e2_2 = x2_2 - r[..., 1, 1]
+            left = max(self._samples - elapsed, 0)
+            m0 = _R(left)
+            if 4.0 < m0:
+                # The exact law in samples.
+                z1_1 = self._w1_1_1 * e1_1
+                law_1 = (z1_1 / m0) + r[..., 0, 1]
+            else:
+                # Deadbeat.
+                law_1 = (self._b_1_1 * e1_1) + r[..., 0, 1]
+            if 6.0 < m0:
+                # The exact law in samples.
+                z1_2 = (self._w1_1_2 * e1_2) + (self._w1_2_2 * e2_2)
+                z2_2 = self._w2_2_2 * e2_2
+                law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + r[..., 1, 2]
+            else:
+                # Deadbeat.
+                law_2 = (self._b_1_2 * e1_2) + (self._b_2_2 * e2_2) + r[..., 1, 2]
+
+            # The inputs that give all of them.
+            v3 = (-x1_1) * 0.1
+            v4 = law_1 - v3
+            v5 = np.where((v2 < 0.0) | (v2 > 0.0), 1.0 / v2, _R(np.nan))
+            control1 = v2 * v4 * v5
+            s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)))
+            control2 = s1 * v5
+            if elapsed < self._samples:
+                status = Status.OK
+            else:
+                status = Status.HOLD
+            if np.isfinite(control1) and np.isfinite(control2):
+                u[0] = control1
+                axes[0] = status
+                u[1] = control2
+                axes[1] = status
+                if 2.0 < control1:
+                    u[0] = _R(2.0)
+                    axes[0] = Status.SATURATED
+                    status = Status.SATURATED
+                elif control1 < -2.0:
+                    u[0] = -2.0
+                    axes[0] = Status.SATURATED
+                    status = Status.SATURATED
+                if 3.0 < control2:
+                    u[1] = _R(3.0)
+                    axes[1] = Status.SATURATED
+                    status = Status.SATURATED
+                elif control2 < -3.0:
+                    u[1] = -3.0
+                    axes[1] = Status.SATURATED
+                    status = Status.SATURATED
+            else:
+                u[0] = _R(0.0)
+                if np.isfinite(control1):
+                    axes[0] = status
+                else:
+                    axes[0] = Status.RANGE
+                u[1] = _R(0.0)
+                if np.isfinite(control2):
+                    axes[1] = status
+                else:
+                    axes[1] = Status.RANGE
+                status = Status.RANGE
+            return Axes(u, axes, np.asarray(status, dtype=np.int8))

@@ -1,0 +1,180 @@
+/* Prescribed-time controller stage32: see stage32.h. DO NOT EDIT. */
+#include "stage32.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage32_init(stage32 *self, const stage32_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((0.0 < params->u_max)
+            && (1e-150 <= params->a)
+            && (params->a <= 1e150)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0 <= params->deadbeat)
+            && (isfinite(params->m) != 0)
+            && (isfinite(params->size) != 0)) {
+            const double p_size = params->size;
+            const double c_r3 = 2.0 * p_size;
+            const double w1_1_1 = 10000.0 * (-(params->k[0] / (params->a * params->a)));
+            const double w1_2_1 = 100.0 * ((-0.5) * (-(params->k[0] / (params->a * params->a))));
+            const double w2_2_1 = 100.0 * (1.0 - (params->k[1] / params->a));
+            const double p_m = params->m;
+            const double u_max = params->u_max;
+            if ((isfinite(c_r3) != 0)
+                && (isfinite(w1_1_1) != 0)
+                && (isfinite(w1_2_1) != 0)
+                && (isfinite(w2_2_1) != 0)) {
+                self->start = 0U;
+                self->p_size = p_size;
+                self->c_r3 = c_r3;
+                self->w1_1_1 = w1_1_1;
+                self->w1_2_1 = w1_2_1;
+                self->w2_2_1 = w2_2_1;
+                self->p_m = p_m;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage32_arm(stage32 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage32_step(
+    const stage32 *self,
+    uint32_t k,
+    const double x[4],
+    double u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The chain of each output. */
+            const double x1_1 = x[0];
+            const double x2_1 = x[2];
+            const double x1_2 = x[1];
+            const double x2_2 = x[3];
+
+            /* The tracking error. */
+            const double t = 0.01 * ((double)elapsed);
+            const double v_r1 = t * t;
+            const double v_r2 = 1.0 + v_r1;
+            const double reference0_1 = (self->p_size * v_r1) / v_r2;
+            const double reference1_1 = (self->c_r3 * t * (v_r2 - v_r1)) / (v_r2 * v_r2);
+            const double v_r4 = t + 0.005;
+            const double v_r5 = v_r4 * v_r4;
+            const double v_r6 = 1.0 + v_r5;
+            const double v_r7 = v_r6 * v_r6;
+            const double s1 = (v_r7 + (4.0 * v_r5 * v_r5)) - (4.0 * v_r6 * v_r4 * v_r4);
+            const double rho0_1 = (self->c_r3 * (s1 - (v_r6 * v_r5))) / (v_r6 * v_r7);
+            const double e1_1 = x1_1 - reference0_1;
+            const double e2_1 = x2_1 - reference1_1;
+            const double e1_2 = x1_2;
+            const double e2_2 = x2_2;
+            const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
+            const double m0 = ((double)left < 4.0) ? 4.0 : (double)left;
+            double law_1;
+            double law_2;
+            if (1.5 < m0) {
+                /* The exact law in samples. */
+                const double z1_1 = (self->w1_1_1 * e1_1) + (self->w1_2_1 * e2_1);
+                const double z2_1 = self->w2_2_1 * e2_1;
+                law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
+                const double z1_2 = (self->w1_1_1 * e1_2) + (self->w1_2_1 * e2_2);
+                const double z2_2 = self->w2_2_1 * e2_2;
+                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            } else {
+                /* Deadbeat. */
+                law_1 = (((-10000.0) * e1_1) - (150.0 * e2_1)) + rho0_1;
+                law_2 = ((-10000.0) * e1_2) - (150.0 * e2_2);
+            }
+
+            /* The inputs that give all of them. */
+            const double s2 = ((self->p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);
+            const double control1 = s2 + (self->p_m * x1_2 * x2_1 * x2_2);
+            const double control2 = (x1_2 * law_1) + law_2 + ((x2_1 * x2_1 * 0.5) - x1_1);
+            if (4.0 < (double)left) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+                u[0] = control1;
+                axes[0] = status;
+                u[1] = control2;
+                axes[1] = status;
+                if (self->u_max < control1) {
+                    u[0] = self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control1 < -self->u_max) {
+                    u[0] = -self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+                if (self->u_max < control2) {
+                    u[1] = self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control2 < -self->u_max) {
+                    u[1] = -self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+            } else {
+                u[0] = 0.0;
+                if (isfinite(control1) != 0) {
+                    axes[0] = status;
+                } else {
+                    axes[0] = PTC_E_RANGE;
+                }
+                u[1] = 0.0;
+                if (isfinite(control2) != 0) {
+                    axes[1] = status;
+                } else {
+                    axes[1] = PTC_E_RANGE;
+                }
+                status = PTC_E_RANGE;
+            }
+        } else {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}

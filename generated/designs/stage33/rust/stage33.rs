@@ -1,0 +1,337 @@
+//! Prescribed-time controller stage33: order n = 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --axes 3 --mu "exp(a=1)" --name stage33 --clock samples --precision f32 --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --reference="1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)" --sample-time=0.01
+//! Version 0.1.0.
+//!
+//! Plant: x1' = x2, x2' = g u; u held from sample to sample.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+//!       over.
+//! With a reference r of each axis, e_i = x_i - r^(i-1) is in place of x_i above, and u = w +
+//!       rho/g of each axis. What r^(n) changes over a sample leaves an error of order
+//!       h^(n+2-i) in e_i at sample N, h^3 for n = 1, and none where it is constant there.
+//! t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in
+//!       which u acts:
+//!   of axis 1: r = 1/(2 + t^2), r^(1) = -2*t/(2 + t^2)^2, r^(2) = 2*(4*t^2 - (2 + t^2))/(2 +
+//!       t^2)^3
+//!   of axis 2: r = size*dt/(3 + dt), r^(1) = size*(3 + dt - dt)/(3 + dt)^2, r^(2) =
+//!       2*size*(dt - (3 + dt))/(3 + dt)^3
+//!   of axis 3: r = t^2/(2 + t^2), r^(1) = 2*t*(2 + t^2 - t^2)/(2 + t^2)^2, r^(2) = 2*((2 +
+//!       t^2)^2 + 4*t^4 - 5*(2 + t^2)*t^2)/(2 + t^2)^3
+//! Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
+//!       on time once.
+//!   axis 1: k = 20, 9; u_max = 1; g = 1/2
+//!   axis 2: k = 10, 6; u_max = 2; g = 2
+//!   axis 3: k = 45, 13.5; u_max = 3; g = -1
+//!
+//! Parameters:
+//!   samples = 30 [samples], fixed: samples N from the start to rest
+//!   h = 0.01 [s], fixed: sample period
+//!   eps = 0 [s], fixed: time-to-go at which the gains are held
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   size [as in its expression]: parameter of an expression of the design
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on the last gains are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: x and u go to 0 at the deadline.
+//!   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+//!   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+//!   loop: not checked: axis 1: `x0_max` is not given.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f32> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// What a step of several axes gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Axes<const M: usize, R = f32> {
+    /// Inputs of the plants; 0 where `status` is an error.
+    pub u: [R; M],
+    /// Status of each axis.
+    pub axes: [Result<Status, Error>; M],
+    /// The error of the first axis that fails; else `Saturated` where one is, else that of the gains.
+    pub status: Result<Status, Error>,
+}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Stage33`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage33Params {
+    /// parameter of an expression of the design \[as in its expression\], finite.
+    pub size: f32,
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage33 {
+    /// tick at which it was armed.
+    start: u32,
+    /// parameter of an expression of the design.
+    p_size: f32,
+    /// derived from the parameters.
+    c_r10: f32,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Stage33 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: Stage33Params) -> Result<Self, Error> {
+        if !params.size.is_finite() {
+            return Err(Error::Param);
+        }
+        let p_size = params.size;
+        let c_r10 = 2.0 * p_size;
+        if !c_r10.is_finite() {
+            return Err(Error::Param);
+        }
+        Ok(Self {
+            start: 0,
+            p_size,
+            c_r10,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. The time of the reference counts
+    /// from there.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+    }
+
+    /// u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each.
+    /// Where one of them is not finite, every u is 0; else the status is SATURATED where one was
+    /// clipped.
+    #[inline]
+    pub fn step(&self, k: u32, x: &[[f32; 2]; 3]) -> Axes<3, f32> {
+        let failed = |error| Axes {
+            u: [0.0; 3],
+            axes: [Err(error); 3],
+            status: Err(error),
+        };
+        let mut u = [0.0; 3];
+        let mut axes = [Ok(Status::Ok); 3];
+        let mut status;
+        if !(x[0][0].is_finite()
+            && x[0][1].is_finite()
+            && x[1][0].is_finite()
+            && x[1][1].is_finite()
+            && x[2][0].is_finite()
+            && x[2][1].is_finite())
+        {
+            return failed(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+        let x1_1 = x[0][0];
+        let x2_1 = x[0][1];
+        let x1_2 = x[1][0];
+        let x2_2 = x[1][1];
+        let x1_3 = x[2][0];
+        let x2_3 = x[2][1];
+
+        // The tracking error.
+        let t = 0.01 * (elapsed as f32);
+        let v_r1 = t * t;
+        let v_r2 = 2.0 + v_r1;
+        let reference0_1 = 1.0 / v_r2;
+        let v_r3 = v_r2 * v_r2;
+        let reference1_1 = ((-2.0) * t) / v_r3;
+        let v_r4 = t + 0.005;
+        let v_r5 = v_r4 * v_r4;
+        let v_r6 = 2.0 + v_r5;
+        let v_r7 = v_r6 * v_r6;
+        let v_r8 = v_r6 * v_r7;
+        let rho0_1 = (2.0 * ((4.0 * v_r5) - v_r6)) / v_r8;
+        let v_r9 = 3.0 + t;
+        let reference0_2 = (self.p_size * t) / v_r9;
+        let reference1_2 = (self.p_size * (v_r9 - t)) / (v_r9 * v_r9);
+        let v_r11 = 3.0 + v_r4;
+        let rho0_2 = (self.c_r10 * (v_r4 - v_r11)) / (v_r11 * (v_r11 * v_r11));
+        let reference0_3 = v_r1 / v_r2;
+        let reference1_3 = (2.0 * t * (v_r2 - v_r1)) / v_r3;
+        let rho0_3 = (2.0 * ((v_r7 + (4.0 * (v_r5 * v_r5))) - (5.0 * v_r6 * v_r5))) / v_r8;
+        let e1_1 = x1_1 - reference0_1;
+        let e2_1 = x2_1 - reference1_1;
+        let e1_2 = x1_2 - reference0_2;
+        let e2_2 = x2_2 - reference1_2;
+        let e1_3 = x1_3 - reference0_3;
+        let e2_3 = x2_3 - reference1_3;
+        let law_1: f32;
+        let law_2: f32;
+        let law_3: f32;
+        if elapsed < 24 {
+            // The exact law in samples.
+            let m0 = 30_u32.wrapping_sub(elapsed) as f32;
+            let z1_1 = ((-400000.0) * e1_1) + (2000.0 * e2_1);
+            let z2_1 = (-1600.0) * e2_1;
+            law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + (2.0 * rho0_1);
+        } else {
+            // Deadbeat.
+            law_1 = (((-20000.0) * e1_1) - (300.0 * e2_1)) + (2.0 * rho0_1);
+        }
+        if elapsed < 26 {
+            // The exact law in samples.
+            let m0 = 30_u32.wrapping_sub(elapsed) as f32;
+            let z1_2 = ((-50000.0) * e1_2) + (250.0 * e2_2);
+            let z2_2 = (-250.0) * e2_2;
+            law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + (0.5 * rho0_2);
+        } else {
+            // Deadbeat.
+            law_2 = (((-5000.0) * e1_2) - (75.0 * e2_2)) + (0.5 * rho0_2);
+        }
+        if elapsed < 21 {
+            // The exact law in samples.
+            let m0 = 30_u32.wrapping_sub(elapsed) as f32;
+            let z1_3 = (450000.0 * e1_3) - (2250.0 * e2_3);
+            let z2_3 = 1250.0 * e2_3;
+            law_3 = (((z1_3 / m0) + z2_3) / (m0 - 1.0)) - rho0_3;
+        } else {
+            // Deadbeat.
+            law_3 = ((10000.0 * e1_3) + (150.0 * e2_3)) - rho0_3;
+        }
+        if elapsed < 30 {
+            status = Ok(Status::Ok);
+        } else {
+            status = Ok(Status::Hold);
+        }
+        if law_1.is_finite() && law_2.is_finite() && law_3.is_finite() {
+            u[0] = law_1;
+            axes[0] = status;
+            u[1] = law_2;
+            axes[1] = status;
+            u[2] = law_3;
+            axes[2] = status;
+            if 1.0 < law_1 {
+                u[0] = 1.0;
+                axes[0] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            } else if law_1 < -1.0 {
+                u[0] = -1.0;
+                axes[0] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            }
+            if 2.0 < law_2 {
+                u[1] = 2.0;
+                axes[1] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            } else if law_2 < -2.0 {
+                u[1] = -2.0;
+                axes[1] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            }
+            if 3.0 < law_3 {
+                u[2] = 3.0;
+                axes[2] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            } else if law_3 < -3.0 {
+                u[2] = -3.0;
+                axes[2] = Ok(Status::Saturated);
+                status = Ok(Status::Saturated);
+            }
+        } else {
+            u[0] = 0.0;
+            if law_1.is_finite() {
+                axes[0] = status;
+            } else {
+                axes[0] = Err(Error::Range);
+            }
+            u[1] = 0.0;
+            if law_2.is_finite() {
+                axes[1] = status;
+            } else {
+                axes[1] = Err(Error::Range);
+            }
+            u[2] = 0.0;
+            if law_3.is_finite() {
+                axes[2] = status;
+            } else {
+                axes[2] = Err(Error::Range);
+            }
+            status = Err(Error::Range);
+        }
+        Axes { u, axes, status }
+    }
+}

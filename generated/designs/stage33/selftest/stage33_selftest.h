@@ -1,0 +1,27 @@
+/*
+ * Self-test of the prescribed-time controller stage33, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name stage33 --clock samples --precision f32 --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --reference="1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)" --sample-time=0.01 --selftest
+ * Version 0.1.0.
+ *
+ * 3 sets of parameters with 80 calls, 5 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ */
+#ifndef STAGE33_SELFTEST_H
+#define STAGE33_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t stage33_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,186 @@
+/* Prescribed-time controller stage34: see stage34.h. DO NOT EDIT. */
+#include "stage34.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage34_init(stage34 *self, const stage34_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((2U < params->samples)
+            && (1e-150 <= params->h)
+            && (params->h <= 1e150)
+            && (0.0 < params->u_max)
+            && (1e-150 <= params->a)
+            && (params->a <= 1e150)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->k[2]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0 <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const double s1 = ((params->k[2] / params->a) - 4.0) + 3.0;
+            const double s2 = (s1 < 6.0) ? 6.0 : s1;
+            const double deadbeat_1 = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double s3 = -(params->k[0] / (params->a * params->a * params->a));
+            const double s4 = 1.0 / (params->h * params->h * params->h);
+            const double w1_1_1 = 0.3333333333333333 * s3 * s4;
+            const double s5 = -(params->k[0] / (params->a * params->a * params->a));
+            const double w1_2_1 = (-0.3333333333333333) * s5 * (1.0 / (params->h * params->h));
+            const double s6 = -(params->k[0] / (params->a * params->a * params->a));
+            const double w1_3_1 = 0.1111111111111111 * s6 * (1.0 / params->h);
+            const double s7 = (-1.0) - (params->k[1] / (params->a * params->a));
+            const double s8 = 0.3333333333333333 * (s7 + (params->k[2] / params->a));
+            const double w2_2_1 = s8 * (1.0 / (params->h * params->h));
+            const double s9 = (-1.0) - (params->k[1] / (params->a * params->a));
+            const double s10 = (-0.16666666666666666) * (s9 + (params->k[2] / params->a));
+            const double w2_3_1 = s10 * (1.0 / params->h);
+            const double s11 = 0.3333333333333333 * (3.0 - (params->k[2] / params->a));
+            const double w3_3_1 = s11 * (1.0 / params->h);
+            const double s12 = 1.0 / (params->h * params->h * params->h);
+            const double b_1_1 = (-0.3333333333333333) * s12;
+            const double b_2_1 = (-0.6666666666666666) * (1.0 / (params->h * params->h));
+            const double b_3_1 = (-0.6111111111111112) * (1.0 / params->h);
+            const double u_max = params->u_max;
+            if ((isfinite(deadbeat_1) != 0)
+                && (isfinite(w1_1_1) != 0)
+                && (isfinite(w1_2_1) != 0)
+                && (isfinite(w1_3_1) != 0)
+                && (isfinite(w2_2_1) != 0)
+                && (isfinite(w2_3_1) != 0)
+                && (isfinite(w3_3_1) != 0)
+                && (isfinite(b_1_1) != 0)
+                && (isfinite(b_2_1) != 0)
+                && (isfinite(b_3_1) != 0)
+                && (1e-200 <= params->h * params->h * params->h)
+                && (1e-200 <= 1.0 / (params->h * params->h * params->h))) {
+                self->start = 0U;
+                self->samples = samples;
+                self->deadbeat_1 = deadbeat_1;
+                self->w1_1_1 = w1_1_1;
+                self->w1_2_1 = w1_2_1;
+                self->w1_3_1 = w1_3_1;
+                self->w2_2_1 = w2_2_1;
+                self->w2_3_1 = w2_3_1;
+                self->w3_3_1 = w3_3_1;
+                self->b_1_1 = b_1_1;
+                self->b_2_1 = b_2_1;
+                self->b_3_1 = b_3_1;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage34_arm(stage34 *self, uint32_t k)
+{
+    ptc_status status = PTC_OK;
+
+    self->start = k;
+    status = PTC_OK;
+    return status;
+}
+
+ptc_status stage34_step(
+    const stage34 *self,
+    uint32_t k,
+    const double x[2][3],
+    const double r[2][4],
+    double u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_OK;
+
+    const uint32_t elapsed = k - self->start;
+    const double x1_1 = x[0][0];
+    const double x2_1 = x[0][1];
+    const double x3_1 = x[0][2];
+    const double x1_2 = x[1][0];
+    const double x2_2 = x[1][1];
+    const double x3_2 = x[1][2];
+
+    /* The tracking error. */
+    const double e1_1 = x1_1 - r[0][0];
+    const double e2_1 = x2_1 - r[0][1];
+    const double e3_1 = x3_1 - r[0][2];
+    const double e1_2 = x1_2 - r[1][0];
+    const double e2_2 = x2_2 - r[1][1];
+    const double e3_2 = x3_2 - r[1][2];
+    const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+    const double m0 = (double)left;
+    double law_1;
+    double law_2;
+    if (self->deadbeat_1 < m0) {
+        /* The exact law in samples. */
+        const double s1 = (self->w1_1_1 * e1_1) + (self->w1_2_1 * e2_1);
+        const double z1_1 = s1 + (self->w1_3_1 * e3_1);
+        const double z2_1 = (self->w2_2_1 * e2_1) + (self->w2_3_1 * e3_1);
+        const double z3_1 = self->w3_3_1 * e3_1;
+        const double s2 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0)) + z3_1) / (m0 - 2.0);
+        law_1 = s2 + (0.3333333333333333 * r[0][3]);
+        const double s3 = (self->w1_1_1 * e1_2) + (self->w1_2_1 * e2_2);
+        const double z1_2 = s3 + (self->w1_3_1 * e3_2);
+        const double z2_2 = (self->w2_2_1 * e2_2) + (self->w2_3_1 * e3_2);
+        const double z3_2 = self->w3_3_1 * e3_2;
+        const double s4 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0)) + z3_2) / (m0 - 2.0);
+        law_2 = s4 + (0.3333333333333333 * r[1][3]);
+    } else {
+        /* Deadbeat. */
+        const double s5 = (self->b_1_1 * e1_1) + (self->b_2_1 * e2_1);
+        law_1 = s5 + (self->b_3_1 * e3_1) + (0.3333333333333333 * r[0][3]);
+        const double s6 = (self->b_1_1 * e1_2) + (self->b_2_1 * e2_2);
+        law_2 = s6 + (self->b_3_1 * e3_2) + (0.3333333333333333 * r[1][3]);
+    }
+    if (elapsed < self->samples) {
+        status = PTC_OK;
+    } else {
+        status = PTC_HOLD;
+    }
+    if ((isfinite(law_1) != 0) && (isfinite(law_2) != 0)) {
+        u[0] = law_1;
+        axes[0] = status;
+        u[1] = law_2;
+        axes[1] = status;
+        if (self->u_max < law_1) {
+            u[0] = self->u_max;
+            axes[0] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else if (law_1 < -self->u_max) {
+            u[0] = -self->u_max;
+            axes[0] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else {
+            /* neither */
+        }
+        if (self->u_max < law_2) {
+            u[1] = self->u_max;
+            axes[1] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else if (law_2 < -self->u_max) {
+            u[1] = -self->u_max;
+            axes[1] = PTC_SATURATED;
+            status = PTC_SATURATED;
+        } else {
+            /* neither */
+        }
+    } else {
+        u[0] = 0.0;
+        if (isfinite(law_1) != 0) {
+            axes[0] = status;
+        } else {
+            axes[0] = PTC_E_RANGE;
+        }
+        u[1] = 0.0;
+        if (isfinite(law_2) != 0) {
+            axes[1] = status;
+        } else {
+            axes[1] = PTC_E_RANGE;
+        }
+        status = PTC_E_RANGE;
+    }
+    return status;
+}

@@ -1,0 +1,139 @@
+/* Prescribed-time controller stage35: see stage35.h. DO NOT EDIT. */
+#include "stage35.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage35_init(stage35 *self, const stage35_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    (void)params;
+    if (self != NULL) {
+        self->start = 0U;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage35_arm(stage35 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage35_step(
+    const stage35 *self,
+    uint32_t k,
+    const double x[3],
+    double u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0) && (isfinite(x[2]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The chain of each output as it is sampled. */
+            const double x1_2 = x[2];
+            const double s1 = x[0] + ((-4.16676736285295e-6) * x[1]);
+            const double x1_1 = s1 + (2.499973960459077e-5 * x1_2);
+            const double x2_1 = 1.0000166669696244 * x[1];
+            double law_1;
+            double law_2;
+            if (elapsed < 25U) {
+                /* The exact law in samples. */
+                const double m0 = (double)(30U - elapsed);
+                const double z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
+                const double z2_1 = (-600.0) * x2_1;
+                law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
+            } else {
+                /* Deadbeat. */
+                law_1 = ((-10000.0) * x1_1) - (150.0 * x2_1);
+            }
+            if (elapsed < 26U) {
+                /* The exact law in samples. */
+                const double m0 = (double)(30U - elapsed);
+                const double z1_2 = (-400.0) * x1_2;
+                law_2 = z1_2 / m0;
+            } else {
+                /* Deadbeat. */
+                law_2 = (-100.0) * x1_2;
+            }
+
+            /* The inputs that give all of them. */
+            const double s2 = ((-1.993127946172519) * x[0]) + ((-0.5087209499488312) * x[1]);
+            const double v1 = law_1 - (s2 + (2.9333536080559304 * x1_2));
+            const double s3 = (0.12252888444119461 * x[0]) + (0.0006157089861155933 * x[1]);
+            const double v2 = law_2 - (s3 + ((-3.921049966023507) * x1_2));
+            const double control1 = (1.002518807547881 * v1) + ((-0.015112747669367257) * v2);
+            const double control2 = ((-2.106833310985952e-6) * v1) + (1.0201333455511812 * v2);
+            if (elapsed < 30U) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+                u[0] = control1;
+                axes[0] = status;
+                u[1] = control2;
+                axes[1] = status;
+                if (20.0 < control1) {
+                    u[0] = 20.0;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control1 < -20.0) {
+                    u[0] = -20.0;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+                if (30.0 < control2) {
+                    u[1] = 30.0;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control2 < -30.0) {
+                    u[1] = -30.0;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+            } else {
+                u[0] = 0.0;
+                if (isfinite(control1) != 0) {
+                    axes[0] = status;
+                } else {
+                    axes[0] = PTC_E_RANGE;
+                }
+                u[1] = 0.0;
+                if (isfinite(control2) != 0) {
+                    axes[1] = status;
+                } else {
+                    axes[1] = PTC_E_RANGE;
+                }
+                status = PTC_E_RANGE;
+            }
+        } else {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,59 @@
+function self = stage35_init(~) %#codegen
+%STAGE35_INIT Takes the parameters and arms at tick 0.
+%
+%   self = stage35_init(params) is the controller, for the functions that stand beside this one. A
+%   parameter outside its domain, or coefficients that leave the range of numbers, raise an error
+%   stage35:param, which names what is wrong and what is legal.
+
+% Prescribed-time controller stage35: outputs of order 2, 1, clock in samples.
+%
+% DO NOT EDIT. Made by:
+%   ptc-codegen emit --lang matlab --mu "exp(a=1)" --name stage35 --clock samples --tau=0.3 --eps=0 --limits=20,30 --poles="[[-3,-4],[-4]]" --states="s, v, i" --inputs=F,V --outputs="s, i" --dynamics="v, 3*i - 2*s - v/2 + F, V - 4*i + s/8" --sample-time=0.01
+% Version 0.1.0.
+%
+% Plant: the inputs F, V: s' = v, v' = 3*i - 2*s - v/2 + F, i' = V - 4*i + s/8, output 1 = s,
+%       output 2 = i; u held from sample to sample.
+% Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
+%       no u is clipped and nothing else acts on the plant.
+% Law of each output, of order n, in its chain xi as it is sampled, which is the output with
+%       its derivatives up to O(h), and which held inputs move exactly: with M samples to go
+%       and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+%       those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
+%       output i is xj_i in step, and v_i is law_i.
+% Output 1, of order n = 2, to four digits:
+%   xi_1 = s - 4.167e-6*v + 2.5e-5*i
+%   xi_2 = v
+%   f_1 = -1.993*s - 0.5087*v + 2.933*i
+% Output 2, of order n = 1, to four digits:
+%   xi_1 = i
+%   f_2 = 0.1225*s + 6.157e-4*v - 3.921*i
+% u = G^-1 w with w_i = v_i - f_i, to four digits:
+%   G^-1 = [[1.003, -0.01511], [-2.107e-6, 1.02]]
+% Outputs: 2, each with a law of its own, with this deadline and mapping; u_max is of the
+%       input of this number.
+%   output 1: k = 12, 7; u_max = 20
+%   output 2: k = 4; u_max = 30
+%
+% Parameters:
+%   samples = 30 [samples], fixed: samples N from the start to rest
+%   h = 0.01 [s], fixed: sample period
+%   eps = 0 [s], fixed: time-to-go at which the gains are held
+%   a = 1 [1/s], fixed: rate of stretched time
+%
+% k counts samples and may wrap; arm again within 2^32 - N samples.
+% From sample N on the last gains are held (status HOLD).
+% |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+%       lasts.
+% Guard full: what is measured is finite, or the call is refused (INPUT).
+%
+% Checks of the design (details: ptc-codegen check):
+%   membership: sound: exp is of class M for all its parameters.
+%   growth: sound: x and u go to 0 at the deadline.
+%   sampling: not checked: the law is exact in samples, at any period.
+%   deadline: not checked: the law is exact in samples, at any period.
+%   loop: not checked: `x0_max` is not given.
+%   envelope: not checked: `x_max` is not given.
+%   zeros: sound: none: the relative degrees are 2, 1, whose sum is the number of states.
+
+self.start = uint32(0);
+end

@@ -1,0 +1,165 @@
+/* Prescribed-time controller stage36: see stage36.h. DO NOT EDIT. */
+#include "stage36.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage36_init(stage36 *self, const stage36_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((1U < params->samples)
+            && (0.0f < params->u_max)
+            && (1e-18f <= params->a)
+            && (params->a <= 1e18f)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0f <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
+            const float s2 = (s1 < 4.0f) ? 4.0f : s1;
+            const float deadbeat_1 = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float w1_1_1 = 2500.0f * (-(params->k[0] / (params->a * params->a)));
+            const float w1_2_1 = 50.0f * ((-0.5f) * (-(params->k[0] / (params->a * params->a))));
+            const float w2_2_1 = 50.0f * (1.0f - (params->k[1] / params->a));
+            const float u_max = params->u_max;
+            if ((isfinite(deadbeat_1) != 0)
+                && (isfinite(w1_1_1) != 0)
+                && (isfinite(w1_2_1) != 0)
+                && (isfinite(w2_2_1) != 0)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->deadbeat_1 = deadbeat_1;
+                self->w1_1_1 = w1_1_1;
+                self->w1_2_1 = w1_2_1;
+                self->w2_2_1 = w2_2_1;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage36_arm(stage36 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage36_step(
+    const stage36 *self,
+    uint32_t k,
+    const float x[4],
+    float u[2],
+    ptc_status axes[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* The chain of each output as it is sampled. */
+            const float x1_1 = x[0] + ((-4.7624485e-6f) * x[2]) + (5.4430127e-11f * x[3]);
+            const float x2_1 = (1.0000571f * x[2]) + ((-5.71533e-5f) * x[3]);
+            const float x1_2 = x[1] + (2.3814148e-6f * x[2]) + ((-2.7217397e-11f) * x[3]);
+            const float x2_2 = ((-2.857665e-5f) * x[2]) + (1.0000952f * x[3]);
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const float m0 = (float)left;
+            float law_1;
+            float law_2;
+            if (self->deadbeat_1 < m0) {
+                /* The exact law in samples. */
+                const float z1_1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
+                const float z2_1 = self->w2_2_1 * x2_1;
+                law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0f);
+                const float z1_2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
+                const float z2_2 = self->w2_2_1 * x2_2;
+                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0f);
+            } else {
+                /* Deadbeat. */
+                law_1 = ((-2500.0f) * x1_1) - (75.0f * x2_1);
+                law_2 = ((-2500.0f) * x1_2) - (75.0f * x2_2);
+            }
+
+            /* The inputs that give all of them. */
+            const float s1 = ((-1.7116923f) * x[0]) + (1.7115782f * x[1]) + ((-0.15976757f) * x[2]);
+            const float v1 = law_1 - (s1 + (0.017126543f * x[3]));
+            const float s2 = (0.855789f * x[0]) + ((-2.8555987f) * x[1]) + (0.07987902f * x[2]);
+            const float v2 = law_2 - (s2 + ((-0.028563272f) * x[3]));
+            const float control1 = (2.0026014f * v1) + (0.49993333f * v2);
+            const float control2 = (0.49999994f * v1) + (1.0000666f * v2);
+            if (elapsed < self->samples) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+                u[0] = control1;
+                axes[0] = status;
+                u[1] = control2;
+                axes[1] = status;
+                if (self->u_max < control1) {
+                    u[0] = self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control1 < -self->u_max) {
+                    u[0] = -self->u_max;
+                    axes[0] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+                if (self->u_max < control2) {
+                    u[1] = self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else if (control2 < -self->u_max) {
+                    u[1] = -self->u_max;
+                    axes[1] = PTC_SATURATED;
+                    status = PTC_SATURATED;
+                } else {
+                    /* neither */
+                }
+            } else {
+                u[0] = 0.0f;
+                if (isfinite(control1) != 0) {
+                    axes[0] = status;
+                } else {
+                    axes[0] = PTC_E_RANGE;
+                }
+                u[1] = 0.0f;
+                if (isfinite(control2) != 0) {
+                    axes[1] = status;
+                } else {
+                    axes[1] = PTC_E_RANGE;
+                }
+                status = PTC_E_RANGE;
+            }
+        } else {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0f;
+                axes[i] = PTC_E_INPUT;
+            }
+        }
+    } else {
+        if (u != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                u[i] = 0.0f;
+            }
+        }
+    }
+    return status;
+}

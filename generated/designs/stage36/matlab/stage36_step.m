@@ -1,0 +1,102 @@
+function [u, axes, status] = stage36_step(self, k, x) %#codegen
+%STAGE36_STEP u = (F1, F2) from tick `k`, which may wrap, and state x = (q1, q2, w1, w2). Where one
+%of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0;
+%else the status is SATURATED where one was clipped.
+%
+%   [u, axes, status] = stage36_step(self, k, x), with self from stage36_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = zeros(2, 1, 'single');
+axes = repmat(int32(-2), 2, 1);
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+x = single(x);
+if ~(isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3)) && isfinite(x(4)))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+
+% The chain of each output as it is sampled.
+x1_1 = x(1) + ((-single(4.762448497785954e-6)) * x(3)) + (single(5.443012707218031e-11) * x(4));
+x2_1 = (single(1.0000571012496948) * x(3)) + ((-single(5.715329825761728e-5)) * x(4));
+x1_2 = x(2) + (single(2.3814147880329983e-6) * x(3)) + ((-single(2.7217396739165345e-11)) * x(4));
+x2_2 = ((-single(2.857664912880864e-5)) * x(3)) + (single(1.000095248222351) * x(4));
+left = self.samples - elapsed;
+m0 = single(left);
+if self.deadbeat_1 < m0
+    % The exact law in samples.
+    z1_1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
+    z2_1 = self.w2_2_1 * x2_1;
+    law_1 = ((z1_1 / m0) + z2_1) / (m0 - single(1.0));
+    z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
+    z2_2 = self.w2_2_1 * x2_2;
+    law_2 = ((z1_2 / m0) + z2_2) / (m0 - single(1.0));
+else
+    % Deadbeat.
+    law_1 = ((-single(2500.0)) * x1_1) - (single(75.0) * x2_1);
+    law_2 = ((-single(2500.0)) * x1_2) - (single(75.0) * x2_2);
+end
+
+% The inputs that give all of them.
+s1 = ((-single(1.7116923332214355)) * x(1)) + (single(1.7115782499313354) * x(2)) + ((-single(0.15976756811141968)) * x(3));
+v1 = law_1 - (s1 + (single(0.017126543447375298) * x(4)));
+s2 = (single(0.8557890057563782) * x(1)) + ((-single(2.8555986881256104)) * x(2)) + (single(0.0798790231347084) * x(3));
+v2 = law_2 - (s2 + ((-single(0.028563272207975388)) * x(4)));
+control1 = (single(2.002601385116577) * v1) + (single(0.4999333322048187) * v2);
+control2 = (single(0.4999999403953552) * v1) + (single(1.0000666379928589) * v2);
+if elapsed < self.samples
+    status = int32(0);
+else
+    status = int32(1);
+end
+if isfinite(control1) && isfinite(control2)
+    u(1) = control1;
+    axes(1) = status;
+    u(2) = control2;
+    axes(2) = status;
+    if self.u_max < control1
+        u(1) = self.u_max;
+        axes(1) = int32(2);
+        status = int32(2);
+    elseif control1 < -self.u_max
+        u(1) = -self.u_max;
+        axes(1) = int32(2);
+        status = int32(2);
+    end
+    if self.u_max < control2
+        u(2) = self.u_max;
+        axes(2) = int32(2);
+        status = int32(2);
+    elseif control2 < -self.u_max
+        u(2) = -self.u_max;
+        axes(2) = int32(2);
+        status = int32(2);
+    end
+else
+    u(1) = single(0.0);
+    if isfinite(control1)
+        axes(1) = status;
+    else
+        axes(1) = int32(-3);
+    end
+    u(2) = single(0.0);
+    if isfinite(control2)
+        axes(2) = status;
+    else
+        axes(2) = int32(-3);
+    end
+    status = int32(-3);
+end
+end

@@ -1,0 +1,175 @@
+/* Prescribed-time controller stage6: see stage6.h. DO NOT EDIT. */
+#include "stage6.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage6_init(stage6 *self, const stage6_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((5U < params->samples)
+            && (0.0 < params->u_max)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->k[2]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0 <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const double s1 = ((params->k[2] / 0.7) - 4.0) + 3.0;
+            const double s2 = (s1 < 6.0) ? 6.0 : s1;
+            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double w1_1 = 125000000.0 * (0.5 * (-(params->k[0] / 0.343)));
+            const double w1_2 = 250000.0 * ((-0.5) * (-(params->k[0] / 0.343)));
+            const double w1_3 = 500.0 * (0.16666666666666666 * (-(params->k[0] / 0.343)));
+            const double s3 = 0.5 * (((-1.0) - (params->k[1] / 0.49)) + (params->k[2] / 0.7));
+            const double w2_2 = 250000.0 * s3;
+            const double s4 = (-0.25) * (((-1.0) - (params->k[1] / 0.49)) + (params->k[2] / 0.7));
+            const double w2_3 = 500.0 * s4;
+            const double w3_3 = 500.0 * (0.5 * (3.0 - (params->k[2] / 0.7)));
+            const double u_max = params->u_max;
+            if ((isfinite(deadbeat) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(w1_2) != 0)
+                && (isfinite(w1_3) != 0)
+                && (isfinite(w2_2) != 0)
+                && (isfinite(w2_3) != 0)
+                && (isfinite(w3_3) != 0)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->u1 = 0.0;
+                self->seen = 0U;
+                self->x2_hat = 0.0;
+                self->x3_hat = 0.0;
+                self->deadbeat = deadbeat;
+                self->w1_1 = w1_1;
+                self->w1_2 = w1_2;
+                self->w1_3 = w1_3;
+                self->w2_2 = w2_2;
+                self->w2_3 = w2_3;
+                self->w3_3 = w3_3;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage6_arm(stage6 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0)) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const double s1 = self->x2_hat + (0.002 * self->x3_hat);
+            const double p1 = s1 + (4e-6 * (self->u1 + 0.25));
+            const double p2 = self->x3_hat + (0.004 * (self->u1 + 0.25));
+
+            /* Correct by what is measured. */
+            double base;
+            double miss;
+            if (self->seen == 0U) {
+                base = y[1];
+                miss = 0.0;
+            } else {
+                base = p1;
+                miss = y[1] - p1;
+            }
+            const uint32_t left_o = (elapsed < (self->samples / 2U)) ? ((self->samples / 2U) - elapsed) : 0U;
+            const double o0 = (double)left_o;
+            double l1;
+            double l2;
+            if (9.0 < o0) {
+                const double r0 = 1.0 / o0;
+                const double r1 = 1.0 / (o0 - 1.0);
+                l1 = (((-43.265306122448976) * r0) + 12.285714285714286) * r1;
+                l2 = 15489.795918367347 * r0 * r1;
+            } else if (left_o == 9U) {
+                l1 = 1.0;
+                l2 = 182.53968253968253;
+            } else {
+                l1 = 1.0;
+                l2 = 500.0;
+            }
+            const double x1 = y[0];
+            const double x2 = base + (l1 * miss);
+            const double x3 = p2 + (l2 * miss);
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const double m0 = (double)left;
+            double v;
+            if (self->deadbeat < m0) {
+                /* The exact law in samples. */
+                const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
+                const double z2 = (self->w2_2 * x2) + (self->w2_3 * x3);
+                const double z3 = self->w3_3 * x3;
+                v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - 0.25;
+            } else {
+                /* Deadbeat. */
+                const double s2 = (((-62500000.0) * x1) - (250000.0 * x2)) - (458.3333333333333 * x3);
+                v = s2 - 0.25;
+            }
+            status = PTC_E_RANGE;
+            if (isfinite(v) != 0) {
+                double u_now;
+                if (self->u_max < v) {
+                    u_now = self->u_max;
+                } else if (v < -self->u_max) {
+                    u_now = -self->u_max;
+                } else {
+                    u_now = v;
+                }
+                self->u1 = u_now;
+                self->x2_hat = x2;
+                self->x3_hat = x3;
+                self->seen = 1U;
+                *u = u_now;
+                if ((self->u_max < v) || (v < -self->u_max)) {
+                    status = PTC_SATURATED;
+                } else if (elapsed < self->samples) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage6_estimate(const stage6 *self, double xhat[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x2_hat;
+        xhat[1] = self->x3_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                xhat[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}

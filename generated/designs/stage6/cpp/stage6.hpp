@@ -1,0 +1,264 @@
+/*
+ * Prescribed-time controller stage6: order n = 3, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h = 2e-3 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 0.7 [1/s], fixed: rate of stretched time
+ *   k_1 [1/s^3]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+ *   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE6_HPP
+#define STAGE6_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage6Params {
+    std::uint32_t samples{}; ///< samples N from the start to rest [samples], at least 6
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+    std::array<double, 3> k{}; ///< gains k_i of pi0 = -sum k_i xi_i [1/s^3], finite
+    double deadbeat{}; ///< samples to go at which deadbeat takes over, 0 for a safe default [samples], finite
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage6 {
+public:
+    using Params = Stage6Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!((5U < params.samples)
+                && (0.0 < params.u_max)
+                && finite(params.k[0])
+                && finite(params.k[1])
+                && finite(params.k[2])
+                && finite(params.deadbeat)
+                && (0.0 <= params.deadbeat))) {
+            return Status::Param;
+        }
+        const std::uint32_t samples = params.samples;
+        const double s1 = ((params.k[2] / 0.7) - 4.0) + 3.0;
+        const double s2 = (s1 < 6.0) ? 6.0 : s1;
+        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double w1_1 = 125000000.0 * (0.5 * (-(params.k[0] / 0.343)));
+        const double w1_2 = 250000.0 * ((-0.5) * (-(params.k[0] / 0.343)));
+        const double w1_3 = 500.0 * (0.16666666666666666 * (-(params.k[0] / 0.343)));
+        const double s3 = 0.5 * (((-1.0) - (params.k[1] / 0.49)) + (params.k[2] / 0.7));
+        const double w2_2 = 250000.0 * s3;
+        const double s4 = (-0.25) * (((-1.0) - (params.k[1] / 0.49)) + (params.k[2] / 0.7));
+        const double w2_3 = 500.0 * s4;
+        const double w3_3 = 500.0 * (0.5 * (3.0 - (params.k[2] / 0.7)));
+        const double u_max = params.u_max;
+        if (!(finite(deadbeat)
+                && finite(w1_1)
+                && finite(w1_2)
+                && finite(w1_3)
+                && finite(w2_2)
+                && finite(w2_3)
+                && finite(w3_3))) {
+            return Status::Param;
+        }
+        start_ = 0U;
+        samples_ = samples;
+        u1_ = 0.0;
+        seen_ = 0U;
+        x2_hat_ = 0.0;
+        x3_hat_ = 0.0;
+        deadbeat_ = deadbeat;
+        w1_1_ = w1_1;
+        w1_2_ = w1_2;
+        w1_3_ = w1_3;
+        w2_2_ = w2_2;
+        w2_3_ = w2_3;
+        w3_3_ = w3_3;
+        u_max_ = u_max;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 2>& y) noexcept
+    {
+        if (!(finite(y[0]) && finite(y[1]))) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const double s1 = x2_hat_ + (0.002 * x3_hat_);
+        const double p1 = s1 + (4e-6 * (u1_ + 0.25));
+        const double p2 = x3_hat_ + (0.004 * (u1_ + 0.25));
+
+        // Correct by what is measured.
+        double base{};
+        double miss{};
+        if (seen_ == 0U) {
+            base = y[1];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[1] - p1;
+        }
+        const std::uint32_t left_o = (elapsed < (samples_ / 2U)) ? ((samples_ / 2U) - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1{};
+        double l2{};
+        if (9.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            l1 = (((-43.265306122448976) * r0) + 12.285714285714286) * r1;
+            l2 = 15489.795918367347 * r0 * r1;
+        } else if (left_o == 9U) {
+            l1 = 1.0;
+            l2 = 182.53968253968253;
+        } else {
+            l1 = 1.0;
+            l2 = 500.0;
+        }
+        const double x1 = y[0];
+        const double x2 = base + (l1 * miss);
+        const double x3 = p2 + (l2 * miss);
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0 = static_cast<double>(left);
+        double v{};
+        if (deadbeat_ < m0) {
+            // The exact law in samples.
+            const double z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
+            const double z2 = (w2_2_ * x2) + (w2_3_ * x3);
+            const double z3 = w3_3_ * x3;
+            v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - 0.25;
+        } else {
+            // Deadbeat.
+            const double s2 = (((-62500000.0) * x1) - (250000.0 * x2)) - (458.3333333333333 * x3);
+            v = s2 - 0.25;
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (u_max_ < v) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
+        } else {
+            u_now = v;
+        }
+        u1_ = u_now;
+        x2_hat_ = x2;
+        x3_hat_ = x3;
+        seen_ = 1U;
+        if ((u_max_ < v) || (v < -u_max_)) {
+            return {u_now, Status::Saturated};
+        } else if (elapsed < samples_) {
+            return {u_now, Status::Ok};
+        } else {
+            return {u_now, Status::Hold};
+        }
+    }
+
+    /// The estimates of x2, ... at the last sample.
+    [[nodiscard]] constexpr std::array<double, 2> estimate() const noexcept
+    {
+        return {{x2_hat_, x3_hat_}};
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    std::uint32_t samples_{}; // samples from the start to rest
+    double u1_{}; // input of the last sample
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x2_hat_{}; // estimate of x2
+    double x3_hat_{}; // estimate of x3
+    double deadbeat_{}; // samples to go at which deadbeat takes over
+    double w1_1_{}; // weight of a state in the law
+    double w1_2_{}; // weight of a state in the law
+    double w1_3_{}; // weight of a state in the law
+    double w2_2_{}; // weight of a state in the law
+    double w2_3_{}; // weight of a state in the law
+    double w3_3_{}; // weight of a state in the law
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,152 @@
+/*
+ * Prescribed-time controller stage7: order n = 1, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+ * Version 0.1.0.
+ *
+ * Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^1 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-0));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h [s]: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 3 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard none: finite measurements and valid pointers are the responsibility of the caller.
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE7_H
+#define STAGE7_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage7_params {
+    uint32_t samples; /* samples N from the start to rest [samples], at least 4 */
+    float h; /* sample period [s], from 1e-18 to 1e18 */
+    float u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+} stage7_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage7 {
+    uint32_t start; /* tick at which it was armed */
+    uint32_t samples; /* samples from the start to rest */
+    float u1; /* input of the last sample */
+    uint32_t seen; /* 1 once y has been measured */
+    float x1_hat; /* estimate of x1 */
+    float d_hat; /* estimate of d */
+    float phi1_2; /* prediction from a state */
+    float q2_1; /* weight in the observer's gains */
+    float e1_2; /* gain of the observer at its end */
+    float e0_2; /* gain of the observer at its end */
+    float w1_1; /* weight of a state in the law */
+    float b_1; /* weight of a state in the law */
+    float u_max; /* bound of |u| */
+} stage7;
+
+/*@ predicate stage7_set(stage7 *c) =
+      \is_finite(c->q2_1)
+      && \is_finite(c->e1_2)
+      && \is_finite(c->e0_2)
+      && \is_finite(c->w1_1)
+      && \is_finite(c->b_1);
+ */
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*@ requires self == \null || \valid(self);
+    requires params == \null || \valid_read(params);
+    assigns *self;
+    ensures \result == PTC_OK || \result == PTC_E_PARAM;
+    ensures \result == PTC_OK ==> stage7_set(self);
+ */
+ptc_status stage7_init(stage7 *self, const stage7_params *params);
+
+/*
+ * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
+ */
+/*@ requires \valid(self);
+    requires stage7_set(self);
+    assigns *self;
+    ensures \result == PTC_OK;
+    ensures \result >= 0 ==> stage7_set(self);
+ */
+ptc_status stage7_arm(stage7 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
+ * On a negative status u is 0 and nothing has changed.
+ */
+/*@ requires \valid(self);
+    requires \valid_read(y + (0 .. 0));
+    requires \valid(u);
+    requires stage7_set(self);
+    requires \is_finite(y[0]);
+    assigns *self, *u;
+    ensures \result == PTC_SATURATED || \result == PTC_OK || \result == PTC_HOLD || \result == PTC_E_RANGE;
+    ensures \result >= 0 ==> stage7_set(self);
+ */
+ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u);
+
+/* The estimate of the state at the last sample. */
+/*@ requires \valid_read(self);
+    requires \valid(xhat + (0 .. 0));
+    requires stage7_set(self);
+    assigns xhat[0 .. 0];
+    ensures \result == PTC_OK;
+ */
+ptc_status stage7_estimate(const stage7 *self, float xhat[1]);
+
+/* The estimate of the constant that is added to u. */
+/*@ requires \valid_read(self);
+    requires \valid(d);
+    requires stage7_set(self);
+    assigns *d;
+    ensures \result == PTC_OK;
+ */
+ptc_status stage7_disturbance(const stage7 *self, float *d);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,153 @@
+/* Prescribed-time controller stage7: see stage7.h. DO NOT EDIT. */
+#include "stage7.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status stage7_init(stage7 *self, const stage7_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((3U < params->samples)
+            && (1e-18f <= params->h)
+            && (params->h <= 1e18f)
+            && (0.0f < params->u_max)) {
+            const uint32_t samples = params->samples;
+            const float phi1_2 = params->h;
+            const float q2_1 = 12.0f * (1.0f / params->h);
+            const float e1_2 = 1.0f / params->h;
+            const float e0_2 = 0.33333334f * (1.0f / params->h);
+            const float w1_1 = (-3.0f) * (1.0f / params->h);
+            const float b_1 = -(1.0f / params->h);
+            const float u_max = params->u_max;
+            if ((isfinite(q2_1) != 0)
+                && (isfinite(e1_2) != 0)
+                && (isfinite(e0_2) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(b_1) != 0)
+                && (1e-30f <= params->h)
+                && (1e-30f <= 1.0f / params->h)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->u1 = 0.0f;
+                self->seen = 0U;
+                self->x1_hat = 0.0f;
+                self->d_hat = 0.0f;
+                self->phi1_2 = phi1_2;
+                self->q2_1 = q2_1;
+                self->e1_2 = e1_2;
+                self->e0_2 = e0_2;
+                self->w1_1 = w1_1;
+                self->b_1 = b_1;
+                self->u_max = u_max;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage7_arm(stage7 *self, uint32_t k)
+{
+    ptc_status status = PTC_OK;
+
+    self->start = k;
+    status = PTC_OK;
+    return status;
+}
+
+ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u)
+{
+    ptc_status status = PTC_OK;
+
+    *u = 0.0f;
+    const uint32_t elapsed = k - self->start;
+
+    /* Predict. */
+    const float s1 = self->x1_hat + (self->phi1_2 * self->d_hat);
+    const float p1 = s1 + (self->phi1_2 * self->u1);
+    const float p2 = self->d_hat;
+
+    /* Correct by what is measured. */
+    float base;
+    float miss;
+    if (self->seen == 0U) {
+        base = y[0];
+        miss = 0.0f;
+    } else {
+        base = p1;
+        miss = y[0] - p1;
+    }
+    const uint32_t left_o = (elapsed < (self->samples / 2U)) ? ((self->samples / 2U) - elapsed) : 0U;
+    const float o0 = (float)left_o;
+    float l1;
+    float l2;
+    if (6.0f < o0) {
+        const float r0 = 1.0f / o0;
+        const float r1 = 1.0f / (o0 - 1.0f);
+        l1 = (((-20.0f) * r0) + 8.0f) * r1;
+        l2 = self->q2_1 * r0 * r1;
+    } else if (left_o == 6U) {
+        l1 = 1.0f;
+        l2 = self->e0_2;
+    } else {
+        l1 = 1.0f;
+        l2 = self->e1_2;
+    }
+    const float x1 = base + (l1 * miss);
+    const float d = p2 + (l2 * miss);
+    const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+    const float m0 = (float)left;
+    float v;
+    if (3.0f < m0) {
+        /* The exact law in samples. */
+        const float z1 = self->w1_1 * x1;
+        v = (z1 / m0) - d;
+    } else {
+        /* Deadbeat. */
+        v = (self->b_1 * x1) - d;
+    }
+    status = PTC_E_RANGE;
+    if (isfinite(v) != 0) {
+        float u_now;
+        if (self->u_max < v) {
+            u_now = self->u_max;
+        } else if (v < -self->u_max) {
+            u_now = -self->u_max;
+        } else {
+            u_now = v;
+        }
+        self->u1 = u_now;
+        self->x1_hat = x1;
+        self->d_hat = d;
+        self->seen = 1U;
+        *u = u_now;
+        if ((self->u_max < v) || (v < -self->u_max)) {
+            status = PTC_SATURATED;
+        } else if (elapsed < self->samples) {
+            status = PTC_OK;
+        } else {
+            status = PTC_HOLD;
+        }
+    }
+    return status;
+}
+
+ptc_status stage7_estimate(const stage7 *self, float xhat[1])
+{
+    ptc_status status = PTC_OK;
+
+    xhat[0] = self->x1_hat;
+    status = PTC_OK;
+    return status;
+}
+
+ptc_status stage7_disturbance(const stage7 *self, float *d)
+{
+    ptc_status status = PTC_OK;
+
+    *d = self->d_hat;
+    status = PTC_OK;
+    return status;
+}

@@ -1,0 +1,249 @@
+/*
+ * Prescribed-time controller stage7: order n = 1, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+ * Version 0.1.0.
+ *
+ * Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^1 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-0));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h [s]: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 3 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard none: finite measurements are the responsibility of the caller.
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE7_HPP
+#define STAGE7_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage7Params {
+    std::uint32_t samples{}; ///< samples N from the start to rest [samples], at least 4
+    float h{}; ///< sample period [s], from 1e-18 to 1e18
+    float u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage7 {
+public:
+    using Params = Stage7Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!((3U < params.samples)
+                && (1e-18f <= params.h)
+                && (params.h <= 1e18f)
+                && (0.0f < params.u_max))) {
+            return Status::Param;
+        }
+        const std::uint32_t samples = params.samples;
+        const float phi1_2 = params.h;
+        const float q2_1 = 12.0f * (1.0f / params.h);
+        const float e1_2 = 1.0f / params.h;
+        const float e0_2 = 0.33333334f * (1.0f / params.h);
+        const float w1_1 = (-3.0f) * (1.0f / params.h);
+        const float b_1 = -(1.0f / params.h);
+        const float u_max = params.u_max;
+        if (!(finite(q2_1)
+                && finite(e1_2)
+                && finite(e0_2)
+                && finite(w1_1)
+                && finite(b_1)
+                && (1e-30f <= params.h)
+                && (1e-30f <= 1.0f / params.h))) {
+            return Status::Param;
+        }
+        start_ = 0U;
+        samples_ = samples;
+        u1_ = 0.0f;
+        seen_ = 0U;
+        x1_hat_ = 0.0f;
+        d_hat_ = 0.0f;
+        phi1_2_ = phi1_2;
+        q2_1_ = q2_1;
+        e1_2_ = e1_2;
+        e0_2_ = e0_2;
+        w1_1_ = w1_1;
+        b_1_ = b_1;
+        u_max_ = u_max;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<float> step(std::uint32_t k, const std::array<float, 1>& y) noexcept
+    {
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const float s1 = x1_hat_ + (phi1_2_ * d_hat_);
+        const float p1 = s1 + (phi1_2_ * u1_);
+        const float p2 = d_hat_;
+
+        // Correct by what is measured.
+        float base{};
+        float miss{};
+        if (seen_ == 0U) {
+            base = y[0];
+            miss = 0.0f;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        const std::uint32_t left_o = (elapsed < (samples_ / 2U)) ? ((samples_ / 2U) - elapsed) : 0U;
+        const float o0 = static_cast<float>(left_o);
+        float l1{};
+        float l2{};
+        if (6.0f < o0) {
+            const float r0 = 1.0f / o0;
+            const float r1 = 1.0f / (o0 - 1.0f);
+            l1 = (((-20.0f) * r0) + 8.0f) * r1;
+            l2 = q2_1_ * r0 * r1;
+        } else if (left_o == 6U) {
+            l1 = 1.0f;
+            l2 = e0_2_;
+        } else {
+            l1 = 1.0f;
+            l2 = e1_2_;
+        }
+        const float x1 = base + (l1 * miss);
+        const float d = p2 + (l2 * miss);
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const float m0 = static_cast<float>(left);
+        float v{};
+        if (3.0f < m0) {
+            // The exact law in samples.
+            const float z1 = w1_1_ * x1;
+            v = (z1 / m0) - d;
+        } else {
+            // Deadbeat.
+            v = (b_1_ * x1) - d;
+        }
+        if (!finite(v)) {
+            return {0.0f, Status::Range};
+        }
+        float u_now{};
+        if (u_max_ < v) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
+        } else {
+            u_now = v;
+        }
+        u1_ = u_now;
+        x1_hat_ = x1;
+        d_hat_ = d;
+        seen_ = 1U;
+        if ((u_max_ < v) || (v < -u_max_)) {
+            return {u_now, Status::Saturated};
+        } else if (elapsed < samples_) {
+            return {u_now, Status::Ok};
+        } else {
+            return {u_now, Status::Hold};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<float, 1> estimate() const noexcept
+    {
+        return {{x1_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr float disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(float v) noexcept
+    {
+        return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    std::uint32_t samples_{}; // samples from the start to rest
+    float u1_{}; // input of the last sample
+    std::uint32_t seen_{}; // 1 once y has been measured
+    float x1_hat_{}; // estimate of x1
+    float d_hat_{}; // estimate of d
+    float phi1_2_{}; // prediction from a state
+    float q2_1_{}; // weight in the observer's gains
+    float e1_2_{}; // gain of the observer at its end
+    float e0_2_{}; // gain of the observer at its end
+    float w1_1_{}; // weight of a state in the law
+    float b_1_{}; // weight of a state in the law
+    float u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,196 @@
+/* Self-test of the prescribed-time controller stage7: see stage7_selftest.h. DO NOT EDIT. */
+#include "stage7_selftest.h"
+#include "stage7.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* A call, and what it must give. */
+typedef struct stage7_selftest_call {
+    uint32_t is_armed; /* arm is called before it */
+    uint32_t start;
+    uint32_t k;
+    float y[1]; /* what is measured */
+    ptc_status status;
+    float u;
+    float xhat[1]; /* the estimates behind it */
+    float d;
+} stage7_selftest_call;
+
+/* A set of parameters that init takes, and the calls with it, one after the other. */
+typedef struct stage7_selftest_session {
+    stage7_params params;
+    uint32_t first; /* of its calls */
+    uint32_t count;
+} stage7_selftest_session;
+
+static const stage7_selftest_session stage7_selftest_sessions[3] = {
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY}, .first = 0U, .count = 36U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY}, .first = 36U, .count = 2U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = 1.0f}, .first = 38U, .count = 2U},
+};
+
+static const stage7_selftest_call stage7_selftest_calls[40] = {
+    {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75f}, .status = PTC_OK, .u = -2.4f, .xhat = {0.75f}, .d = 0.0f},
+    {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.72520834f}, .status = PTC_OK, .u = -2.341461f, .xhat = {0.7158179f}, .d = 0.012019736f},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333f}, .status = PTC_OK, .u = -2.3020158f, .xhat = {0.6851985f}, .d = 0.033772532f},
+    {.is_armed = 0U, .start = 0U, .k = 3U, .y = {0.676875f}, .status = PTC_OK, .u = -2.2775989f, .xhat = {0.6573285f}, .d = 0.06343992f},
+    {.is_armed = 0U, .start = 0U, .k = 15U, .y = {0.421875f}, .status = PTC_OK, .u = -1.5777762f, .xhat = {0.5270859f}, .d = -0.67112374f},
+    {.is_armed = 0U, .start = 0U, .k = 26U, .y = {0.24083333f}, .status = PTC_OK, .u = 15.38239f, .xhat = {0.24083331f}, .d = -16.74239f},
+    {.is_armed = 0U, .start = 0U, .k = 28U, .y = {0.21333334f}, .status = PTC_OK, .u = 15.862388f, .xhat = {0.21333334f}, .d = -17.142387f},
+    {.is_armed = 0U, .start = 0U, .k = 29U, .y = {0.20020834f}, .status = PTC_OK, .u = 15.462389f, .xhat = {0.20020834f}, .d = -16.702389f},
+    {.is_armed = 0U, .start = 0U, .k = 30U, .y = {0.1875f}, .status = PTC_OK, .u = 15.075723f, .xhat = {0.1875f}, .d = -16.275723f},
+    {.is_armed = 0U, .start = 0U, .k = 31U, .y = {0.17520833f}, .status = PTC_OK, .u = 14.70239f, .xhat = {0.17520833f}, .d = -15.86239f},
+    {.is_armed = 0U, .start = 0U, .k = 45U, .y = {0.046875f}, .status = PTC_OK, .u = 22.315722f, .xhat = {0.046875f}, .d = -22.915722f},
+    {.is_armed = 0U, .start = 0U, .k = 56U, .y = {0.0033333334f}, .status = PTC_OK, .u = 24.942389f, .xhat = {0.0033333339f}, .d = -25.102388f},
+    {.is_armed = 0U, .start = 0U, .k = 58U, .y = {0.00083333335f}, .status = PTC_OK, .u = 25.049055f, .xhat = {0.00083333335f}, .d = -25.102388f},
+    {.is_armed = 0U, .start = 0U, .k = 59U, .y = {0.00020833334f}, .status = PTC_OK, .u = 25.07572f, .xhat = {0.00020833334f}, .d = -25.089054f},
+    {.is_armed = 0U, .start = 0U, .k = 60U, .y = {0.0f}, .status = PTC_HOLD, .u = 25.089054f, .xhat = {0.0f}, .d = -25.089054f},
+    {.is_armed = 0U, .start = 0U, .k = 61U, .y = {0.0f}, .status = PTC_HOLD, .u = 25.089054f, .xhat = {0.0f}, .d = -25.089054f},
+    {.is_armed = 0U, .start = 0U, .k = 2147483647U, .y = {0.0f}, .status = PTC_HOLD, .u = 25.089054f, .xhat = {0.0f}, .d = -25.089054f},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.0f}, .status = PTC_HOLD, .u = 25.089054f, .xhat = {0.0f}, .d = -25.089054f},
+    {.is_armed = 1U, .start = 4294967293U, .k = 4294967293U, .y = {0.75f}, .status = PTC_OK, .u = 23.820087f, .xhat = {0.18965518f}, .d = -24.426985f},
+    {.is_armed = 0U, .start = 0U, .k = 4294967294U, .y = {0.72520834f}, .status = PTC_OK, .u = 22.862082f, .xhat = {0.32247245f}, .d = -23.911484f},
+    {.is_armed = 0U, .start = 0U, .k = 4294967295U, .y = {0.7008333f}, .status = PTC_OK, .u = 22.144619f, .xhat = {0.41259748f}, .d = -23.51046f},
+    {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.676875f}, .status = PTC_OK, .u = 21.611456f, .xhat = {0.47100163f}, .d = -23.197989f},
+    {.is_armed = 0U, .start = 0U, .k = 12U, .y = {0.421875f}, .status = PTC_OK, .u = 21.432602f, .xhat = {0.43462297f}, .d = -23.286993f},
+    {.is_armed = 0U, .start = 0U, .k = 23U, .y = {0.24083333f}, .status = PTC_OK, .u = 32.47514f, .xhat = {0.24083333f}, .d = -33.83514f},
+    {.is_armed = 0U, .start = 0U, .k = 25U, .y = {0.21333334f}, .status = PTC_OK, .u = 32.95514f, .xhat = {0.21333334f}, .d = -34.235138f},
+    {.is_armed = 0U, .start = 0U, .k = 26U, .y = {0.20020834f}, .status = PTC_OK, .u = 32.555138f, .xhat = {0.20020834f}, .d = -33.79514f},
+    {.is_armed = 0U, .start = 0U, .k = 27U, .y = {0.1875f}, .status = PTC_OK, .u = 32.16847f, .xhat = {0.1875f}, .d = -33.36847f},
+    {.is_armed = 0U, .start = 0U, .k = 28U, .y = {0.17520833f}, .status = PTC_OK, .u = 31.795135f, .xhat = {0.17520833f}, .d = -32.955135f},
+    {.is_armed = 0U, .start = 0U, .k = 42U, .y = {0.046875f}, .status = PTC_OK, .u = 39.40847f, .xhat = {0.046875f}, .d = -40.00847f},
+    {.is_armed = 0U, .start = 0U, .k = 53U, .y = {0.0033333334f}, .status = PTC_OK, .u = 42.035137f, .xhat = {0.0033333339f}, .d = -42.195137f},
+    {.is_armed = 0U, .start = 0U, .k = 55U, .y = {0.00083333335f}, .status = PTC_OK, .u = 42.141804f, .xhat = {0.00083333335f}, .d = -42.195137f},
+    {.is_armed = 0U, .start = 0U, .k = 56U, .y = {0.00020833334f}, .status = PTC_OK, .u = 42.168472f, .xhat = {0.00020833334f}, .d = -42.181805f},
+    {.is_armed = 0U, .start = 0U, .k = 57U, .y = {0.0f}, .status = PTC_HOLD, .u = 42.181805f, .xhat = {0.0f}, .d = -42.181805f},
+    {.is_armed = 0U, .start = 0U, .k = 58U, .y = {0.0f}, .status = PTC_HOLD, .u = 42.181805f, .xhat = {0.0f}, .d = -42.181805f},
+    {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0f}, .status = PTC_HOLD, .u = 42.181805f, .xhat = {0.0f}, .d = -42.181805f},
+    {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0f}, .status = PTC_HOLD, .u = 42.181805f, .xhat = {0.0f}, .d = -42.181805f},
+    {.is_armed = 0U, .start = 0U, .k = 24U, .y = {-0.36344036f}, .status = PTC_OK, .u = 1.9383485f, .xhat = {-0.36344036f}, .d = 0.0f},
+    {.is_armed = 1U, .start = 0U, .k = 29U, .y = {-1.5510462e38f}, .status = PTC_E_RANGE, .u = 0.0f, .xhat = {-0.36344036f}, .d = 0.0f},
+    {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.66494954f}, .status = PTC_SATURATED, .u = -1.0f, .xhat = {0.66494954f}, .d = 0.0f},
+    {.is_armed = 0U, .start = 0U, .k = 5U, .y = {-0.8910031f}, .status = PTC_SATURATED, .u = 1.0f, .xhat = {0.18722627f}, .d = -1.9716192f},
+};
+
+/* 1 where a number is not the one that must come. */
+static uint32_t stage7_selftest_differs(float value, float wanted)
+{
+    uint32_t failures = 1U;
+
+    if (fabsf(value - wanted) <= 0.0f) {
+        failures = 0U;
+    }
+    return failures;
+}
+
+/* The failures of one call. */
+static uint32_t stage7_selftest_check(stage7 *self, const stage7_selftest_call *call)
+{
+    uint32_t failures = 0U;
+    float u = 12345.0f;
+    float xhat[1] = {12345.0f};
+    float d = 12345.0f;
+
+    if (call->is_armed != 0U) {
+        if (stage7_arm(self, call->start) != PTC_OK) {
+            failures++;
+        }
+    }
+    if (stage7_step(self, call->k, call->y, &u) != call->status) {
+        failures++;
+    }
+    failures += stage7_selftest_differs(u, call->u);
+    if (stage7_estimate(self, xhat) != PTC_OK) {
+        failures++;
+    }
+    for (uint32_t i = 0U; i < 1U; i++) {
+        failures += stage7_selftest_differs(xhat[i], call->xhat[i]);
+    }
+    if (stage7_disturbance(self, &d) != PTC_OK) {
+        failures++;
+    }
+    failures += stage7_selftest_differs(d, call->d);
+    return failures;
+}
+
+/* The calls of a session, of which init has been called. */
+static uint32_t stage7_selftest_calls_of(stage7 *self, const stage7_selftest_session *session)
+{
+    uint32_t failures = 0U;
+
+    for (uint32_t j = 0U; j < session->count; j++) {
+        failures += stage7_selftest_check(self, &stage7_selftest_calls[session->first + j]);
+    }
+    return failures;
+}
+
+/* Every session with its calls. */
+static uint32_t stage7_selftest_run(void)
+{
+    uint32_t failures = 0U;
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const stage7_selftest_session *session = &stage7_selftest_sessions[i];
+        stage7 self;
+
+        if (stage7_init(&self, &session->params) == PTC_OK) {
+            failures += stage7_selftest_calls_of(&self, session);
+        } else {
+            failures++;
+        }
+    }
+    return failures;
+}
+
+/* What init must refuse without a change. */
+static uint32_t stage7_selftest_refuse(void)
+{
+    static const stage7_params refused[17] = {
+        {.samples = 0U, .h = 0.015625f, .u_max = (float)INFINITY},
+        {.samples = 3U, .h = 0.015625f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = (float)NAN, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = (float)INFINITY, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = -(float)INFINITY, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = 0.0f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = -1.0f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = 3.4028235e38f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = -3.4028235e38f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = 1e-45f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = 7.5e-19f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = 1.25e18f, .u_max = (float)INFINITY},
+        {.samples = 60U, .h = 0.015625f, .u_max = (float)NAN},
+        {.samples = 60U, .h = 0.015625f, .u_max = -(float)INFINITY},
+        {.samples = 60U, .h = 0.015625f, .u_max = 0.0f},
+        {.samples = 60U, .h = 0.015625f, .u_max = -1.0f},
+        {.samples = 60U, .h = 0.015625f, .u_max = -3.4028235e38f},
+    };
+    const stage7_selftest_session *session = &stage7_selftest_sessions[0];
+    uint32_t failures = 0U;
+    stage7 self;
+
+    if (stage7_init(&self, &session->params) != PTC_OK) {
+        failures++;
+    }
+    for (uint32_t i = 0U; i < 17U; i++) {
+        if (stage7_init(&self, &refused[i]) != PTC_E_PARAM) {
+            failures++;
+        }
+    }
+    if (stage7_init(&self, NULL) != PTC_E_PARAM) {
+        failures++;
+    }
+    if (stage7_init(NULL, &session->params) != PTC_E_PARAM) {
+        failures++;
+    }
+    failures += stage7_selftest_calls_of(&self, session);
+    return failures;
+}
+
+uint32_t stage7_selftest(void)
+{
+    uint32_t failures = stage7_selftest_run();
+
+    failures += stage7_selftest_refuse();
+    return failures;
+}

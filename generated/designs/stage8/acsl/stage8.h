@@ -1,0 +1,110 @@
+/*
+ * Prescribed-time controller stage8: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage8 --clock samples --tau=0.03 --eps=0.005 --u-max=3 --poles=-4,-5 --after zero --sample-time=1e-3
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples = 30 [samples], fixed: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0.005 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 3 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 20 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 9 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on u = 0 (status AFTER).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE8_H
+#define STAGE8_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage8_params {
+    char none; /* every parameter is fixed */
+} stage8_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage8 {
+    uint32_t start; /* tick at which it was armed */
+} stage8;
+
+/*@ predicate stage8_set(stage8 *c) =
+      \true;
+ */
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*@ requires self == \null || \valid(self);
+    assigns *self;
+    ensures \result == PTC_OK || \result == PTC_E_PARAM;
+    ensures \result == PTC_OK ==> stage8_set(self);
+ */
+ptc_status stage8_init(stage8 *self, const stage8_params *params);
+
+/* Starts again: the deadline is N samples after tick `k`. */
+/*@ requires self == \null || \valid(self);
+    requires self == \null || stage8_set(self);
+    assigns *self;
+    ensures \result == PTC_OK || \result == PTC_E_INPUT;
+    ensures \result >= 0 ==> stage8_set(self);
+ */
+ptc_status stage8_arm(stage8 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
+ * and nothing has changed.
+ */
+/*@ requires self == \null || \valid_read(self);
+    requires x == \null || \valid_read(x + (0 .. 1));
+    requires u == \null || \valid(u);
+    requires self == \null || stage8_set(self);
+    assigns *u;
+    ensures \result == PTC_SATURATED || \result == PTC_HOLD || \result == PTC_OK || \result == PTC_AFTER || \result == PTC_E_RANGE || \result == PTC_E_INPUT;
+ */
+ptc_status stage8_step(const stage8 *self, uint32_t k, const double x[2], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,150 @@
+/*
+ * Prescribed-time controller stage8: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage8 --clock samples --tau=0.03 --eps=0.005 --u-max=3 --poles=-4,-5 --after zero --sample-time=1e-3
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples = 30 [samples], fixed: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0.005 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 3 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 20 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 9 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on u = 0 (status AFTER).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: x and u go to 0 at the deadline.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE8_HPP
+#define STAGE8_HPP
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage8Params {
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage8 {
+public:
+    using Params = Stage8Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        start_ = 0U;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and the state x = (x1, x1', ...).
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 2>& x) const noexcept
+    {
+        if (!(finite(x[0]) && finite(x[1]))) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const std::uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
+        const double m0 = (static_cast<double>(left) < 5.0) ? 5.0 : static_cast<double>(left);
+        double v{};
+        if (1.5 < m0) {
+            // The exact law in samples.
+            const double z1 = ((-20000000.0) * x1) + (10000.0 * x2);
+            const double z2 = (-8000.0) * x2;
+            v = ((z1 / m0) + z2) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            v = ((-1000000.0) * x1) - (1500.0 * x2);
+        }
+        if (finite(v)) {
+            if (elapsed < 30U) {
+                if (3.0 < v) {
+                    return {3.0, Status::Saturated};
+                } else if (v < -3.0) {
+                    return {-3.0, Status::Saturated};
+                } else if (static_cast<double>(left) <= 5.0) {
+                    return {v, Status::Hold};
+                } else {
+                    return {v, Status::Ok};
+                }
+            } else {
+                return {0.0, Status::After};
+            }
+        } else {
+            return {0.0, Status::Range};
+        }
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+};
+
+} // namespace ptc
+
+#endif

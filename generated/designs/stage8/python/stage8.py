@@ -1,0 +1,140 @@
+"""
+Prescribed-time controller stage8: order n = 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage8 --clock samples --tau=0.03 --eps=0.005 --u-max=3 --poles=-4,-5 --after zero --sample-time=1e-3
+Version 0.1.0.
+
+Plant: x1' = x2, x2' = u; u held from sample to sample.
+Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+      sample period, as long as u is not clipped and nothing else acts on the plant.
+Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+      the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+      over.
+
+Parameters:
+  samples = 30 [samples], fixed: samples N from the start to rest
+  h = 1e-3 [s], fixed: sample period
+  eps = 0.005 [s], fixed: time-to-go at which the gains are held
+  u_max = 3 [unit of u], fixed: bound of |u|
+  a = 1 [1/s], fixed: rate of stretched time
+  k_1 = 20 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_2 = 9 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on u = 0 (status AFTER).
+|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+      lasts.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: x and u go to 0 at the deadline.
+  sampling: not checked: the law is exact in samples, at any period.
+  deadline: not checked: the law is exact in samples, at any period.
+  loop: not checked: `x0_max` is not given.
+  envelope: not checked: it does not examine a clock in samples.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "Stage8", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+class Stage8:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            self._start = 0
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`."""
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, x: ArrayLike) -> Control:
+        """u from tick `k`, which may wrap, and the state x = (x1, x1', ...).
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            x = _numbers(x, 2, "x")
+            if not (np.isfinite(x[0]) and np.isfinite(x[1])):
+                return Control(_R(0.0), Status.INPUT)
+            elapsed = (k - self._start) & _WRAP
+            x1 = x[0]
+            x2 = x[1]
+            left = max(30 - elapsed, 0)
+            m0 = max(_R(left), _R(5.0))
+            if 1.5 < m0:
+                # The exact law in samples.
+                z1 = ((-20000000.0) * x1) + (10000.0 * x2)
+                z2 = (-8000.0) * x2
+                v = ((z1 / m0) + z2) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                v = ((-1000000.0) * x1) - (1500.0 * x2)
+            if np.isfinite(v):
+                if elapsed < 30:
+                    if 3.0 < v:
+                        return Control(_R(3.0), Status.SATURATED)
+                    elif v < -3.0:
+                        return Control(_R(-3.0), Status.SATURATED)
+                    elif _R(left) <= 5.0:
+                        return Control(v, Status.HOLD)
+                    else:
+                        return Control(v, Status.OK)
+                else:
+                    return Control(_R(0.0), Status.AFTER)
+            else:
+                return Control(_R(0.0), Status.RANGE)

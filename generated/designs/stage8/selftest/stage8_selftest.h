@@ -1,0 +1,30 @@
+/*
+ * Self-test of the prescribed-time controller stage8, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage8 --clock samples --tau=0.03 --eps=0.005 --u-max=3 --poles=-4,-5 --after zero --sample-time=1e-3 --selftest
+ * Version 0.1.0.
+ *
+ * 3 sets of parameters with 52 calls, 0 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   1.5 < m0: never false in 699 calls.
+ */
+#ifndef STAGE8_SELFTEST_H
+#define STAGE8_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t stage8_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,212 @@
+/* Prescribed-time controller stage9: see stage9.h. DO NOT EDIT. */
+#include "stage9.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status stage9_init(stage9 *self, const stage9_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        if ((7U < params->samples)
+            && (1e-150 <= params->h)
+            && (params->h <= 1e150)
+            && (isfinite(params->k[0]) != 0)
+            && (isfinite(params->k[1]) != 0)
+            && (isfinite(params->k[2]) != 0)
+            && (isfinite(params->k[3]) != 0)
+            && (isfinite(params->deadbeat) != 0)
+            && (0.0 <= params->deadbeat)) {
+            const uint32_t samples = params->samples;
+            const double phi1_2 = params->h;
+            const double phi1_3 = 0.5 * (params->h * params->h);
+            const double gamma1 = 0.16666666666666666 * (params->h * params->h * params->h);
+            const double hold_o = 0.05 / params->h;
+            const double q2_1 = (-108.0) * (1.0 / params->h);
+            const double q2_2 = 36.0 * (1.0 / params->h);
+            const double q3_1 = 24.0 * (1.0 / (params->h * params->h));
+            const double hold = 0.02 / params->h;
+            const double w1_1 = (-params->k[0]) * (1.0 / (params->h * params->h * params->h));
+            const double w1_2 = params->k[0] * (1.0 / (params->h * params->h));
+            const double w1_3 = 0.3333333333333333 * (-params->k[0]) * (1.0 / params->h);
+            const double s1 = ((1.0 - params->k[1]) + params->k[2]) - params->k[3];
+            const double w2_2 = s1 * (1.0 / (params->h * params->h));
+            const double s2 = (-0.5) * (((1.0 - params->k[1]) + params->k[2]) - params->k[3]);
+            const double w2_3 = s2 * (1.0 / params->h);
+            const double w3_3 = (((-7.0) - params->k[2]) + (3.0 * params->k[3])) * (1.0 / params->h);
+            const double w4_4 = 6.0 - params->k[3];
+            const double b_1 = -(1.0 / (params->h * params->h * params->h));
+            const double b_2 = (-3.0) * (1.0 / (params->h * params->h));
+            const double b_3 = (-4.333333333333333) * (1.0 / params->h);
+            if ((isfinite(phi1_3) != 0)
+                && (isfinite(gamma1) != 0)
+                && (isfinite(hold_o) != 0)
+                && (isfinite(q2_1) != 0)
+                && (isfinite(q2_2) != 0)
+                && (isfinite(q3_1) != 0)
+                && (isfinite(hold) != 0)
+                && (isfinite(w1_1) != 0)
+                && (isfinite(w1_2) != 0)
+                && (isfinite(w1_3) != 0)
+                && (isfinite(w2_2) != 0)
+                && (isfinite(w2_3) != 0)
+                && (isfinite(w3_3) != 0)
+                && (isfinite(w4_4) != 0)
+                && (isfinite(b_1) != 0)
+                && (isfinite(b_2) != 0)
+                && (isfinite(b_3) != 0)
+                && (1e-200 <= params->h * params->h * params->h)
+                && (1e-200 <= 1.0 / (params->h * params->h * params->h))
+                && (3.0 <= hold_o)) {
+                self->start = 0U;
+                self->samples = samples;
+                self->u1 = 0.0;
+                self->u2 = 0.0;
+                self->seen = 0U;
+                self->x1_hat = 0.0;
+                self->x2_hat = 0.0;
+                self->x3_hat = 0.0;
+                self->phi1_2 = phi1_2;
+                self->phi1_3 = phi1_3;
+                self->gamma1 = gamma1;
+                self->hold_o = hold_o;
+                self->q2_1 = q2_1;
+                self->q2_2 = q2_2;
+                self->q3_1 = q3_1;
+                self->hold = hold;
+                self->w1_1 = w1_1;
+                self->w1_2 = w1_2;
+                self->w1_3 = w1_3;
+                self->w2_2 = w2_2;
+                self->w2_3 = w2_3;
+                self->w3_3 = w3_3;
+                self->w4_4 = w4_4;
+                self->b_1 = b_1;
+                self->b_2 = b_2;
+                self->b_3 = b_3;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage9_arm(stage9 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage9_step(stage9 *self, uint32_t k, const double y[1], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if (isfinite(y[0]) != 0) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const double s1 = self->x1_hat + (self->phi1_2 * self->x2_hat);
+            const double p1 = s1 + (self->phi1_3 * self->x3_hat) + (self->gamma1 * self->u2);
+            const double s2 = self->x2_hat + (self->phi1_2 * self->x3_hat);
+            const double p2 = s2 + (self->phi1_3 * self->u2);
+            const double p3 = self->x3_hat + (self->phi1_2 * self->u2);
+
+            /* Correct by what is measured. */
+            double base;
+            double miss;
+            if (self->seen == 0U) {
+                base = y[0];
+                miss = 0.0;
+            } else {
+                base = p1;
+                miss = y[0] - p1;
+            }
+            const uint32_t left_o = (elapsed < (self->samples / 2U)) ? ((self->samples / 2U) - elapsed) : 0U;
+            const double o0 = ((double)left_o < self->hold_o) ? self->hold_o : (double)left_o;
+            double l1;
+            double l2;
+            double l3;
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            const double r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+            l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
+            l3 = self->q3_1 * r0 * r1 * r2;
+            const double x1 = base + (l1 * miss);
+            const double x2 = p2 + (l2 * miss);
+            const double x3 = p3 + (l3 * miss);
+            const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
+            const double m0 = ((double)left < self->hold) ? self->hold : (double)left;
+            double v;
+            if (3.5 < m0) {
+                /* The exact law in samples. */
+                const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
+                const double z2 = (self->w2_2 * x2) + (self->w2_3 * x3);
+                const double z3 = self->w3_3 * x3;
+                const double z4 = self->w4_4 * self->u1;
+                const double s3 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+                v = (s3 / (m0 - 3.0)) + self->u1;
+            } else {
+                /* Deadbeat. */
+                const double s4 = (self->b_1 * x1) + (self->b_2 * x2) + (self->b_3 * x3);
+                v = s4 - (3.0 * self->u1);
+            }
+            status = PTC_E_RANGE;
+            if (isfinite(v) != 0) {
+                double u_now;
+                if (1000.0 < v) {
+                    u_now = 1000.0;
+                } else if (v < -1000.0) {
+                    u_now = -1000.0;
+                } else {
+                    u_now = v;
+                }
+                self->u2 = self->u1;
+                self->u1 = u_now;
+                self->x1_hat = x1;
+                self->x2_hat = x2;
+                self->x3_hat = x3;
+                self->seen = 1U;
+                *u = u_now;
+                if ((1000.0 < v) || (v < -1000.0)) {
+                    status = PTC_SATURATED;
+                } else if ((double)left <= self->hold) {
+                    status = PTC_HOLD;
+                } else {
+                    status = PTC_OK;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage9_estimate(const stage9 *self, double xhat[3])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        xhat[2] = self->x3_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                xhat[i] = 0.0;
+            }
+        }
+    }
+    return status;
+}
