@@ -36,6 +36,7 @@ mod simulate;
 mod simulate_command;
 #[path = "../support/mod.rs"]
 mod support;
+mod transcripts;
 #[path = "../support/verdicts.rs"]
 mod verdicts;
 mod verify_command;
