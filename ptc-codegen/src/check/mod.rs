@@ -10,6 +10,7 @@ pub mod envelope;
 pub mod examine;
 pub mod growth;
 pub mod membership;
+pub mod resolved;
 pub mod sampled;
 pub mod sampling;
 mod zeros;

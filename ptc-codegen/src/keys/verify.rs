@@ -21,7 +21,7 @@ pub static INITIAL_STATE: KeyInfo = KeyInfo {
 /// A key of the table `[verify]` that is a parameter of mapping or law.
 pub static PARAMETER: KeyInfo = KeyInfo {
     key: "k1",
-    meaning: "interval of a parameter of mapping or law, by its name: a, m, start, a1.., k1..kn or one of your own; its value in the design, or its bounds under [params], where it is not given",
+    meaning: "interval of a parameter of mapping or law, by its name: a, m, start, a1.., k1..kn or one of your own, where the design does not fix it; default: its bounds under [params]",
     legal: "[lower, upper] within its domain, or a number",
     example: "18,22",
 };

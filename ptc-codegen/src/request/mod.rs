@@ -2,6 +2,7 @@
 
 mod axes;
 mod command;
+mod fingerprint;
 mod legal;
 mod needs;
 mod parameters;
@@ -15,6 +16,8 @@ mod spec;
 mod units;
 
 pub use axes::Axes;
+#[cfg(feature = "files")]
+pub(crate) use fingerprint::hash;
 pub use poles::{Pole, PoleError, gains};
 pub(crate) use promises::exact_one_or_each;
 pub use promises::{PlantBounds, Promises, one_or_each};

@@ -5,8 +5,8 @@ use num_traits::ToPrimitive;
 use super::candidate::Candidate;
 use super::probe::Refused;
 use crate::algebra::polynomial::Polynomial;
-use crate::check::examine::{decay, examine};
-use crate::diagnostic::digits;
+use crate::check::examine::{Report, decay, examine};
+use crate::check::resolved::Resolved;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
@@ -197,9 +197,9 @@ impl<'a> Wish<'a> {
         let promises = &self.spec.promises;
         let asked = promises.sample_time.is_some() || !promises.error.is_empty();
         if asked && self.spec.leaves_eps() {
-            let set = self.examined(&choice).map(|report| report.spec.fixed);
-            let eps = set.as_ref().and_then(|fixed| fixed.get(&Parameter::Eps)?.number()?.to_f64());
-            choice.eps = eps.map(digits);
+            let resolved = self.least(&choice).map(|spec| Resolved::of(&spec).spec);
+            let eps = resolved.and_then(|spec| spec.fixed.get(&Parameter::Eps).cloned());
+            choice.eps = eps.map(|eps| eps.to_string());
         }
         choice
     }
@@ -227,12 +227,17 @@ impl<'a> Wish<'a> {
     }
 
     /// The checks of the design with a choice, for the least tau that it is used with.
-    fn examined(&self, choice: &Choice) -> Option<crate::check::examine::Report> {
+    fn examined(&self, choice: &Choice) -> Option<Report> {
+        self.least(choice).map(|spec| examine(&spec))
+    }
+
+    /// The design with a choice, for the least tau that it is used with.
+    fn least(&self, choice: &Choice) -> Option<Spec> {
         let (mut spec, _) = read_spec(self.entries, choice).ok()?;
         if let Some(tau) = number(&format!("{:e}", self.campaign.tau.0)) {
             spec.fixed.entry(Parameter::Tau).or_insert(tau);
         }
-        Some(examine(&spec))
+        Some(spec)
     }
 
     /// The campaign of a choice, and why it is none, if it is not.

@@ -54,6 +54,7 @@ pub use trajectory::{Trajectory, columns, csv, shown};
 pub use trial::{Instant, Trial};
 pub use verdict::{Doubt, Evidence, Verdict, confidence};
 
+use crate::check::resolved::Resolved;
 use crate::expression::{Expression, Variable};
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
@@ -72,7 +73,9 @@ const SPAN: f64 = 1e-3;
 /// What is verified, and how.
 #[derive(Clone, Debug)]
 pub struct Campaign {
-    /// The controller. What the campaign draws is left to run time in it.
+    /// The design whose controller is verified.
+    pub design: Resolved,
+    /// Its controller as it runs: what the campaign gives at `init` is fixed or left to run time in it.
     pub spec: Spec,
     /// The plant, whose bounded symbols are uncertain.
     pub plant: Plant,

@@ -57,13 +57,13 @@ fn each_draw_runs_with_its_own_parameters() {
     assert_eq!(campaign.corners().len(), 16);
 }
 
-/// A gain that is drawn takes the place of one that follows from poles.
+/// Gains that the design leaves to run time: one is drawn, the other is known.
 #[test]
-fn gains_are_drawn_beside_those_that_poles_give() {
-    let text = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n[params]\ntau = 1\n[plant]\nf = 0\n[verify]\nx1 = 1\n\
-                x2 = 0\nk1 = [12, 18]\nscenarios = 3\n[[objective]]\nbound = \"attractive\"\nerror = 1\n";
+fn run_time_gains_are_drawn() {
+    let text = "n = 2\nmu = \"exp(a=1)\"\n[params]\ntau = 1\n[plant]\nf = 0\n[verify]\nx1 = 1\n\
+                x2 = 0\nk2 = 9\nk1 = [12, 18]\nscenarios = 3\n[[objective]]\nbound = \"attractive\"\nerror = 1\n";
     let campaign = campaign(text);
-    // k2 = 9 is left: u at t0 is kappa'^2 (-k1 x1 - k2 tau x2) + kappa'' tau x2 with kappa' = 1.
+    // u at t0 is kappa'^2 (-k1 x1 - k2 tau x2) + kappa'' tau x2 with kappa' = 1.
     let mut trial = Trial::new(&campaign).expect("a trial");
     for index in 0..3 {
         let scenario = campaign.scenario(index);
@@ -77,9 +77,10 @@ fn gains_are_drawn_beside_those_that_poles_give() {
     // What is proved is of one controller; of one number it is as before.
     let why = format!("{:?}", bound::proved(&campaign));
     assert!(why.contains("k1 is an interval, and the proof is of one controller"), "{why}");
-    let why = format!("{:?}", bound::proved(&self::campaign(&text.replace("k1 =", "t0 ="))));
+    let why =
+        format!("{:?}", bound::proved(&self::campaign(&text.replace("k1 =", "k1 = 20\nt0 ="))));
     assert!(why.contains("t0 is an interval"), "{why}");
-    let known = self::campaign(&text.replace("k1 = [12, 18]", "t0 = 12"));
+    let known = self::campaign(&text.replace("k1 = [12, 18]", "k1 = 20\nt0 = 12"));
     assert!(bound::proved(&known).iter().all(bound::Proof::is_proved));
 }
 
@@ -107,8 +108,8 @@ fn intervals_that_are_illegal_are_refused() {
                  input = \"u\"\noutput = \"q\"\ndynamics = { q = \"w\", w = \"u - J*q\" }\n[plant]\nJ = 3\n[verify]\n\
                  q = 1\nw = 0\nJ = [1, 3]\n[[objective]]\nbound = \"attractive\"\nerror = 1\n";
     let wrong = read(model).err().unwrap_or_default();
-    assert!(wrong.contains("`J` has its value under [plant] too"), "{wrong}");
-    assert!(read(&model.replace("[plant]\nJ = 3\n", "")).is_ok());
+    assert!(wrong.contains("`J` = [1, 3] under [plant] is of the plant alone"), "{wrong}");
+    assert!(read(&model.replace("[plant]\nJ = 3\n", "").replace("J = 2\n", "")).is_ok());
     let help = with("a = [1, 2]", "a = [1, 2]\ntn = 1");
     assert!(help.contains("did you mean") && help.contains("x1, a, k, tau, t0, "), "{help}");
     assert!(read(&OWN.replace("a = [1, 2]", "a = [1, 2]\nk = [3, 4]")).is_ok());
@@ -144,4 +145,32 @@ fn integrals_that_are_illegal_are_refused() {
     let deep = format!("{}u{}", "integral(".repeat(15), ")".repeat(15));
     let read = campaign(&OWN.replace("x1 + 0*t", &deep));
     assert!(read.objectives[0].to_string().contains(&deep) && read.integrals.len() == 15);
+}
+
+/// A value that is compiled into the controller has no interval: the program that runs would not be the emitted one.
+#[test]
+fn intervals_over_compiled_in_values_are_refused() {
+    const OPEN: [&str; 5] = ["tau = 1\n", "t0 = 5\n", "a = 1\n", "b = 3\n", "k1 = 2\n"];
+    let read = |fixed: &str, given: &str| {
+        let verified = OPEN.concat().replace(fixed, given);
+        let (head, params) =
+            if fixed.starts_with("k1") { ("gains = 2\n", "") } else { ("", fixed) };
+        read(&format!(
+            "{head}n = 1\nmu = \"exp\"\nf = \"-b*x1\"\n[params]\n{params}[plant]\nf = \"-(b + c)*x1\"\nc = 1\n\
+             [verify]\nx1 = 1\n{verified}[[objective]]\nbound = \"attractive\"\nerror = 1\n"
+        ))
+    };
+    for fixed in OPEN {
+        let (name, value) = fixed.trim().split_once(" = ").expect("a value");
+        for other in [format!("{name} = [{value}, 6]\n"), format!("{name} = 6\n")] {
+            let wrong = read(fixed, &other).expect_err(&other);
+            let told = format!("`{name}` = {value} is compiled into the controller");
+            assert!(wrong.contains(&told) && wrong.contains("at run time"), "{wrong}");
+            assert_eq!(wrong.contains("write true_b in its f"), name == "b", "{wrong}");
+        }
+        for same in [fixed, ""] {
+            let campaign = read(fixed, same).unwrap_or_else(|wrong| panic!("{fixed}: {wrong}"));
+            assert_eq!(campaign.design.spec.fixed.len(), 1, "{fixed}");
+        }
+    }
 }

@@ -172,7 +172,7 @@ fn mistakes_are_told() {
         (
             "scenarios = 200",
             "tau = [0.5, 1]\nscenarios = 200",
-            "tau is an interval, and the worst case is of one",
+            "`tau` = 1 is compiled into the controller, and [0.5, 1] under [verify]",
         ),
     ] {
         let text = format!("{NOISY}{}", attractive(1.0)).replace(from, to);

@@ -1,36 +1,17 @@
 //! The checks of several axes: those of one where they share everything, else those of each.
 
-use num_traits::ToPrimitive;
-
 use super::{Report, envelope, examine_expanded, in_samples};
+use crate::check::resolved::alone;
 use crate::check::{Outcome, Verdict, sampled, zeros};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Feedback, Spec};
+use crate::request::Spec;
 
-/// What the checks find of the axes of `spec`. An open eps is the largest that an axis requires.
+/// What the checks find of the axes of `spec`.
 pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
-    let examined = |spec: &Spec| -> Vec<Report> {
-        let designs = spec.designs().into_iter();
-        let forms = |design: &Spec| expanded.filter(|_| design.n == spec.n).cloned();
-        // Of one output alone a law of all outputs means nothing.
-        let of_all = spec.axes.as_ref().is_some_and(|axes| !axes.laws.is_empty());
-        let alone = |design: Spec| match of_all {
-            true => Spec { feedback: Feedback::Extern, ..design },
-            false => design,
-        };
-        designs.map(alone).map(|design| examine_expanded(&design, forms(&design))).collect()
-    };
-    let mut spec = spec.clone();
-    let mut reports = examined(&spec);
-    if spec.leaves_eps()
-        && let Some(eps) = greatest_eps(&reports)
-    {
-        spec.choose_eps(eps);
-        if reports.len() > 1 {
-            reports = examined(&spec);
-        }
-    }
+    let forms = |design: &Spec| expanded.filter(|_| design.n == spec.n).cloned();
+    let designs = alone(spec).into_iter();
+    let reports: Vec<_> = designs.map(|own| examine_expanded(&own, forms(&own))).collect();
     let names = reports.first().map(|report| report.outcomes.len()).unwrap_or_default();
     let each = if spec.decoupled().is_some() { "output" } else { "axis" };
     let of_check = |check: usize| {
@@ -45,14 +26,14 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
         outcomes.retain(|outcome| outcome.name != envelope::NAME);
         let looped = outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
         if let Some(looped) = looped.filter(|_| spec.sampled().is_some()) {
-            *looped = in_samples::of_several(&spec);
+            *looped = in_samples::of_several(spec);
         }
         outcomes.push(match spec.sampled() {
-            Some(_) => envelope::in_samples(&spec),
+            Some(_) => envelope::in_samples(spec),
             // Without bounds of x the gains of each output are all that is known.
             None => match overflow {
                 Some(overflow) if overflow.verdict == Verdict::Undecided => overflow,
-                _ => envelope::outcome(&spec, expanded),
+                _ => envelope::outcome(spec, expanded),
             },
         });
         outcomes.push(zeros::of_coupled(&spec, coupled));
@@ -63,13 +44,14 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
         [one] => one.worst.clone(),
         _ => None,
     };
-    Report { spec, expanded: expanded.cloned(), outcomes, greatest, worst }
-}
-
-fn greatest_eps(reports: &[Report]) -> Option<Fixed> {
-    let chosen = reports.iter().filter_map(|report| report.spec.fixed.get(&Parameter::Eps));
-    let size = |eps: &Fixed| eps.number().and_then(ToPrimitive::to_f64).unwrap_or(0.0);
-    chosen.max_by(|a, b| size(a).total_cmp(&size(b))).cloned()
+    Report {
+        spec: spec.clone(),
+        choices: Vec::new(),
+        expanded: expanded.cloned(),
+        outcomes,
+        greatest,
+        worst,
+    }
 }
 
 /// How much a verdict says against a design.

@@ -2,10 +2,10 @@
 
 use super::Report;
 use super::growth::check_growth;
-use super::guard::{best_eps, choose_eps};
 use super::{membership, of_chain, of_error};
 use crate::check::Outcome;
-use crate::check::sampled::{self, Worst};
+use crate::check::resolved::Looped;
+use crate::check::sampled;
 use crate::check::zeros;
 use crate::keys::CHECKS;
 use crate::parameter::Parameter;
@@ -16,7 +16,7 @@ const EXACT: &str = "the law is exact in samples, at any period";
 
 /// The checks of a controller in samples. Its loop is exact at any period, so what looks for the
 /// error of a period has nothing to say.
-pub(super) fn in_samples(spec: &Spec) -> Report {
+pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
     let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
     if spec.what == What::Observer {
         let alone =
@@ -24,7 +24,8 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
         let mut outcomes = vec![membership(&continuous)];
         outcomes.extend(CHECKS[1..].iter().filter(|name| **name != zeros::NAME).map(alone));
         return Report {
-            spec: spec.clone(),
+            spec,
+            choices: Vec::new(),
             expanded: None,
             outcomes,
             greatest: None,
@@ -45,12 +46,11 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
     let sampled_exactly = spec.sampled().is_some_and(|own| own.exact.is_some());
     let reason = if sampled_exactly { EXACT } else { reason };
     let exact = |name| Outcome::not_checked(name, reason);
-    let mut spec = spec.clone();
     let (looped, worst) = match open(&spec) {
         // All outputs together decide it.
         _ if of_several => (exact(sampled::NAME), None),
         Some(open) => (open, None),
-        None => looped(&mut spec),
+        None => known.unwrap_or_else(|| looped(&spec)),
     };
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
     let mut outcomes = vec![
@@ -62,7 +62,7 @@ pub(super) fn in_samples(spec: &Spec) -> Report {
         lacks("envelope"),
     ];
     outcomes.extend(zeros::outcome(&continuous));
-    Report { spec, expanded: None, outcomes, greatest: None, worst }
+    Report { spec, choices: Vec::new(), expanded: None, outcomes, greatest: None, worst }
 }
 
 /// The check of the loop that runs of a plant with several inputs.
@@ -72,25 +72,14 @@ pub(super) fn of_several(spec: &Spec) -> Outcome {
 }
 
 /// The outcome where a number is left to run time.
-fn open(spec: &Spec) -> Option<Outcome> {
+pub(in crate::check) fn open(spec: &Spec) -> Option<Outcome> {
     let is_open = |p: &Parameter| *p != Parameter::UMax && !spec.fixed.contains_key(p);
     let open = spec.parameters().into_iter().find(is_open)?;
     let reason = format!("`{}` is left to run time", open.spelling());
     Some(Outcome::not_checked(sampled::NAME, reason))
 }
 
-/// The check of the loop that runs, with the eps that is best for it where that is left open.
-fn looped(spec: &mut Spec) -> (Outcome, Option<Worst>) {
-    choose_eps(spec, None);
-    let found = sampled::outcome(spec, None);
-    // Deadbeat may be too much for what a sum of causes does not show.
-    if spec.leaves_eps()
-        && found.1.is_some()
-        && found.0.fails()
-        && let Some(eps) = best_eps(spec, None)
-    {
-        spec.choose_eps(eps);
-        return sampled::outcome(spec, None);
-    }
-    found
+/// The check of the loop that runs.
+pub(in crate::check) fn looped(spec: &Spec) -> Looped {
+    sampled::outcome(spec, None)
 }

@@ -185,7 +185,7 @@ fn evaluate(spec: &Spec, expression: &Expression) -> Option<BigRational> {
 }
 
 /// What the closed loop in numbers lacks, in words; `None` if nothing is missing.
-pub(super) fn lacking(spec: &Spec) -> Option<String> {
+pub(in crate::check) fn lacking(spec: &Spec) -> Option<String> {
     if spec.feedback != Feedback::Linear {
         return Some("a linear law".to_owned());
     }

@@ -16,9 +16,12 @@ mod plane;
 mod report;
 mod resolution;
 
-use guard::{choose_eps, guard, superseded};
+pub(super) use guard::Asked;
+use guard::superseded;
+pub(super) use in_samples::{looped as sampled_loop, open as open_in_samples};
 #[cfg(feature = "files")]
 pub(crate) use known::decay;
+pub(super) use known::lacking;
 pub(crate) use known::rounded_down;
 pub(crate) use numbers::Numbers;
 #[cfg(feature = "files")]
@@ -28,51 +31,52 @@ pub use plane::{Plane, plane};
 pub use report::Report;
 
 use super::membership::prove;
-use super::sampled::Worst;
+use super::resolved::{Looped, Resolved};
 use super::{Outcome, Verdict, sampled, zeros};
 use crate::expansion::Expanded;
 use crate::expression::effort::bounded;
 use crate::request::Spec;
 
-/// The outcomes of `sampling` and `deadline` alone, and the design with the eps that they set.
+/// The outcomes of `sampling` and `deadline` alone for an example of a run-time eps, and the design with the eps that
+/// they ask for where it leaves eps open.
 #[cfg(feature = "files")]
-pub(crate) fn guarded(spec: &Spec) -> (Spec, Outcome, Outcome) {
+pub(crate) fn example(spec: &Spec) -> (Spec, Outcome, Outcome) {
     let mut spec = spec.clone();
-    let (sampling, deadline) = guard(&mut spec, None);
+    let asked = Asked::of(&spec, None);
+    if let (true, Some((eps, _))) = (spec.leaves_eps(), asked.eps()) {
+        spec.choose_eps(eps);
+    }
+    let (sampling, deadline) = asked.outcomes(&spec);
     (spec, sampling, deadline)
 }
 
-/// Runs every check on `spec`. What lacks a value is not checked, and says which value.
+/// Resolves `spec` and runs every check on it. Checks that lack a value are skipped, and name the value.
 pub fn examine(spec: &Spec) -> Report {
     examine_expanded(spec, None)
 }
 
-/// The same of what is made from the closed forms of another engine, where they are given.
+/// The same of a design whose closed forms another engine has made, where they are given.
 pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
-    if spec.axes.is_some() {
-        return axes::of_axes(spec, expanded.as_ref());
-    }
-    if spec.sampled().is_some() {
-        return in_samples::in_samples(spec);
-    }
-    let mut spec = spec.clone();
+    examine_resolved(Resolved::expanded(spec, expanded.as_ref()), expanded)
+}
+
+/// Runs every check on a resolved design.
+pub fn examine_resolved(resolved: Resolved, expanded: Option<Expanded>) -> Report {
+    let (spec, choices, known) = resolved.parts();
+    let report = match (spec.axes.is_some(), spec.sampled().is_some()) {
+        (true, _) => axes::of_axes(&spec, expanded.as_ref()),
+        (false, true) => in_samples::in_samples(spec, known),
+        (false, false) => in_time(spec, known, expanded),
+    };
+    Report { choices, ..report }
+}
+
+fn in_time(spec: Spec, known: Option<Looped>, expanded: Option<Expanded>) -> Report {
     let forms = expanded.as_ref();
     let membership = membership(&spec);
     let (growth, greatest) = growth::check_growth(&spec);
-    choose_eps(&mut spec, forms);
-    let is_open = spec.leaves_eps();
-    let (mut sampling, mut deadline) = guard(&mut spec, forms);
-    let (mut looped, mut worst) = looped(&spec, forms);
-    // What the limit of short periods allows may be too much for the loop itself.
-    if is_open
-        && worst.is_some()
-        && (sampling.fails() || looped.fails())
-        && let Some(eps) = guard::best_eps(&spec, forms)
-    {
-        spec.choose_eps(eps);
-        (sampling, deadline) = guard(&mut spec, forms);
-        (looped, worst) = self::looped(&spec, forms);
-    }
+    let (sampling, deadline) = Asked::of(&spec, forms).outcomes(&spec);
+    let (looped, worst) = known.unwrap_or_else(|| looped(&spec, forms));
     let decided = matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
     let deadline = superseded(deadline, decided);
     let deadline = of_error(&spec, deadline);
@@ -82,11 +86,11 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     let growth = of_error(&spec, of_chain(&spec, growth));
     let mut outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));
-    Report { spec, expanded, outcomes, greatest, worst }
+    Report { spec, choices: Vec::new(), expanded, outcomes, greatest, worst }
 }
 
 /// The check of the loop that runs, and its worst case.
-fn looped(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
+pub(super) fn looped(spec: &Spec, expanded: Option<&Expanded>) -> Looped {
     match known::lacking(spec) {
         Some(lacking) => (Outcome::not_checked(sampled::NAME, format!("it needs {lacking}")), None),
         None => sampled::outcome(spec, expanded),

@@ -1,5 +1,6 @@
 //! What the checks found, and which of it refuses a design.
 
+use crate::check::resolved::Choice;
 use crate::check::sampled::Worst;
 use crate::check::zeros;
 use crate::check::{Outcome, Verdict};
@@ -11,8 +12,10 @@ use crate::request::Spec;
 /// What the checks found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
-    /// The design, with eps where a check has set it.
+    /// The resolved design.
     pub spec: Spec,
+    /// What of it was chosen, and why.
+    pub choices: Vec<Choice>,
     /// The closed forms of the design, where another engine than the library's own has made them.
     pub expanded: Option<Expanded>,
     /// One outcome for each check.

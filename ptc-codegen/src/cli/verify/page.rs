@@ -1,6 +1,6 @@
 //! The report of a verification.
 
-use crate::check::examine::examine;
+use crate::check::examine::examine_resolved;
 use crate::parameter::Parameter;
 use crate::plot::{Bounded, Figure, Quantity, Trace};
 use crate::request::Spec;
@@ -33,7 +33,7 @@ pub(super) fn text(
     let parts = draws::parts((campaign, trial), drawn, summary.trajectory.as_ref(), &replayed)?;
     let content = Content {
         spec,
-        report: &checking(|| examine(spec)),
+        report: &checking(|| examine_resolved(campaign.design.clone(), None)),
         plant: &campaign.plant,
         source,
         section: Section { parts, ..section((campaign, trial), summary)? },

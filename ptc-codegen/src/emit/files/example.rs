@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use num_traits::ToPrimitive;
 
 use crate::algebra::{BigRational, integer};
-use crate::check::examine::{Numbers, Report, decay, guarded};
+use crate::check::examine::{Numbers, Report, decay, example};
 use crate::check::{Outcome, Verdict};
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number;
@@ -237,7 +237,7 @@ fn borne(spec: &Spec, period: f64, ends: bool, wanted: &[Verdict]) -> Option<Spe
         spec.promises.error = fixed(ERROR).into_iter().collect();
         spec.promises.x0_max = vec![1.into(); spec.n];
     }
-    let (spec, sampling, deadline) = guarded(&spec);
+    let (spec, sampling, deadline) = example(&spec);
     let good = |outcome: &Outcome| wanted.contains(&outcome.verdict);
     (good(&sampling) && (!ends || good(&deadline))).then_some(spec)
 }

@@ -51,7 +51,10 @@ impl Reader<'_> {
                 self.wrong("verify.tau", place, "tau is not > 0".to_owned(), KEYS[0].legal);
                 None
             }
-            (Some(tau), _) => Some(tau),
+            (Some(ends), fixed) => {
+                let fits = self.is_open(Parameter::Tau, ends, given);
+                (fits || fixed.is_none()).then_some(ends)
+            }
             (None, Some(tau)) => Some((tau, tau)),
             (None, None) => {
                 if !given.contains_key("tau") {
@@ -77,9 +80,6 @@ impl Reader<'_> {
             .filter_map(|(symbol, (low, high))| Some((*symbol, (to_f64(low)?, to_f64(high)?))));
         let mut intervals: Vec<_> = constant.collect();
         let mut spec = self.spec.clone();
-        if given.contains_key("tau") {
-            spec.fixed.remove(&Parameter::Tau);
-        }
         // Each of them may have told what is wrong with it.
         (x0.len() == n).then_some(())?;
         let tau = tau?;
@@ -91,19 +91,13 @@ impl Reader<'_> {
             spec.fixed.insert(*symbol, exact(&format!("{value:e}"))?);
         }
         if around.is_some() {
-            spec = self.running(spec, &x0)?;
-        }
-        // An eps of the checks is that of the values that the design gives.
-        for (symbol, _) in &drawn {
-            spec.fixed.remove(symbol);
-        }
-        if known.iter().chain(&drawn).any(|(symbol, _)| matches!(symbol, Parameter::Gain(_))) {
-            spec.poles.clear();
+            self.counts_to_one_tau()?;
         }
         // What is both of the controller and of the plant is drawn once.
         let new = |(symbol, _): &(Parameter, _)| !self.plant.bounds.contains_key(symbol);
         intervals.extend(drawn.into_iter().filter(|own| new(own) || varies.contains(&own.0)));
         Some(Campaign {
+            design: self.design.clone(),
             spec,
             plant: self.plant.clone(),
             around,

@@ -28,6 +28,7 @@ impl Reader<'_> {
         for parameter in &legal {
             let name = parameter.spelling();
             if let Some(interval) = self.interval("verify", &name, given)
+                && self.is_open(*parameter, interval, given)
                 && self.admits(*parameter, interval, given)
             {
                 drawn.push((*parameter, interval));
@@ -41,6 +42,46 @@ impl Reader<'_> {
             bounds.filter_map(|(p, (low, high))| Some((*p, (to_f64(low)?, to_f64(high)?)))),
         );
         drawn
+    }
+
+    /// Whether the controller takes a parameter at run time, or holds the one value that [verify] gives: what is
+    /// compiled in has no interval.
+    pub(super) fn is_open(
+        &mut self,
+        parameter: Parameter,
+        ends: Interval,
+        given: &Given<'_>,
+    ) -> bool {
+        let Some(fixed) = self.spec.fixed.get(&parameter) else { return true };
+        if to_f64(fixed).is_some_and(|value| ends == (value, value)) {
+            return true;
+        }
+        let name = parameter.spelling();
+        let (low, high) = ends;
+        let interval = if low == high { format!("{low}") } else { format!("[{low}, {high}]") };
+        let message = format!(
+            "`{name}` = {fixed} is compiled into the controller, and {interval} under [verify]"
+        );
+        let open = match parameter {
+            Parameter::Gain(_) => "leave `gains` and `poles` out of the design, and give each gain under [verify]: the controller then takes them at run time".to_owned(),
+            Parameter::A | Parameter::M | Parameter::Start | Parameter::Rate(_) => {
+                format!("leave {name} out of `mu`: the controller then takes it at run time")
+            }
+            _ => format!("leave `{name}` out of [params]: the controller then takes it at run time"),
+        };
+        let moves = self.plant.expressions().any(|e| e.parameters().contains(&parameter));
+        let help = match (moves, self.spec.has_model()) {
+            (false, _) => open,
+            (true, true) => {
+                format!("{open}; `{name}` = {interval} under [{TABLE}] is of the plant alone")
+            }
+            (true, false) => format!(
+                "{open}; for another value in the plant alone write true_{name} in its f or g, and true_{name} = {interval} under [{TABLE}]"
+            ),
+        };
+        let place = given.get(name.as_str()).map(|(_, node)| node.place);
+        self.found.push("conflict", format!("verify.{name}"), place, message, help);
+        false
     }
 
     /// Whether an interval of [verify] is within the domain of its parameter.

@@ -13,6 +13,7 @@ mod valued;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Campaign, Interval, Signal};
+use crate::check::resolved::Resolved;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::parameter::Parameter;
 use crate::plant::{self, Plant};
@@ -77,7 +78,10 @@ pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<D
 /// Every mistake in the tables.
 pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, Vec<Diagnostic>> {
     let (found, integrals) = (Diagnostics::default(), Vec::new());
-    let mut reader = Reader { spec, plant, found, integrals };
+    let design = Resolved::of(&spec.clone().apart());
+    let joined =
+        if spec.joins_axes() { design.spec.clone().as_one_plant() } else { design.spec.clone() };
+    let mut reader = Reader { design, spec: &joined, plant, found, integrals };
     let table = |name: &str| -> Vec<&Entry> {
         let own = |entry: &&Entry| entry.key.split_once('.').is_some_and(|(own, _)| own == name);
         entries.iter().filter(own).collect()
@@ -109,6 +113,7 @@ pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, V
 }
 
 struct Reader<'a> {
+    design: Resolved,
     spec: &'a Spec,
     plant: &'a Plant,
     found: Diagnostics,

@@ -1,10 +1,7 @@
 //! What a campaign of the loop that runs needs beside one of the law.
 
 use super::{Given, Interval, Reader, number};
-use crate::check::examine::examine;
 use crate::parameter::Parameter;
-use crate::request::Spec;
-use crate::syntax::number as exact;
 
 /// Most samples of a run.
 const SAMPLES: f64 = 1e6;
@@ -40,31 +37,15 @@ impl Reader<'_> {
         Some(until)
     }
 
-    /// The controller as it runs: with the eps that the checks set where it is left open, for the box
-    /// of initial states unless the design has `x0_max`.
-    pub(super) fn running(&mut self, mut spec: Spec, x0: &[Interval]) -> Option<Spec> {
-        if spec.sampled().is_some() && !spec.fixed.contains_key(&Parameter::Tau) {
-            let message = "with a clock in samples tau is no interval".to_owned();
-            let help =
-                "give `tau` under [params], a multiple of `sample_time`, and none under [verify]";
-            self.wrong("verify.tau", None, message, help);
-            return None;
+    /// Refuses an interval of tau for a clock in samples.
+    pub(super) fn counts_to_one_tau(&mut self) -> Option<()> {
+        if self.spec.sampled().is_none() || self.spec.fixed.contains_key(&Parameter::Tau) {
+            return Some(());
         }
-        if !spec.leaves_eps() {
-            return Some(spec);
-        }
-        let mut asked = spec.clone();
-        // The box is of the states of the plant, and x0_max of the chain, or of its error.
-        let same = !spec.has_model() && spec.reference.is_none();
-        if asked.promises.x0_max.is_empty() && same {
-            let largest = x0.iter().map(|(low, high)| low.abs().max(high.abs()));
-            asked.promises.x0_max =
-                largest.map(|x| exact(&format!("{x:e}"))).collect::<Option<_>>()?;
-        }
-        // Where no check sets it there is no trial.
-        if let Some(eps) = examine(&asked).spec.fixed.remove(&Parameter::Eps) {
-            spec.choose_eps(eps);
-        }
-        Some(spec)
+        let message = "with a clock in samples tau is no interval".to_owned();
+        let help =
+            "give `tau` under [params], a multiple of `sample_time`, and none under [verify]";
+        self.wrong("verify.tau", None, message, help);
+        None
     }
 }

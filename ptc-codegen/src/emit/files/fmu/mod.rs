@@ -17,7 +17,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostics;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Program, number};
-use crate::request::Spec;
+use crate::request::{Spec, hash};
 use template::{Build, Constant, Core, Fmi2, Fmi3, Judged, Kept, Model2, Model3, Samples, Start};
 use variables::{Inputs, Unit, Variable};
 
@@ -262,14 +262,9 @@ fn file(name: &str, text: askama::Result<String>) -> File {
     File { name: name.to_owned(), text: tidy(&text_of(text)) }
 }
 
-/// A token in the form of a UUID: the 128-bit FNV-1a hash of the texts.
+/// A token in the form of a UUID: the hash of the texts.
 fn token<'a>(texts: impl Iterator<Item = &'a str>) -> String {
-    let step = |hash: u128, byte: &u8| {
-        (hash ^ u128::from(*byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b)
-    };
-    let offset = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-    let hash = texts.fold(offset, |hash, text| text.as_bytes().iter().fold(hash, step));
-    let digits = format!("{hash:032x}");
+    let digits = format!("{:032x}", hash(texts));
     let [a, b, c, d] = [8, 12, 16, 20];
     format!(
         "{{{}-{}-{}-{}-{}}}",
