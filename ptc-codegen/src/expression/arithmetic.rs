@@ -165,21 +165,11 @@ impl Expression {
     /// A function of one number.
     pub fn call(function: Function, a: Self) -> Self {
         match (function, a.node()) {
-            (Function::Abs, Node::Number(a)) => Self::from(a.abs()),
-            (Function::Sign, Node::Number(a)) => Self::from(a.signum()),
-            (Function::Exp | Function::Cos | Function::Cosh, _) if a.is(0) => Self::integer(1),
-            (Function::Ln, _) if a.is(1) => Self::integer(0),
-            (Function::Sqrt, _) if a.is(0) || a.is(1) => a,
-            (
-                Function::Sin
-                | Function::Tan
-                | Function::Atan
-                | Function::Sinh
-                | Function::Tanh
-                | Function::Atanh,
-                _,
-            ) if a.is(0) => a,
-            _ => Node::Call(function, a).into(),
+            (Function::Abs, Node::Number(a)) => return Self::from(a.abs()),
+            (Function::Sign, Node::Number(a)) => return Self::from(a.signum()),
+            _ => {}
         }
+        let known = function.row().known.iter().find(|[at, _]| a.is(*at));
+        known.map_or_else(|| Node::Call(function, a.clone()).into(), |[_, b]| Self::integer(*b))
     }
 }

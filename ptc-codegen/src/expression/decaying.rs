@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::effort::bounded;
 use super::field::{Field, Kernel, Terms, sum};
+use super::function::Parity;
 use super::leading::{Limit, limit};
 use super::normal::{moves, within};
 use super::ratio::{Ratio, content};
@@ -39,7 +40,8 @@ fn as_exponentials(form: &Expression) -> Expression {
         let exponential = |u| Expression::call(Function::Exp, u);
         let grows = |u: &Expression| limit(u, Variable::SinceStart);
         match e.node() {
-            Node::Call(function @ (Function::Cosh | Function::Sinh), u) => {
+            Node::Call(function, u) => {
+                let parity = function.hyperbolic()?;
                 let Some(Limit::Infinite | Limit::MinusInfinite) = grows(u) else { return None };
                 let u = as_exponentials(u);
                 if !u.twice() {
@@ -47,8 +49,10 @@ fn as_exponentials(form: &Expression) -> Expression {
                 }
                 let both = exponential(u.clone()).add(exponential(u.clone().neg()));
                 let cosh = both.div(Expression::integer(2));
-                let is_cosh = *function == Function::Cosh;
-                Some(if is_cosh { cosh } else { Expression::call(Function::Tanh, u).mul(cosh) })
+                Some(match parity {
+                    Parity::Even => cosh,
+                    Parity::Odd => Expression::call(Function::Tanh, u).mul(cosh),
+                })
             }
             Node::Power(base, exponent) if !base.contains(Variable::SinceStart) => {
                 let product = exponent.clone().mul(Expression::call(Function::Ln, base.clone()));

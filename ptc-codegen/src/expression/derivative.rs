@@ -1,6 +1,7 @@
 //! Derivatives.
 
 use super::effort::keep;
+use super::function::Symbolic;
 use super::{Expression, Found, Function, Node, Variable};
 use crate::limits::{HEIGHT, SIZE};
 
@@ -16,12 +17,13 @@ impl Expression {
         SIZE.admits(self.nodes()) && HEIGHT.admits(self.height())
     }
 
-    /// Whether it is abs, sign, min or max.
+    /// Whether it is min, max, or a function with a kink.
     pub(crate) fn is_kink(&self) -> bool {
-        matches!(
-            self.node(),
-            Node::Min(..) | Node::Max(..) | Node::Call(Function::Abs | Function::Sign, _)
-        )
+        match self.node() {
+            Node::Min(..) | Node::Max(..) => true,
+            Node::Call(function, _) => function.row().has_kink,
+            _ => false,
+        }
     }
 
     /// The derivative with respect to `wrt`. At a kink (of abs, sign, min, max) it is that of one
@@ -92,7 +94,7 @@ impl Expression {
                     return turn.div_or_zero(p.power(two()).add(q.power(two())));
                 }
                 let inner = d(a);
-                if inner.is(0) { inner } else { function.derivative(a).mul(inner) }
+                if inner.is(0) { inner } else { function.slope(&mut Symbolic, a).mul(inner) }
             }
         }
     }
@@ -112,30 +114,6 @@ impl Expression {
         let above = Self::integer(1).add(which.clone()).mul(half());
         let below = Self::integer(1).sub(which).mul(half());
         if greater { da.mul(above).add(db.mul(below)) } else { da.mul(below).add(db.mul(above)) }
-    }
-}
-
-impl Function {
-    /// The derivative of the function at `a`.
-    fn derivative(self, a: &Expression) -> Expression {
-        let call = |function| Expression::call(function, a.clone());
-        let one = || Expression::integer(1);
-        let square = |e: Expression| e.power(Expression::integer(2));
-        match self {
-            Self::Abs => call(Self::Sign),
-            Self::Sign => Expression::integer(0),
-            Self::Sqrt => one().div(Expression::integer(2).mul(call(Self::Sqrt))),
-            Self::Exp => call(Self::Exp),
-            Self::Ln => one().div(a.clone()),
-            Self::Sin => call(Self::Cos),
-            Self::Cos => call(Self::Sin).neg(),
-            Self::Tan => one().add(square(call(Self::Tan))),
-            Self::Atan => one().div(one().add(square(a.clone()))),
-            Self::Sinh => call(Self::Cosh),
-            Self::Cosh => call(Self::Sinh),
-            Self::Tanh => one().sub(square(call(Self::Tanh))),
-            Self::Atanh => one().div(one().sub(square(a.clone()))),
-        }
     }
 }
 

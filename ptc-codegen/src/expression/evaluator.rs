@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use astro_float_num::Consts;
 
 use super::enclosure::Interval;
+use super::function::Domain;
 use super::{Expression, Found, Function, Node};
 use crate::limits::ENCLOSURE;
 
@@ -157,42 +158,34 @@ impl Evaluator {
     }
 
     fn applied(&mut self, function: Function, inner: &Interval) -> Option<Interval> {
-        let one = Interval::integer(1);
+        let domain = function.row().domain;
         let cache = self.cache.as_mut()?;
-        let inside = |partly: bool, outside: bool, on_edge: bool| match () {
-            () if outside => Existence::Never,
-            () if partly => Existence::Partly,
-            () if on_edge => Existence::ButAtPoles,
-            () => Existence::Certain,
+        let existence = match domain {
+            Domain::OffPoles if inner.call(Function::Cos, cache).has_zero() => {
+                Existence::ButAtPoles
+            }
+            domain => existence_within(inner, domain),
         };
-        let (existence, inner) = match function {
-            Function::Sqrt => {
-                (inside(!inner.is_not_negative(), inner.is_negative(), false), inner.clone())
-            }
-            Function::Ln => {
-                let negative = inner.is_negative();
-                let partly = !inner.is_not_negative();
-                // Only its positive part has logarithms.
-                let there = match partly && !negative {
-                    true => inner.most(&Interval::integer(0)),
-                    false => inner.clone(),
-                };
-                (inside(partly, negative, inner.has_zero()), there)
-            }
-            Function::Atanh => {
-                let (over, under) = (one.plus(inner), one.minus(inner));
-                let partly = !over.is_not_negative() || !under.is_not_negative();
-                let outside = over.is_negative() || under.is_negative();
-                (inside(partly, outside, over.has_zero() || under.has_zero()), inner.clone())
-            }
-            Function::Tan => {
-                let pole = inner.call(Function::Cos, cache).has_zero();
-                (inside(false, false, pole), inner.clone())
-            }
-            _ => (Existence::Certain, inner.clone()),
-        };
-        let value = inner.call(function, cache);
+        // Only its part within the domain has values.
+        let there = inner.within(domain);
+        let value = there.as_ref().unwrap_or(inner).call(function, cache);
         self.note(existence);
         Some(value)
     }
+}
+
+/// For which numbers of an interval a function has a value, by the ends of its domain.
+fn existence_within(inner: &Interval, domain: Domain) -> Existence {
+    let [low, high] = domain.edges();
+    // How far the interval is inside of each end.
+    let above = low.map(|edge| (inner.minus(&Interval::integer(edge.at)), edge.closed));
+    let below = high.map(|edge| (Interval::integer(edge.at).minus(inner), edge.closed));
+    let of_edge = |(room, closed): (Interval, bool)| match () {
+        () if room.is_negative() => Existence::Never,
+        () if !room.is_not_negative() => Existence::Partly,
+        () if !closed && room.has_zero() => Existence::ButAtPoles,
+        () => Existence::Certain,
+    };
+    let found = [above, below].into_iter().flatten().map(of_edge);
+    found.max().unwrap_or(Existence::Certain)
 }

@@ -5,6 +5,7 @@
 //! that of sqrt(x)^2 does for x < 0. The reader asks the same list before it drops a part.
 
 use super::enclosure::Interval;
+use super::function::Domain;
 use super::{Expression, Found, Function, Node};
 
 /// What a part of an expression has to be.
@@ -86,12 +87,13 @@ fn collect(
                 _ => Some((part, Condition::Positive)),
             }
         }
-        Node::Call(Function::Sqrt, a) => Some((a.clone(), Condition::NotNegative)),
-        Node::Call(Function::Ln, a) => Some((a.clone(), Condition::Positive)),
-        Node::Call(Function::Atanh, a) => Some((a.clone(), Condition::WithinOne)),
-        Node::Call(Function::Tan, a) => {
-            Some((E::call(Function::Cos, a.clone()), Condition::NotZero))
-        }
+        Node::Call(function, a) => match function.row().domain {
+            Domain::Everywhere => None,
+            Domain::NotNegative => Some((a.clone(), Condition::NotNegative)),
+            Domain::Positive => Some((a.clone(), Condition::Positive)),
+            Domain::InsideOne => Some((a.clone(), Condition::WithinOne)),
+            Domain::OffPoles => Some((E::call(Function::Cos, a.clone()), Condition::NotZero)),
+        },
         _ => None,
     };
     expression.operands().for_each(|operand| collect(operand, seen, found));

@@ -13,6 +13,7 @@ pub(crate) mod enclosure;
 pub(crate) mod evaluator;
 pub(crate) mod existence;
 mod field;
+pub(crate) mod function;
 pub(crate) mod generator;
 pub(crate) mod grouped;
 pub(crate) mod leading;
@@ -31,6 +32,7 @@ pub(crate) mod testing;
 mod walk;
 
 pub(crate) use arithmetic::power_bits;
+pub use function::Function;
 pub use names::Subject;
 pub(crate) use node::Found;
 pub use node::{Expression, Node};
@@ -65,72 +67,4 @@ pub enum Variable {
     StateAtStart(usize),
     /// `xi_j` latched at t0.
     XiAtStart(usize),
-}
-
-/// A function of one number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Function {
-    /// |a|.
-    Abs,
-    /// 1 for a > 0, -1 for a < 0, else a.
-    Sign,
-    /// Square root.
-    Sqrt,
-    /// e^a.
-    Exp,
-    /// Natural logarithm.
-    Ln,
-    /// Sine.
-    Sin,
-    /// Cosine.
-    Cos,
-    /// Tangent.
-    Tan,
-    /// Inverse tangent.
-    Atan,
-    /// Hyperbolic sine.
-    Sinh,
-    /// Hyperbolic cosine.
-    Cosh,
-    /// Hyperbolic tangent.
-    Tanh,
-    /// Inverse hyperbolic tangent.
-    Atanh,
-}
-
-impl Function {
-    /// All functions of one number, by the names that users write.
-    pub const ALL: [(&'static str, Self); 13] = [
-        ("abs", Self::Abs),
-        ("sign", Self::Sign),
-        ("sqrt", Self::Sqrt),
-        ("exp", Self::Exp),
-        ("ln", Self::Ln),
-        ("sin", Self::Sin),
-        ("cos", Self::Cos),
-        ("tan", Self::Tan),
-        ("atan", Self::Atan),
-        ("sinh", Self::Sinh),
-        ("cosh", Self::Cosh),
-        ("tanh", Self::Tanh),
-        ("atanh", Self::Atanh),
-    ];
-
-    /// The name that users write.
-    pub fn name(self) -> &'static str {
-        // The table is in the order of the enum; a test holds it there.
-        Self::ALL[self as usize].0
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_table_of_functions_is_in_the_order_of_the_enum() {
-        for (name, function) in Function::ALL {
-            assert_eq!(function.name(), name);
-        }
-    }
 }

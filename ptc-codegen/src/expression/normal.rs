@@ -3,6 +3,7 @@
 
 use super::effort::bounded;
 use super::field::{Field, Kernel, Terms, sum};
+use super::function::{Parity, Slope, in_logarithms};
 use super::leading::{Limit, limit};
 use super::ratio::{Ratio, exact_quotient};
 use super::sign::{Sign, positive_parameters, sign};
@@ -52,16 +53,17 @@ pub(super) fn within(form: Option<Expression>, plain: &Expression) -> Expression
     form.filter(|form| form.size() <= most).unwrap_or_else(|| plain.clone())
 }
 
-/// atanh(s) as a logarithm, in which 1 - s is formed before it is rounded.
+/// Inverse hyperbolic functions by logarithms, in which 1 - s is formed before it is rounded.
 fn logarithmic(expression: &Expression) -> Expression {
     expression.substitute(&|e| match e.node() {
-        Node::Call(Function::Atanh, s) => {
-            let (one, s) = (Expression::integer(1), logarithmic(s));
-            if !s.twice() {
-                return Some(Expression::call(Function::Atanh, s));
+        Node::Call(function, s) => {
+            in_logarithms(*function, s)?;
+            let s = logarithmic(s);
+            if s.twice() {
+                in_logarithms(*function, &s)
+            } else {
+                Some(Expression::call(*function, s))
             }
-            let ratio = one.clone().add(s.clone()).div(one.sub(s));
-            Some(Expression::call(Function::Ln, ratio).div(Expression::integer(2)))
         }
         _ => None,
     })
@@ -76,17 +78,24 @@ fn from_the_start(name: &Expression) -> Option<Sign> {
 /// Functions that tend to a constant as t grows: that constant, less what vanishes.
 fn at_limit(expression: &Expression) -> Expression {
     let t = Variable::SinceStart;
-    let has_cosh = expression.any(&|e| matches!(e.node(), Node::Call(Function::Cosh, _)));
+    let cosh = |e: &Expression| match e.node() {
+        Node::Call(function, _) => function.hyperbolic() == Some(Parity::Even),
+        _ => false,
+    };
+    let has_cosh = expression.any(&cosh);
     expression.substitute(&|e| {
         let Node::Call(function, u) = e.node() else { return None };
         match function {
             Function::Tanh | Function::Atan => {}
             // sinh(u) = cosh(u) tanh(u): their quotient then has its limit.
-            Function::Sinh if has_cosh => {
+            _ => {
+                let Slope::Partner(cosh, 1) = function.row().slope else { return None };
+                if !has_cosh || cosh.hyperbolic() != Some(Parity::Even) {
+                    return None;
+                }
                 let tanh = at_limit(&Expression::call(Function::Tanh, u.clone()));
-                return Some(Expression::call(Function::Cosh, u.clone()).mul(tanh));
+                return Some(Expression::call(cosh, u.clone()).mul(tanh));
             }
-            _ => return None,
         }
         let (falls, u) = match limit(u, t)? {
             Limit::Infinite => (false, at_limit(u)),

@@ -3,6 +3,7 @@
 //! The sum of the squares would be formed from rounded ones, and its series from terms that cancel.
 
 use super::field::{Field, Kernel};
+use super::function::{Parity, Slope};
 use super::ratio::Ratio;
 use super::{Expression, Function, Node};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol};
@@ -42,10 +43,15 @@ impl Field {
         let partner = |wanted: Function, of: &Expression| {
             calls.iter().find(|(_, f, u)| *f == wanted && *u == of).map(|(symbol, ..)| *symbol)
         };
-        let pair = |(symbol, function, u): &(Symbol, Function, &Expression)| match function {
-            Function::Cos => Some((*symbol, partner(Function::Sin, u)?, true)),
-            Function::Cosh => Some((*symbol, partner(Function::Sinh, u)?, false)),
-            _ => None,
+        // With f' = s g and g' = f, f^2 - s g^2 is constant: f(0)^2, which is 1 for the even one.
+        let pair = |(symbol, function, u): &(Symbol, Function, &Expression)| {
+            let row = function.row();
+            match (row.slope, row.parity) {
+                (Slope::Partner(other, sign), Some(Parity::Even)) => {
+                    Some((*symbol, partner(other, u)?, sign < 0))
+                }
+                _ => None,
+            }
         };
         calls.iter().filter_map(pair).collect()
     }

@@ -4,6 +4,7 @@ use num_traits::Signed;
 
 use super::effort::bounded;
 use super::field::{Field, Kernel};
+use super::function::Signs;
 use super::ratio::Ratio;
 use super::{Expression, Function, Node};
 use crate::algebra::{Monomial, Poly, Symbol, integer};
@@ -189,31 +190,24 @@ fn of_atom(atom: &Expression, known: Context<'_>) -> Option<Sign> {
 }
 
 fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sign> {
-    match function {
-        Function::Exp | Function::Cosh => Some(Positive),
-        Function::Abs => match of(a, known) {
+    // Whether the argument is between -pi/part and pi/part.
+    let is_within = |part: i64| {
+        let bound = Expression::pi().div(Expression::integer(part));
+        of(&bound.clone().sub(a.clone()), known) == Some(Positive)
+            && of(&bound.add(a.clone()), known) == Some(Positive)
+    };
+    match function.row().signs {
+        Signs::Positive => Some(Positive),
+        Signs::Size => match of(a, known) {
             Some(Positive | Negative) => Some(Positive),
             _ => Some(NotNegative),
         },
-        Function::Ln if of(a, known) != Some(Positive) => None,
-        Function::Ln => of(&a.clone().sub(Expression::from(integer(1))), known),
-        Function::Sqrt => of(a, known).filter(|sign| !matches!(sign, Negative | NotPositive)),
-        Function::Sign | Function::Sinh | Function::Tanh | Function::Atan | Function::Atanh => {
-            of(a, known)
-        }
-        // Between -pi/2 and pi/2, or for the sine between 0 and pi.
-        Function::Sin | Function::Cos | Function::Tan => {
-            let below = |part: i64| {
-                let bound = Expression::pi().div(Expression::integer(part));
-                of(&bound.clone().sub(a.clone()), known) == Some(Positive)
-                    && of(&bound.add(a.clone()), known) == Some(Positive)
-            };
-            match function {
-                Function::Cos => below(2).then_some(Positive),
-                Function::Sin => below(1).then(|| of(a, known))?,
-                _ => below(2).then(|| of(a, known))?,
-            }
-        }
+        Signs::Argument => of(a, known),
+        Signs::ArgumentLessOne if of(a, known) != Some(Positive) => None,
+        Signs::ArgumentLessOne => of(&a.clone().sub(Expression::from(integer(1))), known),
+        Signs::NotNegative => of(a, known).filter(|sign| !matches!(sign, Negative | NotPositive)),
+        Signs::ArgumentWithin(part) => is_within(part).then(|| of(a, known))?,
+        Signs::PositiveWithin(part) => is_within(part).then_some(Positive),
     }
 }
 

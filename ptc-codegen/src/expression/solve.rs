@@ -130,16 +130,10 @@ pub(super) fn depends(field: &Field, symbol: Symbol, does: &dyn Fn(&Expression) 
 }
 
 fn inverse(function: Function, target: Expression) -> Option<Expression> {
-    let back = match function {
-        Function::Exp => Function::Ln,
-        Function::Ln => Function::Exp,
-        Function::Tanh => Function::Atanh,
-        Function::Atanh => Function::Tanh,
-        Function::Atan => Function::Tan,
-        Function::Sqrt => return Some(target.power(Expression::integer(2))),
-        _ => return None,
-    };
-    Some(Expression::call(back, target))
+    if function == Function::Sqrt {
+        return Some(target.power(Expression::integer(2)));
+    }
+    Some(Expression::call(function.row().inverse?, target))
 }
 
 #[cfg(test)]

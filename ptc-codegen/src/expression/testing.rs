@@ -42,25 +42,7 @@ pub(crate) fn evaluate(expression: &Expression, at: f64) -> f64 {
         Node::Power(a, b) => value(a).powf(value(b)),
         Node::Min(a, b) => value(a).min(value(b)),
         Node::Max(a, b) => value(a).max(value(b)),
-        Node::Call(function, a) => {
-            let a = value(a);
-            match function {
-                Function::Abs => a.abs(),
-                Function::Sign if a == 0.0 => a,
-                Function::Sign => a.signum(),
-                Function::Sqrt => a.sqrt(),
-                Function::Exp => a.exp(),
-                Function::Ln => a.ln(),
-                Function::Sin => a.sin(),
-                Function::Cos => a.cos(),
-                Function::Tan => a.tan(),
-                Function::Atan => a.atan(),
-                Function::Sinh => a.sinh(),
-                Function::Cosh => a.cosh(),
-                Function::Tanh => a.tanh(),
-                Function::Atanh => a.atanh(),
-            }
-        }
+        Node::Call(function, a) => (function.row().double)(value(a)),
     }
 }
 
@@ -80,7 +62,7 @@ pub(crate) fn random(seed: &mut u64, height: u32) -> Expression {
         i64::try_from(*seed >> 33).expect("31 bits") % below
     };
     let kind = next(if height == 0 { 5 } else { 14 });
-    let choice = next(13);
+    let choice = next(i64::try_from(Function::ALL.len()).expect("few"));
     let mut inner = || random(seed, height.saturating_sub(1));
     match kind {
         0 => Expression::integer(choice - 4),

@@ -135,32 +135,8 @@ fn call(function: Function, a: f64, precision: Precision) -> f64 {
 }
 
 pub(super) fn of_platform(function: Function) -> (Real<f64>, Real<f32>) {
-    match function {
-        Function::Abs => (f64::abs, f32::abs),
-        Function::Sign => (|a| sign(a, 0.0, 1.0), |a| sign(a, 0.0, 1.0)),
-        Function::Sqrt => (f64::sqrt, f32::sqrt),
-        Function::Exp => (f64::exp, f32::exp),
-        Function::Ln => (f64::ln, f32::ln),
-        Function::Sin => (f64::sin, f32::sin),
-        Function::Cos => (f64::cos, f32::cos),
-        Function::Tan => (f64::tan, f32::tan),
-        Function::Atan => (f64::atan, f32::atan),
-        Function::Sinh => (f64::sinh, f32::sinh),
-        Function::Cosh => (f64::cosh, f32::cosh),
-        Function::Tanh => (f64::tanh, f32::tanh),
-        Function::Atanh => (f64::atanh, f32::atanh),
-    }
-}
-
-/// 1, -1, or a itself where it is a zero or no number.
-fn sign<R: PartialOrd + std::ops::Neg<Output = R> + Copy>(a: R, zero: R, one: R) -> R {
-    if a > zero {
-        one
-    } else if a < zero {
-        -one
-    } else {
-        a
-    }
+    let row = function.row();
+    (row.double, row.single)
 }
 
 /// a^k by the chain that [`passes::chains`](super::passes) writes out.

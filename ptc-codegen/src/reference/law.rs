@@ -3,7 +3,8 @@
 use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, below, raised};
-use crate::expression::{Expression, Found, Function, Node, Variable};
+use crate::expression::function::Slope;
+use crate::expression::{Expression, Found, Node, Variable};
 use crate::parameter::Parameter;
 
 /// A value, and the size of the terms that it consists of: what one relative error of each term
@@ -100,7 +101,11 @@ impl Arithmetic {
             }
             Node::Call(function, a) => {
                 let a = inner(a);
-                let slope = self.slope(*function, &a.value);
+                let slope = match function.row().slope {
+                    // Both sides of the kink count.
+                    Slope::Sign => self.integer(1),
+                    _ => function.slope(self, &a.value),
+                };
                 (self.call(*function, &a.value), self.mul(&slope, &a.size).abs())
             }
         };
@@ -135,36 +140,6 @@ impl Arithmetic {
         // 0^k is 0, whatever 0/0 gives.
         let size = if base.value.is_zero() { value.abs() } else { size };
         Term { size: larger(&size.abs(), &value), value }
-    }
-
-    /// The derivative of a function.
-    fn slope(&mut self, function: Function, a: &BigFloat) -> BigFloat {
-        let (one, two) = (self.integer(1), self.integer(2));
-        let square = self.mul(a, a);
-        match function {
-            Function::Abs => one,
-            Function::Sign => self.integer(0),
-            Function::Sqrt => {
-                let root = self.sqrt(a);
-                self.div(&one, &self.mul(&two, &root))
-            }
-            Function::Exp => self.exp(a),
-            Function::Ln => self.div(&one, a),
-            Function::Sin => self.call(Function::Cos, a),
-            Function::Cos => self.call(Function::Sin, a),
-            Function::Tan => {
-                let tan = self.call(Function::Tan, a);
-                self.add(&one, &self.mul(&tan, &tan))
-            }
-            Function::Atan => self.div(&one, &self.add(&one, &square)),
-            Function::Sinh => self.call(Function::Cosh, a),
-            Function::Cosh => self.call(Function::Sinh, a),
-            Function::Tanh => {
-                let tanh = self.call(Function::Tanh, a);
-                self.sub(&one, &self.mul(&tanh, &tanh))
-            }
-            Function::Atanh => self.div(&one, &self.sub(&one, &square)),
-        }
     }
 }
 

@@ -161,7 +161,6 @@ impl Arithmetic {
 
     /// A function of one number, its value alone.
     pub(super) fn call(&mut self, function: Function, a: &BigFloat) -> BigFloat {
-        let (one, two) = (self.integer(1), self.integer(2));
         match function {
             Function::Abs => a.abs(),
             Function::Sign if a.is_zero() => a.clone(),
@@ -171,29 +170,8 @@ impl Arithmetic {
             Function::Ln => self.ln(a),
             Function::Sin => self.sin_cos(a)[0].clone(),
             Function::Cos => self.sin_cos(a)[1].clone(),
-            Function::Tan => {
-                let [sin, cos] = self.sin_cos(a);
-                self.div(&sin, &cos)
-            }
             Function::Atan => self.atan(a),
-            Function::Sinh | Function::Cosh => {
-                let (up, down) = (self.exp(a), self.exp(&a.neg()));
-                let twice = if function == Function::Sinh {
-                    self.sub(&up, &down)
-                } else {
-                    self.add(&up, &down)
-                };
-                self.div(&twice, &two)
-            }
-            Function::Tanh => {
-                let e = self.exp(&self.mul(&two, a));
-                self.sub(&one, &self.div(&two, &self.add(&e, &one)))
-            }
-            Function::Atanh => {
-                let ratio = self.div(&self.add(&one, a), &self.sub(&one, a));
-                let twice = self.ln(&ratio);
-                self.div(&twice, &two)
-            }
+            function => function.by_others(self, a).unwrap_or(NAN),
         }
     }
 }

@@ -1,10 +1,12 @@
 //! The controller by its definition, in long arithmetic: what the emitted code should have given.
 //!
-//! Nothing here is shared with the way from a spec to code. The mapping is evaluated as it is
+//! Nothing here but the table of functions, which its tests compare with finite differences, is shared with the way
+//! from a spec to code. The mapping is evaluated as it is
 //! defined, its derivatives are Taylor coefficients in long arithmetic, the Bell polynomials come
 //! from their recurrence, and the law is Theorem 1 as it stands. Every result is computed at two
 //! precisions, and again with more digits until both agree far beyond a double.
 
+mod algebra;
 pub mod call;
 mod control;
 mod coupled;

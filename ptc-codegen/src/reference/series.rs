@@ -3,6 +3,7 @@
 use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, is_finite, raised};
+use crate::expression::function::Slope;
 use crate::expression::{Expression, Function, Node, Variable};
 use crate::parameter::Parameter;
 
@@ -77,22 +78,22 @@ impl Arithmetic {
         self.integer(i64::try_from(value).unwrap_or(i64::MAX))
     }
 
-    /// Sine and cosine (`sign` -1), or their hyperbolic sisters (1), from their values at a_0.
-    fn pair(&self, a: &Series, first: [BigFloat; 2], sign: i64) -> [Series; 2] {
-        let [mut s, mut c] = first.map(|value| vec![value]);
+    /// f with f' = s a' g and g' = r a' f, from the values of f and g at a_0 and the signs s and r.
+    fn oscillation(&self, a: &Series, first: [BigFloat; 2], signs: [i8; 2]) -> Series {
+        let [mut f, mut g] = first.map(|value| vec![value]);
         for k in 1..a.len() {
-            let sum = |other: &Series| {
+            let sum = |other: &Series, sign: i8| {
                 let sum = (1..=k).fold(self.integer(0), |sum, j| {
                     let weight = self.mul(&self.small(j), &a[j]);
                     self.add(&sum, &self.mul(&weight, &other[k - j]))
                 });
-                self.div(&sum, &self.small(k))
+                self.div(&self.mul(&self.integer(sign.into()), &sum), &self.small(k))
             };
-            let (s_k, c_k) = (sum(&c), self.mul(&self.integer(sign), &sum(&s)));
-            s.push(s_k);
-            c.push(c_k);
+            let (f_k, g_k) = (sum(&g, signs[0]), sum(&f, signs[1]));
+            f.push(f_k);
+            g.push(g_k);
         }
-        [s, c]
+        f
     }
 
     fn whole_power(&self, a: &Series, k: i32) -> Series {
@@ -135,48 +136,34 @@ impl Arithmetic {
     }
 
     fn function(&mut self, function: Function, a: &Series) -> Series {
-        let value = |own: &mut Self| own.call(function, &a[0]);
-        match function {
-            Function::Abs => {
+        let first = self.call(function, &a[0]);
+        match function.row().slope {
+            Slope::Zero => self.constant(first, a.len()),
+            Slope::Sign => {
                 let sign = self.call(Function::Sign, &a[0]);
                 a.iter().map(|a| self.mul(&sign, a)).collect()
             }
-            Function::Sign => {
-                let sign = value(self);
-                self.constant(sign, a.len())
-            }
-            Function::Sqrt => {
+            Slope::HalfReciprocal => {
                 let half = self.double(0.5);
                 self.constant_power(a, &half)
             }
-            Function::Exp => self.exponential(a),
-            Function::Ln => self.logarithm(a),
-            Function::Sin | Function::Cos | Function::Tan => {
-                let first = self.sin_cos(&a[0]);
-                let [s, c] = self.pair(a, first, -1);
-                match function {
-                    Function::Sin => s,
-                    Function::Cos => c,
-                    _ => self.quotient(&s, &c),
-                }
+            Slope::Own => self.exponential(a),
+            Slope::Reciprocal => self.logarithm(a),
+            Slope::Partner(partner, sign) => {
+                let other = self.call(partner, &a[0]);
+                self.oscillation(a, [first, other], [sign, partner.row().slope.sign()])
             }
-            Function::Sinh | Function::Cosh => {
-                let first = [Function::Sinh, Function::Cosh].map(|f| self.call(f, &a[0]));
-                let [s, c] = self.pair(a, first, 1);
-                if function == Function::Sinh { s } else { c }
-            }
-            // f' = a' (1 - f^2): no exponential that leaves the range.
-            Function::Tanh => {
-                let first = value(self);
+            // f' = a' (1 +- f^2): no exponential that leaves the range.
+            Slope::OneAndSquare(sign) => {
                 let (zero, one) = (self.integer(0), self.integer(1));
+                let sign = self.integer(sign.into());
                 self.integrated(a, first, |f, k| {
                     let square = self.convolved(f, f, k, 0, |_| one.clone());
-                    self.sub(if k == 0 { &one } else { &zero }, &square)
+                    self.add(if k == 0 { &one } else { &zero }, &self.mul(&sign, &square))
                 })
             }
-            Function::Atan | Function::Atanh => {
-                let slope = self.over_square(a, if function == Function::Atan { 1 } else { -1 });
-                let first = value(self);
+            Slope::OverOneAndSquare(sign) => {
+                let slope = self.over_square(a, sign.into());
                 self.integrated(a, first, |_, k| slope[k].clone())
             }
         }

@@ -1,5 +1,6 @@
 //! What must hold of the parts of an expression for it to be smooth.
 
+use crate::expression::function::Domain;
 use crate::expression::{Expression, Function, Node, Variable};
 
 /// A condition on a part of an expression, wherever the variable may be.
@@ -42,20 +43,26 @@ fn own(expression: &Expression, v: Variable, found: &mut Vec<Need>) {
             let part = a.clone().sub(b.clone());
             need(part, false, format!("{expression} has a kink where both are equal"));
         }
-        Node::Call(Function::Abs | Function::Sign, a) => {
-            need(a.clone(), false, format!("{expression} has a kink where {a} is 0"));
-        }
-        Node::Call(function @ (Function::Ln | Function::Sqrt), a) => {
-            need(a.clone(), true, format!("{a}, under {}, may be 0", function.name()));
-        }
-        Node::Call(Function::Tan, a) => {
-            let cosine = Expression::call(Function::Cos, a.clone());
-            need(cosine, false, format!("{expression} may have a pole"));
-        }
-        Node::Call(Function::Atanh, a) => {
-            let why = format!("{a}, under atanh, may reach 1 or -1");
-            need(one().sub(a.clone()), true, why.clone());
-            need(one().add(a.clone()), true, why);
+        Node::Call(function, a) => {
+            if function.row().has_kink {
+                need(a.clone(), false, format!("{expression} has a kink where {a} is 0"));
+            }
+            let name = function.name();
+            match function.row().domain {
+                Domain::Everywhere => {}
+                Domain::NotNegative | Domain::Positive => {
+                    need(a.clone(), true, format!("{a}, under {name}, may be 0"));
+                }
+                Domain::OffPoles => {
+                    let cosine = Expression::call(Function::Cos, a.clone());
+                    need(cosine, false, format!("{expression} may have a pole"));
+                }
+                Domain::InsideOne => {
+                    let why = format!("{a}, under {name}, may reach 1 or -1");
+                    need(one().sub(a.clone()), true, why.clone());
+                    need(one().add(a.clone()), true, why);
+                }
+            }
         }
         _ => {}
     }

@@ -1,6 +1,6 @@
 //! Expressions in LaTeX.
 
-use crate::expression::{Expression, Function, Node, Variable};
+use crate::expression::{Expression, Node, Variable};
 use num_traits::Signed;
 
 use super::super::greek::GREEK;
@@ -28,13 +28,10 @@ pub(super) fn latex(e: &Expression) -> String {
         Node::Power(a, b) => format!("{}^{{{}}}", operand(a, 5), latex(b)),
         Node::Min(a, b) => format!("\\min({}, {})", latex(a), latex(b)),
         Node::Max(a, b) => format!("\\max({}, {})", latex(a), latex(b)),
-        Node::Call(Function::Sqrt, a) => format!("\\sqrt{{{}}}", latex(a)),
-        Node::Call(Function::Abs, a) => format!("\\left|{}\\right|", latex(a)),
-        Node::Call(Function::Exp, a) => format!("e^{{{}}}", latex(a)),
-        Node::Call(Function::Sign, a) => format!("\\operatorname{{sgn}}({})", latex(a)),
-        Node::Call(Function::Atan, a) => format!("\\arctan({})", latex(a)),
-        Node::Call(Function::Atanh, a) => format!("\\operatorname{{artanh}}({})", latex(a)),
-        Node::Call(function, a) => format!("\\{}({})", function.name(), latex(a)),
+        Node::Call(function, a) => {
+            let [before, after] = function.words().latex;
+            format!("{before}{}{after}", latex(a))
+        }
     }
 }
 

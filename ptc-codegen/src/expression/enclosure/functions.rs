@@ -5,6 +5,7 @@ use astro_float_num::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode};
 use super::long::{LONG, small, two_to};
 use super::{End, Interval};
 use crate::expression::Function;
+use crate::expression::function::{Algebra, Domain, Pieces};
 
 /// Whether x is so small that sin x, atan x and e^x - 1 are x to within the margin of
 /// [`Interval::around`]; the library would take time with the size of its exponent.
@@ -19,7 +20,7 @@ impl Interval {
     }
 
     /// The part of it from `low` to `high`; `None` if it is empty.
-    fn within(&self, low: &BigFloat, high: &BigFloat) -> Option<Self> {
+    fn clipped(&self, low: &BigFloat, high: &BigFloat) -> Option<Self> {
         if self.high < *low || *high < self.low {
             return None;
         }
@@ -36,7 +37,7 @@ impl Interval {
     }
 
     fn ln(&self, cache: &mut Consts) -> Self {
-        let Some(there) = self.within(&small(0), &INF_POS) else { return Self::WHOLE };
+        let Some(there) = self.clipped(&small(0), &INF_POS) else { return Self::WHOLE };
         there.growing(&mut |x| match () {
             () if x.is_zero() => Self::from(INF_NEG),
             () if x.is_inf() => Self::from(INF_POS),
@@ -70,10 +71,14 @@ impl Interval {
             let half = last.product(&two_to(-1), RoundingMode::Down);
             value = value.hull(&Self::integer(if half.floor() == half { 1 } else { -1 }));
         }
-        value.within(&small(-1), &small(1)).unwrap_or(all)
+        value.clipped(&small(-1), &small(1)).unwrap_or(all)
     }
 
-    fn sin(&self, cache: &mut Consts) -> Self {
+    /// A function that oscillates as the cosine does, later by a number of quarter turns: itself or the sine.
+    fn wave(&self, quarters: u8, cache: &mut Consts) -> Self {
+        if quarters == 0 {
+            return self.cos(cache);
+        }
         let quarter = Self::pi(cache).over(&Self::integer(2));
         let shifted = self.minus(&quarter).cos(cache);
         // Near 0 the shift loses digits that |sin x| <= |x| keeps.
@@ -88,60 +93,100 @@ impl Interval {
         })
     }
 
+    /// The part of it within a domain, but for poles; `None` if it is empty.
+    pub(crate) fn within(&self, domain: Domain) -> Option<Self> {
+        let [low, high] = domain.edges();
+        let low = low.map_or(INF_NEG, |edge| small(edge.at));
+        let high = high.map_or(INF_POS, |edge| small(edge.at));
+        self.clipped(&low, &high)
+    }
+
     /// A function of one number. What is outside its domain gives no value.
     pub(crate) fn call(&self, function: Function, cache: &mut Consts) -> Self {
-        let one = Self::integer(1);
+        let row = function.row();
+        let Some(there) = self.within(row.domain) else { return Self::WHOLE };
+        let there = match row.pieces {
+            Pieces::Rising => there,
+            Pieces::Valley => there.size(),
+            Pieces::Wave(quarters) => return there.wave(quarters, cache),
+            Pieces::Branches if there.cos(cache).has_zero() => return Self::WHOLE,
+            Pieces::Branches => there,
+        };
+        let value = there.growing(&mut |x| Self::at(function, x, cache));
+        let [low, high] = row.bounds;
+        let low = low.map_or(INF_NEG, small);
+        let high = high.map_or(INF_POS, small);
+        value.clipped(&low, &high).unwrap_or(value)
+    }
+
+    /// A function at one number of its domain, or at an infinite end.
+    fn at(function: Function, x: &BigFloat, cache: &mut Consts) -> Self {
+        let library = |of: fn(&BigFloat, usize, RoundingMode, &mut Consts) -> BigFloat,
+                       cache: &mut Consts| match () {
+            () if x.is_zero() => Self::integer(0),
+            () if is_tiny(x) => Self::around(x.clone()),
+            () => Self::around(of(x, LONG, RoundingMode::None, cache)),
+        };
         match function {
-            Function::Abs => self.size(),
-            Function::Sign => {
-                // At 0 both sides count, as a slope has both there.
-                let low = if self.is_positive() { 1 } else { -1 };
-                let high = if self.is_negative() { -1 } else { 1 };
-                Self::new(small(low), small(high))
+            Function::Abs => Self::from(x.clone()),
+            // At 0 both sides count, as a slope has both there.
+            Function::Sign if x.is_zero() => Self::integer(1).both_signs(),
+            Function::Sign => Self::integer(if x.is_positive() { 1 } else { -1 }),
+            Function::Sqrt if x.is_zero() || x.is_inf() => Self::from(x.clone()),
+            Function::Sqrt => Self::around(x.sqrt(LONG, RoundingMode::None)),
+            Function::Exp => Self::from(x.clone()).exp(cache),
+            Function::Ln => Self::from(x.clone()).ln(cache),
+            Function::Atan if x.is_inf() => {
+                let quarter = Self::pi(cache).over(&Self::integer(2));
+                if x.is_positive() { quarter } else { quarter.neg() }
             }
-            Function::Sqrt => {
-                let Some(there) = self.within(&small(0), &INF_POS) else { return Self::WHOLE };
-                there.growing(&mut |x| match () {
-                    () if x.is_zero() || x.is_inf() => Self::from(x.clone()),
-                    () => Self::around(x.sqrt(LONG, RoundingMode::None)),
-                })
-            }
-            Function::Exp => self.exp(cache),
-            Function::Ln => self.ln(cache),
-            Function::Sin => self.sin(cache),
-            Function::Cos => self.cos(cache),
-            Function::Tan => self.sin(cache).over(&self.cos(cache)),
-            Function::Atan => self.growing(&mut |x| match () {
-                () if x.is_zero() => Self::integer(0),
-                () if x.is_inf() => {
-                    let quarter = Self::pi(cache).over(&Self::integer(2));
-                    if x.is_positive() { quarter } else { quarter.neg() }
-                }
-                () if is_tiny(x) => Self::around(x.clone()),
-                () => Self::around(x.atan(LONG, RoundingMode::None, cache)),
-            }),
-            Function::Sinh => self.growing(&mut |x| {
-                let e = Self::from(x.clone()).exp(cache);
-                e.minus(&e.reciprocal()).over(&Self::integer(2))
-            }),
-            Function::Cosh => self.size().growing(&mut |x| {
-                let e = Self::from(x.clone()).exp(cache);
-                e.plus(&e.reciprocal()).over(&Self::integer(2)).most(&one)
-            }),
-            Function::Tanh => {
-                // 1 - 2/(1 + e^(2 x)) grows with x, and so its ends are those of e^(2 x).
-                let e = self.times(&Self::integer(2)).exp(cache);
-                one.minus(&Self::integer(2).over(&one.plus(&e)))
-            }
-            Function::Atanh => {
-                let Some(x) = self.within(&small(-1), &small(1)) else { return Self::WHOLE };
-                x.growing(&mut |x| {
-                    let x = Self::from(x.clone());
-                    let (over, under) = (one.plus(&x), one.minus(&x));
-                    let (over, under) = (over.ln(cache), under.ln(cache));
-                    over.minus(&under).over(&Self::integer(2))
-                })
+            Function::Atan => library(BigFloat::atan, cache),
+            Function::Tan => library(BigFloat::tan, cache),
+            function => {
+                let x = Self::from(x.clone());
+                function.by_others(&mut Intervals { cache }, &x).unwrap_or(Self::WHOLE)
             }
         }
+    }
+}
+
+/// Intervals as numbers of a formula.
+pub(crate) struct Intervals<'a> {
+    pub(crate) cache: &'a mut Consts,
+}
+
+impl Algebra for Intervals<'_> {
+    type Number = Interval;
+
+    fn integer(&mut self, value: i64) -> Interval {
+        Interval::integer(value)
+    }
+
+    fn neg(&mut self, a: Interval) -> Interval {
+        a.neg()
+    }
+
+    fn add(&mut self, a: Interval, b: Interval) -> Interval {
+        a.plus(&b)
+    }
+
+    fn sub(&mut self, a: Interval, b: Interval) -> Interval {
+        a.minus(&b)
+    }
+
+    fn twice(&mut self, a: Interval) -> Interval {
+        Interval::integer(2).times(&a)
+    }
+
+    fn square(&mut self, a: Interval) -> Interval {
+        a.square()
+    }
+
+    fn div(&mut self, a: Interval, b: Interval) -> Interval {
+        a.over(&b)
+    }
+
+    fn call(&mut self, function: Function, a: &Interval) -> Interval {
+        a.call(function, self.cache)
     }
 }

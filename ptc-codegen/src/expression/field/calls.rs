@@ -3,6 +3,7 @@
 use num_traits::ToPrimitive;
 
 use super::super::compact::{is_negative, negative};
+use super::super::function::Parity;
 use super::super::ratio::Ratio;
 use super::super::{Expression, Function};
 use super::{Field, Kernel, Terms, sum};
@@ -17,12 +18,10 @@ impl Field {
             F::Sin | F::Cos | F::Tan => self.quarter_turned(function, argument, &terms)?,
             _ => (function, 1, argument, false),
         };
-        let odd = !matches!(function, F::Abs | F::Cos | F::Cosh | F::Ln | F::Exp | F::Sqrt);
-        let even = matches!(function, F::Abs | F::Cos | F::Cosh);
-        let (sign, argument) = match is_negative(&argument) {
-            true if odd => (-sign, negative(argument)),
-            true if even => (sign, negative(argument)),
-            _ => (sign, argument),
+        let (sign, argument) = match function.row().parity.filter(|_| is_negative(&argument)) {
+            Some(Parity::Odd) => (-sign, negative(argument)),
+            Some(Parity::Even) => (sign, negative(argument)),
+            None => (sign, argument),
         };
         let value = self.atom(Expression::call(function, argument))?.scaled(&integer(sign));
         if inverted { value.pow(-1) } else { Some(value) }

@@ -13,8 +13,9 @@ use reduced::reduced;
 
 use super::effort::bounded;
 use super::field::{Field, Kernel};
+use super::function::in_exponentials;
 use super::ratio::{Ratio, content, times};
-use super::{Expression, Function, Node, Variable};
+use super::{Expression, Node, Variable};
 use crate::algebra::{Kind, Monomial, Poly, Symbol, common_measure, integer};
 use crate::parameter::Parameter;
 
@@ -47,27 +48,16 @@ pub(crate) struct Generated {
 /// The generator of the mapping whose mu or complement is `form`, in the time since the start.
 pub(crate) fn generator(form: &Expression) -> Option<Generated> {
     bounded(|| {
-        let slope = in_exponentials(form).derivative(Variable::SinceStart);
+        let slope = by_exponentials(form).derivative(Variable::SinceStart);
         [Clock::Time, Clock::Decay].into_iter().find_map(|clock| Generated::of(&slope, clock))
     })
 }
 
 /// Hyperbolic functions by exponentials, the outer ones alone: no ring closes on one in another.
-fn in_exponentials(form: &Expression) -> Expression {
+fn by_exponentials(form: &Expression) -> Expression {
     form.substitute(&|e| {
         let Node::Call(function, u) = e.node() else { return None };
-        let hyperbolic = matches!(function, Function::Tanh | Function::Sinh | Function::Cosh);
-        if !hyperbolic || !u.twice() {
-            return None;
-        }
-        let (one, two) = (Expression::integer(1), Expression::integer(2));
-        let power = |k: i64| Expression::call(Function::Exp, Expression::integer(k).mul(u.clone()));
-        Some(match function {
-            Function::Tanh => one.clone().sub(power(-2)).div(one.add(power(-2))),
-            Function::Sinh => power(1).sub(power(-1)).div(two),
-            Function::Cosh => power(1).add(power(-1)).div(two),
-            _ => return None,
-        })
+        in_exponentials(*function, u).filter(|_| u.twice())
     })
 }
 

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::scale::Scale;
 use super::series::Series;
 use super::{Walk, ordering, zero};
+use crate::expression::function::{Parity, in_logarithms};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Function, Node};
 
@@ -36,14 +37,17 @@ pub(super) fn series(expression: &Expression, walk: &Walk<'_>) -> Option<Series>
             let first = (difference.sign()? > 0) == matches!(expression.node(), Node::Max(..));
             Some(if first { a } else { b })
         }
-        Node::Call(function, a) => call(*function, series(a, walk)?, walk),
+        Node::Call(function, a) => match in_logarithms(*function, a) {
+            Some(form) => series(&form, walk),
+            None => call(*function, series(a, walk)?, walk),
+        },
     }
 }
 
 fn call(function: Function, a: Series, walk: &Walk<'_>) -> Option<Series> {
     use Function as F;
-    let one = || Series::constant(Expression::integer(1));
     let integer = Expression::integer;
+    let hyperbolic = function.hyperbolic();
     match function {
         F::Exp => a.exponential(walk),
         F::Ln => a.logarithm(walk),
@@ -60,14 +64,9 @@ fn call(function: Function, a: Series, walk: &Walk<'_>) -> Option<Series> {
             let cosine = call(F::Cos, a.clone(), walk)?.raised(&integer(-1), walk)?;
             call(F::Sin, a, walk)?.times(&cosine, walk)
         }
-        F::Atanh => {
-            let under = one().plus(a.clone().negative(walk)?, walk)?;
-            let ratio = one().plus(a, walk)?.times(&under.raised(&integer(-1), walk)?, walk)?;
-            ratio.logarithm(walk)?.scaled(&half(), walk)
-        }
-        F::Sinh | F::Cosh if a.grows().is_some() => {
+        _ if hyperbolic.is_some() && a.grows().is_some() => {
             let back = a.clone().negative(walk)?.exponential(walk)?;
-            let sign = integer(if function == F::Sinh { -1 } else { 1 });
+            let sign = integer(if hyperbolic == Some(Parity::Odd) { -1 } else { 1 });
             a.exponential(walk)?.plus(back.scaled(&sign, walk)?, walk)?.scaled(&half(), walk)
         }
         F::Tanh | F::Atan if a.grows().is_some() => {

@@ -2,6 +2,7 @@
 
 use super::Series;
 use crate::expression::Function;
+use crate::expression::function::Slope;
 use crate::lower::builder::Builder;
 use crate::lower::coefficients::Coefficient;
 use crate::program::{Op, Value};
@@ -15,9 +16,10 @@ impl Builder<'_> {
         }
         let inner = self.plain(&a);
         let at = self.coefficient(&inner[0]);
-        if let Function::Abs | Function::Sign = function {
+        let slope = function.row().slope;
+        if let Slope::Sign | Slope::Zero = slope {
             let sign = Some(self.push(Op::Call(Function::Sign, at)));
-            if function == Function::Abs {
+            if slope == Slope::Sign {
                 return Series::new(sign, inner);
             }
             let mut one = vec![Coefficient::integer(0); inner.len()];
@@ -25,18 +27,18 @@ impl Builder<'_> {
             return Series::new(sign, one);
         }
         let value = self.push(Op::Call(function, at));
-        match function {
-            Function::Exp => {
+        match slope {
+            Slope::Own => {
                 let one = Coefficient::integer(1);
                 Series::new(Some(value), self.integrated(&inner, one))
             }
-            Function::Sin | Function::Cos | Function::Sinh | Function::Cosh => {
-                self.oscillation(function, value, &inner)
+            Slope::Partner(partner, sign) => self.oscillation(value, (partner, sign), &inner),
+            Slope::OneAndSquare(sign) => self.slope_of_square(value, &inner, sign < 0),
+            Slope::OverOneAndSquare(sign) => self.inverse_of_square(value, &inner, sign < 0),
+            // Logarithms and roots are series by their leading coefficient.
+            Slope::Sign | Slope::Zero | Slope::Reciprocal | Slope::HalfReciprocal => {
+                crate::internal::fault("a series of a function that has another form")
             }
-            Function::Tan | Function::Tanh => {
-                self.slope_of_square(value, &inner, function == Function::Tanh)
-            }
-            _ => self.inverse_of_square(value, &inner, function == Function::Atanh),
         }
     }
 
@@ -68,28 +70,23 @@ impl Builder<'_> {
         self.over(&sum, &Coefficient::index(k))
     }
 
-    /// sin, cos, sinh or cosh, together with the one that is its derivative up to sign.
-    fn oscillation(&mut self, function: Function, value: Value, a: &[Coefficient]) -> Series {
-        let (partner, sign) = match function {
-            Function::Sin => (Function::Cos, -1),
-            Function::Cos => (Function::Sin, -1),
-            Function::Sinh => (Function::Cosh, 1),
-            _ => (Function::Sinh, 1),
-        };
+    /// A function together with the one that is its derivative up to sign.
+    fn oscillation(
+        &mut self,
+        value: Value,
+        (partner, own_sign): (Function, i8),
+        a: &[Coefficient],
+    ) -> Series {
         let at = self.coefficient(&a[0]);
         let partner_value = self.push(Op::Call(partner, at));
         let mut own = vec![Coefficient::Value(value)];
         let mut other = vec![Coefficient::Value(partner_value)];
-        // sin' = cos and cos' = -sin: the sign belongs to the derivative of the cosine.
-        let (own_sign, other_sign) = match function {
-            Function::Cos => (sign, 1),
-            _ => (1, sign),
-        };
+        let other_sign = partner.row().slope.sign();
         for k in 1..a.len() {
             let next_own = self.next_term(a, &other, k);
             let next_other = self.next_term(a, &own, k);
-            own.push(self.times(&Coefficient::integer(own_sign), &next_own));
-            other.push(self.times(&Coefficient::integer(other_sign), &next_other));
+            own.push(self.times(&Coefficient::integer(own_sign.into()), &next_own));
+            other.push(self.times(&Coefficient::integer(other_sign.into()), &next_other));
         }
         Series::new(None, own)
     }

@@ -2,6 +2,7 @@
 
 use crate::expression::enclosure::Range;
 use crate::expression::evaluator::{Evaluator, Names};
+use crate::expression::function::Slope;
 use crate::expression::{Expression, Function, Node, Variable};
 
 /// scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that those of a
@@ -185,7 +186,7 @@ impl Arithmetic<'_> {
     }
 
     fn function(&mut self, function: Function, a: &Series) -> Option<Series> {
-        if function == Function::Ln {
+        if function.row().slope == Slope::Reciprocal {
             let (leading, terms) = a.leading();
             let first =
                 leading.is_positive().then(|| self.evaluator.call(function, &leading.into()))??;
@@ -195,54 +196,51 @@ impl Arithmetic<'_> {
         }
         let inner = a.plain();
         let at = inner[0];
-        if let Function::Abs | Function::Sign = function {
+        let slope = function.row().slope;
+        if let Slope::Sign | Slope::Zero = slope {
             let sign = match () {
                 () if at.is_positive() => Range::from(1.0),
                 () if at.is_negative() => Range::from(-1.0),
                 () => return None,
             };
             let sign = Series::constant(sign, inner.len());
-            return Some(if function == Function::Abs { sign.times(a) } else { sign });
+            return Some(if slope == Slope::Sign { sign.times(a) } else { sign });
         }
         let mut own = vec![Range::from(&self.evaluator.call(function, &at.into())?)];
         let length = 1..inner.len();
         // Term k of 1 + w^2 or 1 - w^2.
-        let square = |w: &[Range], k: usize, minus: bool| {
+        let square = |w: &[Range], k: usize, sign: i8| {
             let square = convolution((w, w), k, 0..=k, &one);
             let unit = Range::from(f64::from(u8::from(k == 0)));
-            unit + if minus { -square } else { square }
+            unit + if sign < 0 { -square } else { square }
         };
-        match function {
-            Function::Exp => length.for_each(|k| own.push(next_term(&inner, &own, k))),
-            Function::Sin | Function::Cos | Function::Sinh | Function::Cosh => {
-                // What each is the derivative of, up to sign.
-                let (partner, own_sign, sign) = match function {
-                    Function::Sin => (Function::Cos, 1.0, -1.0),
-                    Function::Cos => (Function::Sin, -1.0, 1.0),
-                    Function::Sinh => (Function::Cosh, 1.0, 1.0),
-                    _ => (Function::Sinh, 1.0, 1.0),
-                };
+        match slope {
+            Slope::Own => length.for_each(|k| own.push(next_term(&inner, &own, k))),
+            Slope::Partner(partner, sign) => {
+                let signs =
+                    [sign, partner.row().slope.sign()].map(|sign| Range::from(f64::from(sign)));
                 let mut other = vec![Range::from(&self.evaluator.call(partner, &at.into())?)];
                 for k in length {
-                    let next = next_term(&inner, &other, k) * Range::from(own_sign);
-                    other.push(next_term(&inner, &own, k) * Range::from(sign));
+                    let next = next_term(&inner, &other, k) * signs[0];
+                    other.push(next_term(&inner, &own, k) * signs[1]);
                     own.push(next);
                 }
             }
-            Function::Tan | Function::Tanh => {
-                let mut slope = vec![square(&own, 0, function == Function::Tanh)];
+            Slope::OneAndSquare(sign) => {
+                let mut slope = vec![square(&own, 0, sign)];
                 for k in length {
                     own.push(next_term(&inner, &slope, k));
-                    slope.push(square(&own, k, function == Function::Tanh));
+                    slope.push(square(&own, k, sign));
                 }
             }
-            _ => {
-                let minus = function == Function::Atanh;
-                let under: Vec<_> = (0..inner.len()).map(|k| square(&inner, k, minus)).collect();
-                // The domain of atanh; of atan it is always positive.
+            Slope::OverOneAndSquare(sign) => {
+                let under: Vec<_> = (0..inner.len()).map(|k| square(&inner, k, sign)).collect();
+                // The domain of an inverse; without a sign it is always positive.
                 under[0].is_positive().then_some(())?;
                 length.for_each(|k| own.push(next_quotient(&inner, &own, &under, k)));
             }
+            // Logarithms and roots are series by their leading term.
+            Slope::Sign | Slope::Zero | Slope::Reciprocal | Slope::HalfReciprocal => return None,
         }
         Some(Series::of(own))
     }

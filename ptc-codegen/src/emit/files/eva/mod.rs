@@ -123,8 +123,8 @@ fn without_contract(program: &Code) -> Vec<String> {
             called.push(*function);
         }
     });
-    let all = [Math::Sinh, Math::Cosh, Math::Tanh, Math::Atanh];
-    let all = all.into_iter().filter(|function| called.contains(function));
+    let all = Math::ALL.into_iter().map(|(_, function)| function);
+    let all = all.filter(|function| !function.words().contract && called.contains(function));
     all.map(|function| format!("{}{suffix}", function.name())).collect()
 }
 

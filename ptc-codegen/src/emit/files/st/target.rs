@@ -91,8 +91,8 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
             );
         }
     }
-    let absent = [Function::Sinh, Function::Cosh, Function::Tanh, Function::Atanh];
-    for function in absent {
+    let all = Function::ALL.into_iter().map(|(_, function)| function);
+    for function in all.filter(|function| !function.words().structured_text) {
         let calls = |op: &Op| matches!(op, Op::Call(called, _) if *called == function);
         if program.is_some_and(|p| p.values.iter().any(|value| calls(&value.op))) {
             let (name, key) = (function.name(), key_of(spec, function));

@@ -1,0 +1,161 @@
+//! Functions of one number: the only place that knows a particular one.
+//!
+//! [`table`] has a row a function. Whoever needs a value, a derivative, a domain, an enclosure, a sign or a
+//! word of a language asks the row, so that two analyses never differ in what a function is.
+
+mod formula;
+mod slope;
+mod table;
+#[cfg(feature = "files")]
+mod words;
+
+pub(crate) use formula::{in_exponentials, in_logarithms};
+pub(crate) use slope::{Algebra, Slope, Symbolic};
+pub(crate) use table::Row;
+
+/// A function of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// |a|.
+    Abs,
+    /// 1 for a > 0, -1 for a < 0, else a.
+    Sign,
+    /// Square root.
+    Sqrt,
+    /// e^a.
+    Exp,
+    /// Natural logarithm.
+    Ln,
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Tangent.
+    Tan,
+    /// Inverse tangent.
+    Atan,
+    /// Hyperbolic sine.
+    Sinh,
+    /// Hyperbolic cosine.
+    Cosh,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Inverse hyperbolic tangent.
+    Atanh,
+}
+
+/// What f(-a) is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Parity {
+    /// f(a).
+    Even,
+    /// -f(a).
+    Odd,
+}
+
+/// The arguments for which a function has a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Domain {
+    /// All numbers.
+    Everywhere,
+    /// a >= 0.
+    NotNegative,
+    /// a > 0.
+    Positive,
+    /// -1 < a < 1.
+    InsideOne,
+    /// cos(a) is not 0.
+    OffPoles,
+}
+
+/// An end of a domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Edge {
+    pub(crate) at: i64,
+    /// Whether the end belongs to the domain.
+    pub(crate) closed: bool,
+}
+
+impl Edge {
+    /// The end as a double.
+    #[allow(clippy::cast_precision_loss)]
+    pub(crate) fn at(self) -> f64 {
+        self.at as f64
+    }
+}
+
+impl Domain {
+    /// The lower and the upper end, `None` if unbounded. Poles are none.
+    pub(crate) fn edges(self) -> [Option<Edge>; 2] {
+        let at = |at, closed| Some(Edge { at, closed });
+        match self {
+            Self::Everywhere | Self::OffPoles => [None, None],
+            Self::NotNegative => [at(0, true), None],
+            Self::Positive => [at(0, false), None],
+            Self::InsideOne => [at(-1, false), at(1, false)],
+        }
+    }
+}
+
+/// Where a function rises and falls: between these places its extremes are at the ends of an interval.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pieces {
+    /// It rises, or stays, on its whole domain.
+    Rising,
+    /// It falls up to 0 and rises from there.
+    Valley,
+    /// It oscillates between -1 and 1, greatest at this many quarter turns, and a whole turn further on.
+    Wave(u8),
+    /// It rises from pole to pole, which lie at odd quarter turns.
+    Branches,
+}
+
+/// How the sign of a value follows from that of the argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Signs {
+    /// Always > 0.
+    Positive,
+    /// > 0 but for an argument 0, where it is 0.
+    Size,
+    /// That of the argument.
+    Argument,
+    /// That of the argument less 1, for a positive argument.
+    ArgumentLessOne,
+    /// That of the argument, which is not negative.
+    NotNegative,
+    /// That of the argument within +-pi over this number.
+    ArgumentWithin(i64),
+    /// > 0 within +-pi over this number.
+    PositiveWithin(i64),
+}
+
+impl Function {
+    /// The row of the table.
+    pub(crate) fn row(self) -> &'static Row {
+        // The table is in the order of the enum; a test holds it there.
+        &table::TABLE[self as usize]
+    }
+
+    /// All functions of one number, by the names that users write.
+    pub const ALL: [(&'static str, Self); table::TABLE.len()] = table::names();
+
+    /// The name that users write.
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The parity of a hyperbolic sine or cosine: of a function that is its own second derivative.
+    pub(crate) fn hyperbolic(self) -> Option<Parity> {
+        let Slope::Partner(partner, sign) = self.row().slope else { return None };
+        let Slope::Partner(_, back) = partner.row().slope else { return None };
+        (sign == back).then_some(self.row().parity)?
+    }
+
+    /// Returns true where a library computes it with an error, rather than rounding the exact value once.
+    pub(crate) fn is_of_library(self) -> bool {
+        !self.row().is_exact
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,48 @@
+//! Words of the languages that differ from the name of a function.
+
+use super::Function;
+
+/// How a function is written.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Words {
+    /// LaTeX before and after the argument.
+    pub(crate) latex: [&'static str; 2],
+    /// Whether Structured Text has it.
+    pub(crate) structured_text: bool,
+    /// Whether Frama-C has a contract of the function of the C library.
+    pub(crate) contract: bool,
+}
+
+const fn call(latex: &'static str) -> Words {
+    fenced(latex, ")")
+}
+
+const fn fenced(before: &'static str, after: &'static str) -> Words {
+    Words { latex: [before, after], structured_text: true, contract: true }
+}
+
+/// A function of the libraries of general languages alone.
+const fn general(latex: &'static str) -> Words {
+    Words { structured_text: false, contract: false, ..call(latex) }
+}
+
+impl Function {
+    /// The words for it.
+    pub(crate) fn words(self) -> Words {
+        match self {
+            Self::Abs => fenced("\\left|", "\\right|"),
+            Self::Sign => call("\\operatorname{sgn}("),
+            Self::Sqrt => fenced("\\sqrt{", "}"),
+            Self::Exp => fenced("e^{", "}"),
+            Self::Ln => call("\\ln("),
+            Self::Sin => call("\\sin("),
+            Self::Cos => call("\\cos("),
+            Self::Tan => call("\\tan("),
+            Self::Atan => call("\\arctan("),
+            Self::Sinh => general("\\sinh("),
+            Self::Cosh => general("\\cosh("),
+            Self::Tanh => general("\\tanh("),
+            Self::Atanh => general("\\operatorname{artanh}("),
+        }
+    }
+}
