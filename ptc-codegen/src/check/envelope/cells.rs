@@ -7,11 +7,26 @@
 use super::bounds::Bounds;
 use super::computed::Computed;
 use super::regular::Regular;
-use crate::expression::Function;
+use crate::expression::function::Domain;
 use crate::program::{Input, Op, Program, Value};
 
 /// What an operation needs of one operand.
-type Domain = fn(Computed) -> bool;
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Need {
+    /// A divisor that is not 0.
+    NotZero,
+    Within(Domain),
+}
+
+impl Need {
+    /// Whether every number of an operand meets it.
+    pub(super) fn is_met(self, operand: Computed) -> bool {
+        match self {
+            Self::NotZero => !operand.special && !operand.range.has_zero(),
+            Self::Within(domain) => operand.is_within(domain),
+        }
+    }
+}
 
 /// How many times wider than another a cell may be, each in parts of the whole.
 const FLATTEST: f64 = 256.0;
@@ -20,18 +35,17 @@ const FLATTEST: f64 = 256.0;
 pub(super) type Cell = Vec<(Input, Computed)>;
 
 /// The operands that decide whether operations have a value, with what is needed of them.
-pub(super) fn critical(program: &Program) -> Vec<(Value, Domain)> {
-    let mut found: Vec<(Value, Domain)> = Vec::new();
+pub(super) fn critical(program: &Program) -> Vec<(Value, Need)> {
+    let mut found = Vec::new();
     for definition in program.values.iter().filter(|definition| !definition.looped) {
-        let (value, domain): (Value, Domain) = match definition.op {
-            Op::Div(_, b) | Op::Quotient(_, b) => (b, |x| !x.special && !x.range.has_zero()),
-            Op::Pow(a, _) | Op::Call(Function::Ln, a) => {
-                (a, |x| !x.special && x.range.is_positive())
+        found.push(match definition.op {
+            Op::Div(_, b) | Op::Quotient(_, b) => (b, Need::NotZero),
+            Op::Pow(a, _) => (a, Need::Within(Domain::Positive)),
+            Op::Call(function, a) if function.row().domain != Domain::Everywhere => {
+                (a, Need::Within(function.row().domain))
             }
-            Op::Call(Function::Sqrt, a) => (a, |x| !x.special && x.range.is_not_negative()),
             _ => continue,
-        };
-        found.push((value, domain));
+        });
     }
     found
 }
@@ -56,24 +70,24 @@ pub(super) fn is_bounded(program: &Program, values: &[Value]) -> bool {
     })
 }
 
-/// A bound of `value` in the domain; none where the cells do not show one. `work` is what may be done.
+/// A bound of `value` as it is needed; none where the cells do not show one. `work` is what may be done.
 pub(super) fn refined(
     program: &Program,
     input: &dyn Fn(Input) -> Computed,
-    (value, domain): (Value, Domain),
+    (value, need): (Value, Need),
     work: &mut usize,
 ) -> Option<Computed> {
     let mut hull = None::<Computed>;
     let mut miss = |bounds: &Bounds<'_>| {
         let bound = bounds.get(value);
-        if !domain(bound) {
+        if !need.is_met(bound) {
             return f64::INFINITY;
         }
         hull = Some(hull.map_or(bound, |hull| hull.range.hull(&bound.range).into()));
         0.0
     };
     cover(program, input, &[value], &mut miss, work).ok()?;
-    hull.filter(|hull| domain(*hull))
+    hull.filter(|hull| need.is_met(*hull))
 }
 
 /// Bounds of all matrices with these entries; else a cell in which one may be singular.

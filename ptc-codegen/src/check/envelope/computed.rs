@@ -1,7 +1,9 @@
 //! Intervals that hold what a program computes, not what exact arithmetic would.
 
-use crate::expression::Function;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use crate::expression::enclosure::Range;
+use crate::expression::function::{Domain, Pieces};
 use crate::parameter::Precision;
 use crate::program::{self, Op, number};
 
@@ -12,9 +14,6 @@ pub struct Computed {
     /// Whether the value may not be finite.
     pub(crate) special: bool,
 }
-
-/// A number just below pi/2, up to which a tangent grows.
-const QUARTER: f64 = 1.57;
 
 impl From<Range> for Computed {
     fn from(range: Range) -> Self {
@@ -35,13 +34,44 @@ impl Computed {
     pub(crate) fn point(value: f64) -> Self {
         Self::new(value, value)
     }
+
+    /// Whether every number is finite and within a domain; an end of an open one belongs to it where a function
+    /// may have its infinite limit.
+    pub(crate) fn is_within(self, domain: Domain) -> bool {
+        !self.special && self.within(domain) == Some(self)
+    }
+
+    /// The part within a domain; `None` if it is empty, or where a function has no bound.
+    fn within(self, domain: Domain) -> Option<Self> {
+        if domain == Domain::OffPoles {
+            return Some(self).filter(|a| !turns(*a, FRAC_PI_2, PI));
+        }
+        let [low, high] = domain.edges();
+        let [least, most] = self.range.ends();
+        let mut part = [least, most];
+        if let Some(edge) = low {
+            let at = edge.at();
+            if !edge.closed && least <= at || most < at {
+                return None;
+            }
+            part[0] = least.max(at);
+        }
+        if let Some(edge) = high {
+            let at = edge.at();
+            if !edge.closed && most >= at || least > at {
+                return None;
+            }
+            part[1] = most.min(at);
+        }
+        Some(Self { range: Range::new(part[0], part[1]), special: self.special })
+    }
 }
 
 /// The results of `op` on operands from `operands`, in the order of [`Op::operands`]; for inputs, the
 /// unknown and the root, which need more than operands, anything.
 ///
-/// Each operation is monotone in each operand where it is defined, except |a| and even powers, which
-/// turn at 0, and sines and cosines: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
+/// Each operation is monotone in each operand where it is defined, except for even powers and functions that turn,
+/// which say where: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
 /// the program rounds bound what it computes, with nothing to add. The functions of a library are
 /// taken to be exact to two units in the last place.
 pub(crate) fn apply(op: &Op, operands: &[Computed], precision: Precision) -> Computed {
@@ -54,20 +84,14 @@ pub(crate) fn apply(op: &Op, operands: &[Computed], precision: Precision) -> Com
         (Op::Div(..) | Op::Quotient(..), [_, divisor]) if divisor.range.has_zero() => {
             return Computed::ANY;
         }
-        (Op::Call(Function::Ln, _) | Op::Pow(..), [a, ..]) if !a.range.is_positive() => {
-            return Computed::ANY;
-        }
-        (Op::Call(Function::Atanh, _), [a]) if !a.range.is_inside(&Range::new(-1.0, 1.0)) => {
-            return Computed::ANY;
-        }
-        (Op::Call(Function::Tan, _), [a]) if !a.range.is_inside(&Range::new(-QUARTER, QUARTER)) => {
-            return Computed::ANY;
-        }
-        (Op::Call(Function::Sqrt, _), [a]) if a.range.is_negative() => return Computed::ANY,
-        (Op::Call(Function::Sqrt, _), [a]) if !a.range.is_not_negative() => {
-            a.range = a.range.most(&Range::from(0.0));
-            special = true;
-        }
+        (Op::Pow(..), [a, ..]) if !a.range.is_positive() => return Computed::ANY,
+        (Op::Call(function, _), [a]) => match a.within(function.row().domain) {
+            None => return Computed::ANY,
+            Some(within) => {
+                special |= within != *a;
+                *a = within;
+            }
+        },
         _ => {}
     }
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -80,34 +104,38 @@ pub(crate) fn apply(op: &Op, operands: &[Computed], precision: Precision) -> Com
             _ => return Computed::ANY,
         }
     }
-    let exact = matches!(op, Op::Call(Function::Abs | Function::Sign | Function::Sqrt, _));
-    if matches!(op, Op::Call(..) | Op::Pow(..)) && !exact {
-        let positive = matches!(op, Op::Call(Function::Exp | Function::Cosh, _) | Op::Pow(..));
+    let least = match op {
+        Op::Call(function, _) if function.is_of_library() => {
+            let positive = function.row().bounds[0].is_some_and(|least| least >= 0);
+            Some(if positive { 0.0 } else { f64::NEG_INFINITY })
+        }
+        Op::Pow(..) => Some(0.0),
+        _ => None,
+    };
+    if let Some(least) = least {
         for _ in 0..2 {
-            low = down(low, precision).max(if positive { 0.0 } else { f64::NEG_INFINITY });
+            low = down(low, precision).max(least);
             high = -down(-high, precision);
         }
     }
-    if let (Op::Call(function @ (Function::Sin | Function::Cos), _), [a]) = (op, &operands[..]) {
-        let [has_least, has_most] = turns(*function, *a);
-        low = if has_least { -1.0 } else { low.max(-1.0) };
-        high = if has_most { 1.0 } else { high.min(1.0) };
+    if let (Op::Call(function, _), [a]) = (op, &operands[..])
+        && let Pieces::Wave(quarters) = function.row().pieces
+    {
+        let most = f64::from(quarters) * FRAC_PI_2;
+        low = if turns(*a, most - PI, TAU) { -1.0 } else { low.max(-1.0) };
+        high = if turns(*a, most, TAU) { 1.0 } else { high.min(1.0) };
     }
     let computed = Computed::new(low, high);
     Computed { special: special || computed.special, ..computed }
 }
 
-/// Whether a sine or a cosine may have its least, and its greatest value within an interval.
-fn turns(function: Function, a: Computed) -> [bool; 2] {
-    use std::f64::consts::{FRAC_PI_2, TAU};
+/// Whether an interval may hold `first` or a number that is a multiple of `period` away from it.
+fn turns(a: Computed, first: f64, period: f64) -> bool {
     // Beyond it a turn in doubles has no digits left.
     const FAR: f64 = 1e6;
-    let most = if function == Function::Sin { FRAC_PI_2 } else { 0.0 };
-    [most - 0.5 * TAU, most].map(|turn| {
-        // Far more than doubles of this size round.
-        let [first, last] = a.range.ends().map(|end| (end - turn) / TAU);
-        a.range.ends().iter().any(|end| end.abs() > FAR) || (first - 1e-9).ceil() <= last + 1e-9
-    })
+    // Far more than doubles of this size round.
+    let [low, high] = a.range.ends().map(|end| (end - first) / period);
+    a.range.ends().iter().any(|end| end.abs() > FAR) || (low - 1e-9).ceil() <= high + 1e-9
 }
 
 /// The points at which the extremes of `op` lie.
@@ -116,9 +144,10 @@ fn corners(op: &Op, operands: &[Computed]) -> Vec<Vec<f64>> {
     let turns = |a: &Computed| a.range.ends().into_iter().chain(a.range.has_zero().then_some(0.0));
     let ends = |a: &Computed| a.range.ends().into_iter();
     match (op, operands) {
-        (Op::Call(Function::Abs | Function::Cosh, _) | Op::Power(..), [a]) => {
+        (Op::Call(function, _), [a]) if function.row().pieces == Pieces::Valley => {
             turns(a).map(|x| vec![x]).collect()
         }
+        (Op::Power(..), [a]) => turns(a).map(|x| vec![x]).collect(),
         (Op::Mul(a, b), [x, _]) if a == b => turns(x).map(|x| vec![x, x]).collect(),
         (Op::Fused(a, b, _), [x, _, c]) if a == b => {
             turns(x).flat_map(|x| ends(c).map(move |c| vec![x, x, c])).collect()
@@ -156,6 +185,7 @@ mod tests {
 
     use super::*;
     use crate::algebra::integer;
+    use crate::expression::Function;
     use crate::program::Value;
 
     const A: Value = Value(0);

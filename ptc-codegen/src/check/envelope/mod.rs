@@ -148,15 +148,15 @@ fn settle_divisors(
     early: &mut Bounds<'_>,
 ) -> Option<cells::Cell> {
     let (mut done, mut work) = (Vec::new(), CELLS.size());
-    for (value, domain) in cells::critical(program) {
-        if done.contains(&value) || !cells::is_bounded(program, &[value]) {
+    for (value, need) in cells::critical(program) {
+        if done.contains(&(value, need)) || !cells::is_bounded(program, &[value]) {
             continue;
         }
-        done.push(value);
-        if domain(Bounds::only(program, input, &[value]).get(value)) {
+        done.push((value, need));
+        if need.is_met(Bounds::only(program, input, &[value]).get(value)) {
             continue;
         }
-        if let Some(bound) = cells::refined(program, input, (value, domain), &mut work) {
+        if let Some(bound) = cells::refined(program, input, (value, need), &mut work) {
             early.set(value, bound);
         }
     }

@@ -5,14 +5,12 @@
 //! then linear in the magnitudes of the states, so that the errors found for the unit vectors bound
 //! that of every state, |u_emitted - sum_j gain_j x_j| <= sum_j error_j |x_j|.
 
-use std::collections::{BTreeMap, HashMap};
-
-use astro_float_num::Consts;
+use std::collections::BTreeMap;
 
 use super::systems::eliminated;
 use crate::algebra::BigRational;
 use crate::expression::Function;
-use crate::expression::enclosure::{Interval, Range};
+use crate::expression::enclosure::{Calls, Interval, Range};
 use crate::parameter::Precision;
 use crate::program::{Input, Op, Program, Stage, Value, number};
 
@@ -79,14 +77,8 @@ pub(super) struct StagedValues<'a> {
     /// The solutions of systems, where they are enclosed.
     solved: BTreeMap<Value, Vec<Rounded>>,
     due: [Vec<Value>; 5],
-    cache: Consts,
-    /// Functions on what they were called with: cells side by side share the ranges of most. Looked up, never
-    /// iterated.
-    called: HashMap<(Function, [u64; 2]), Range>,
+    calls: Calls,
 }
-
-/// Calls that are kept, at most.
-const KEPT: usize = 10_000;
 
 impl<'a> StagedValues<'a> {
     /// For the values of `program` that `outputs` need; `None` if memory for constants is lacking.
@@ -97,8 +89,8 @@ impl<'a> StagedValues<'a> {
         }
         let unit = unit_roundoff(program.precision);
         let values = vec![None; program.values.len()];
-        let (solved, called) = (BTreeMap::new(), HashMap::new());
-        Some(Self { program, unit, values, solved, due, cache: Consts::new().ok()?, called })
+        let (solved, calls) = (BTreeMap::new(), Calls::new()?);
+        Some(Self { program, unit, values, solved, due, calls })
     }
 
     /// Computes the values of a stage; those of earlier stages are known.
@@ -154,25 +146,24 @@ impl<'a> StagedValues<'a> {
             }
             Op::Call(function, a) => {
                 let (function, a) = (*function, at(*a)?);
-                let (exact, near) =
-                    (self.call(function, a.exact), self.call(function, a.emitted()));
-                let moved = steepest(function, a.emitted(), near).map(|slope| up(slope * a.error));
-                Some(called(exact, near, moved, unit))
+                let near = a.emitted();
+                let values = [a.exact, near].map(|on| self.calls.values(function, on));
+                let moved = self.calls.steepest(function, near).map(|slope| up(slope * a.error));
+                Some(called(function.is_of_library(), values, moved, unit))
             }
             Op::Pow(a, b) => {
                 let (a, b) = (at(*a)?, at(*b)?);
                 if !a.emitted().is_positive() {
                     return None;
                 }
-                let on = |a: Range, b: Range, cache: &mut Consts| {
-                    Range::from(&Interval::from(a).power(&Interval::from(b), cache))
-                };
-                let cache = &mut self.cache;
-                let near = on(a.emitted(), b.emitted(), cache);
-                // d(a^b)/da = b a^b/a.
-                let slope = (b.emitted() * near / a.emitted()).size().high();
-                let moved = (b.error == 0.0).then(|| up(slope * a.error));
-                Some(called(on(a.exact, b.exact, cache), near, moved, unit))
+                let near = self.calls.power(a.emitted(), b.emitted());
+                // d(a^b)/da = b a^b/a, and d(a^b)/db = ln(a) a^b.
+                let of_base = (b.emitted() * near / a.emitted()).size().high();
+                let logarithm = self.calls.values(Function::Ln, a.emitted());
+                let of_exponent = (logarithm * near).size().high();
+                let moved = up(up(of_base * a.error) + up(of_exponent * b.error));
+                let exact = self.calls.power(a.exact, b.exact);
+                Some(called(true, [exact, near], Some(moved), unit))
             }
             Op::Elimination { matrix, right } => {
                 self.solved.remove(&value);
@@ -185,18 +176,6 @@ impl<'a> StagedValues<'a> {
             Op::Element(array, index) => self.solved.get(array)?.get(*index).copied(),
             Op::Law(_) | Op::Rows { .. } | Op::Unknown | Op::Root(_) => None,
         }
-    }
-
-    fn call(&mut self, function: Function, on: Range) -> Range {
-        let key = (function, on.ends().map(f64::to_bits));
-        if let Some(known) = self.called.get(&key) {
-            return *known;
-        }
-        let found = Range::from(&Interval::from(on).call(function, &mut self.cache));
-        if self.called.len() < KEPT {
-            self.called.insert(key, found);
-        }
-        found
     }
 }
 
@@ -234,28 +213,11 @@ pub(super) fn quotient(a: Rounded, b: Rounded, unit: f64) -> Option<Rounded> {
     Some(Rounded { exact, error: up(inherited + up(unit * size)) })
 }
 
-/// A library function: `exact` for the exact operand, `near` for all operands the code may have, and what the
-/// error of the operand makes of it, if that is known.
-fn called(exact: Range, near: Range, moved: Option<f64>, unit: f64) -> Rounded {
+/// The value of a function: on the exact operand, and on all operands the code may have, with what the error of the
+/// operand makes of it, if that is known. One of a library rounds more than once.
+fn called(library: bool, [exact, near]: [Range; 2], moved: Option<f64>, unit: f64) -> Rounded {
     let width = (Range::from(near.high()) - Range::from(near.low())).high();
     let inherited = moved.filter(|moved| *moved < width).unwrap_or(width);
-    Rounded { exact, error: up(inherited + up(2.0 * LIBRARY * unit * near.size().high())) }
-}
-
-/// The greatest |slope| of a function on operands, of which `near` are the values; `None` where it has none
-/// that is found here.
-fn steepest(function: Function, operands: Range, near: Range) -> Option<f64> {
-    let one = Range::from(1.0);
-    let slope = match function {
-        Function::Abs | Function::Sin | Function::Cos | Function::Tanh | Function::Atan => one,
-        Function::Exp => near,
-        Function::Ln => one / operands,
-        Function::Sqrt => one / (Range::from(2.0) * near),
-        Function::Tan => one + near.square(),
-        // cosh <= 1 + |sinh|, and |sinh| <= cosh.
-        Function::Sinh => one + near.size(),
-        Function::Cosh => near,
-        Function::Sign | Function::Atanh => return None,
-    };
-    Some(slope.size().high()).filter(|slope| slope.is_finite())
+    let roundings = if library { 2.0 * LIBRARY } else { 1.0 };
+    Rounded { exact, error: up(inherited + up(roundings * unit * near.size().high())) }
 }

@@ -3,6 +3,7 @@
 //! The arithmetic is written once; each kind of end rounds its own operations outwards.
 
 mod arithmetic;
+mod calls;
 mod double;
 #[cfg(any(test, feature = "lab"))]
 mod fixed_point;
@@ -15,6 +16,7 @@ use std::ops::Neg;
 
 use astro_float_num::{BigFloat, RoundingMode};
 
+pub(crate) use calls::Calls;
 #[cfg(any(test, feature = "lab"))]
 pub(crate) use fixed_point::FixedPoint;
 #[cfg(feature = "files")]

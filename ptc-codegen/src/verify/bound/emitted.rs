@@ -13,7 +13,7 @@ use crate::algebra::{BigRational, integer};
 use crate::check::envelope::bounds::Bounds;
 use crate::check::envelope::{Computed, outward};
 use crate::diagnostic::{digits, digits_up};
-use crate::expression::enclosure::{Interval, Range};
+use crate::expression::enclosure::{Calls, Interval, Range};
 use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
@@ -52,6 +52,7 @@ impl Emitted {
         let precision = program.precision;
         let mut left: Vec<Box> = prover.run();
         let (mut errors, mut greatest) = (Vec::new(), 0.0_f64);
+        let mut calls = Calls::new().ok_or("memory for constants is lacking")?;
         for looked_at in 0_u32..MOST {
             let close = CLOSE * (f64::from(looked_at) / PATIENCE).exp2();
             let Some((share, tau)) = left.pop() else {
@@ -64,24 +65,28 @@ impl Emitted {
             let what = match prover.states(&share, &tau) {
                 None if prover.closed.pieces == 0 => break,
                 None => Some("x, which is not bounded,".to_owned()),
-                Some([states, middle]) => match over(&program, &spec, (&share, &tau), &states) {
-                    Ok(error) => {
-                        let is_small = error.is_some_and(|error| error <= SMALL * greatest);
-                        let is_close = narrow || is_small || {
-                            let [share, tau] = [&share, &tau].map(middle_of);
-                            let here =
-                                over(&program, &spec, (&share, &tau), &middle).ok().flatten();
-                            greatest = error.and(here).map_or(greatest, |here| greatest.max(here));
-                            is_near(error, here, close)
-                        };
-                        if is_close {
-                            errors.push((outwards(&share), error));
-                            continue;
+                Some([states, middle]) => {
+                    match over(&program, &spec, (&share, &tau), &states, &mut calls) {
+                        Ok(error) => {
+                            let is_small = error.is_some_and(|error| error <= SMALL * greatest);
+                            let is_close = narrow || is_small || {
+                                let [share, tau] = [&share, &tau].map(middle_of);
+                                let here =
+                                    over(&program, &spec, (&share, &tau), &middle, &mut calls);
+                                let here = here.ok().flatten();
+                                greatest =
+                                    error.and(here).map_or(greatest, |here| greatest.max(here));
+                                is_near(error, here, close)
+                            };
+                            if is_close {
+                                errors.push((outwards(&share), error));
+                                continue;
+                            }
+                            None
                         }
-                        None
+                        Err(what) => Some(what),
                     }
-                    Err(what) => Some(what),
-                },
+                }
             };
             if let (true, Some(what)) = (narrow, what) {
                 let name = precision.name();
@@ -156,6 +161,7 @@ fn over(
     spec: &Spec,
     (share, tau): (&[BigRational; 2], &[BigRational; 2]),
     states: &[[f64; 2]],
+    calls: &mut Calls,
 ) -> Result<Option<f64>, String> {
     let precision = program.precision;
     let within = |low: &BigRational, high: &BigRational| {
@@ -186,7 +192,7 @@ fn over(
     if let Some(value) = bounds.first_excess(&[program.step]) {
         return Err(crate::check::envelope::describe(program, value));
     }
-    let found = error(program, &bounds, bounds.held(), high, program.step);
+    let found = error(program, &bounds, bounds.held(), high, program.step, calls);
     let handed: Vec<_> = program.handed_over().copied().collect();
     let gains = bounds.first_excess(&handed);
     bounds.hand_over_gains();
