@@ -1,6 +1,7 @@
 """FMUs in fmpy: validation, single calls and closed loops. Called by fmu.rs.
 
-samples LIST       each line of LIST: FMU of a clock in samples, loop (file names), n, delay
+samples LIST       each line of LIST: FMU of a clock in samples, loop (file names), n, delay, whether
+                   u is read after the step
 run LIST           each line of LIST: FMU, records, outcomes, loop (file names), number of parameters, n
 pack FOLDER FMU    compiles the sources in a folder as an importer does, and packs it
 """
@@ -163,9 +164,10 @@ def run(listed):
 
 
 def samples(listed):
-    """Closed loops of clocks in samples with a chain of integrators; u is read any number of times."""
+    """Closed loops of clocks in samples with a chain of integrators; u is read any number of times.
+    A u that is read after the step acts from the next sample on."""
     for line in pathlib.Path(listed).read_text().splitlines():
-        fmu, looped, n, delay = line.split("\t")
+        fmu, looped, n, delay, explicit = line.split("\t")
         problems = validate_fmu(fmu)
         if problems:
             pathlib.Path(looped).write_text("invalid " + " | ".join(problems).replace("\n", " "))
@@ -184,6 +186,8 @@ def samples(listed):
         lines = [" ".join(hexed(read(v)) for v in given)]
         for k in range(round(end / h) + 1):
             instance.set(instance.states, x[:shown])
+            if explicit == "1":
+                instance.step(k * h, h)
             for _ in range(k % 3):
                 instance.outputs()
             u, _, status = instance.outputs()
@@ -196,7 +200,8 @@ def samples(listed):
                 for j in range(n - i, 0, -1):
                     total = x[i + j - 1] + h * total / j
                 x[i] = total
-            instance.step(k * h, h)
+            if explicit == "0":
+                instance.step(k * h, h)
         try:
             instance.step(0.0, 2 * h)
             lines.append("error a step of two periods is taken")

@@ -128,7 +128,7 @@ const DEFECTS: [(Defect, &str); 5] = [
         ),
         "12.1",
     ),
-    (("isfinite(deadline) != 0", "isfinite(deadline)", "a condition that is a number"), "14.4"),
+    (("if (self != NULL) {", "if (self) {", "a condition that is a pointer"), "14.4"),
     (
         (
             "ptc_status ptc_exp2_step(const ptc_exp2 *self, double t, const double x[2], double *u)\n{",

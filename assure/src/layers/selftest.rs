@@ -149,7 +149,7 @@ const DEFECTS: [Defect; 12] = [
     ("(past < self->hold_from) ? past : self->hold_from", "past", "no hold of time-to-go"),
     ("if (self->u_max < v) {", "if ((4.0 * self->u_max) < v) {", "no clipping from above"),
     ("(v < -self->u_max)", "(v < (-4.0 * self->u_max))", "no clipping from below"),
-    (" && (isfinite(x[1]) != 0)) {", ") {", "a state that is not checked"),
+    (" && PTC_FINITE_F64(x[1])) {", ") {", "a state that is not checked"),
     (
         "if (self->t0 <= t) {",
         "if ((self->t0 - (4.0 * self->tau)) <= t) {",
@@ -158,7 +158,7 @@ const DEFECTS: [Defect; 12] = [
     ("            && (eps < tau)", "", "an eps above tau"),
     ("            && (1e-150 <= a)\n", "", "a rate below 0"),
     ("(t0 - (deadline - v1)) + (self->tau - v1)", "0.0 * v1", "no second part of the deadline"),
-    ("isfinite(deadline) != 0", "isfinite(t0) != 0", "a deadline beyond the range"),
+    ("PTC_FINITE_F64(deadline)", "PTC_FINITE_F64(t0)", "a deadline beyond the range"),
     ("gains->status = status;", "gains->status = PTC_OK;", "the hold forgotten by tick"),
 ];
 
@@ -168,7 +168,7 @@ const IN_SAMPLES: [Defect; 6] = [
     ("self->u1 = u_now", "self->u1 = v", "an input kept before it is clipped"),
     ("self->seen = 1U", "self->seen = 0U", "estimates that begin anew at each call"),
     ("u_now = -6.0", "u_now = 6.0", "no clipping from below, in samples"),
-    ("(isfinite(y[0]) != 0)", "(y[0] < 1e300)", "a measurement that is not checked"),
+    ("PTC_FINITE_F64(y[0])", "(y[0] < 1e300)", "a measurement that is not checked"),
     ("status = PTC_HOLD", "status = PTC_OK", "no status of the hold"),
 ];
 

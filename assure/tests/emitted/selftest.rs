@@ -144,12 +144,12 @@ fn an_altered_controller_fails() {
     let home = folder("selftest_altered");
     let altered = [
         (&[("n", "2"), ("mu", "rational")][..], "= -K2;", "= K2;"),
-        (&[("n", "2"), ("mu", "exp")], " && (isfinite(x[1]) != 0)", ""),
+        (&[("n", "2"), ("mu", "exp")], " && PTC_FINITE_F64(x[1])", ""),
         (&[("n", "2"), ("mu", "exp")], "(past < self->hold_from) ? past : self->hold_from", "past"),
         (&[("n", "2"), ("mu", "exp")], "*u = self->u_max;", "*u = 2.0 * self->u_max;"),
         (&[("n", "2"), ("mu", "exp")], "(self->u_max < v)", "((1.6 * self->u_max) < v)"),
         (&[("n", "2"), ("mu", "exp")], "(v < -self->u_max)", "(v < (-1.6 * self->u_max))"),
-        (&[("n", "2"), ("mu", "exp")], "isfinite(deadline) != 0", "isfinite(t0) != 0"),
+        (&[("n", "2"), ("mu", "exp")], "PTC_FINITE_F64(deadline)", "PTC_FINITE_F64(t0)"),
         (&[("n", "2"), ("mu", "exp_sum"), ("pi0", "extern")], "(y + v20)", "y"),
         (&[("n", "2"), ("mu", "exp")], "&& (eps < tau)", ""),
         (&[("n", "2"), ("mu", "tan")], "const double c2_2 =", "const double c2_2 = 1e-12 + "),
@@ -178,14 +178,14 @@ fn an_altered_controller_in_samples_fails() {
         (&fixed, "self->start = k", "self->start = k + 1U"),
         (&fixed, "self->u1 = u_now", "self->u1 = v"),
         (&fixed, "u_now = -6.0", "u_now = 6.0"),
-        (&fixed, "(isfinite(y[0]) != 0)", "(y[0] < 1e300)"),
+        (&fixed, "PTC_FINITE_F64(y[0])", "(y[0] < 1e300)"),
         (&fixed, "self->d_hat = d;", "self->d_hat = 0.5 * d;"),
         (&fixed, "self->seen = 1U", "self->seen = 0U"),
         (&fixed, "status = PTC_HOLD", "status = PTC_OK"),
         (&open[..], "(0.0 < params->u_max)", "(-1.0 < params->u_max)"),
         (&open, "(1U < params->samples)", "(0U < params->samples)"),
         (&open, "(0.0 <= params->deadbeat)", "(-2.0 <= params->deadbeat)"),
-        (&alone, "(isfinite(u) != 0)", "(u < 1e300)"),
+        (&alone, "PTC_FINITE_F64(u)", "(u < 1e300)"),
         (&alone, "self->u1 = u;", "self->u1 = 1.0;"),
     ];
     altered_fail(&folder("selftest_altered_samples"), &altered);

@@ -28,7 +28,7 @@ pub fn emit_items(controller: &Controller<'_>) -> String {
 
 /// The same of a controller in samples.
 pub fn emit_sampled_items(spec: &Spec) -> String {
-    code::rust::items(&in_samples(spec, &|_| Vec::new()), FACADE)
+    code::rust::items(&in_samples(spec, &|_, _| Vec::new()), FACADE)
 }
 
 /// The program of a controller as it is printed, with the head of its file.
@@ -38,9 +38,10 @@ fn in_time(controller: &Controller<'_>, head: Vec<String>, element: Element) -> 
 }
 
 /// The same of a controller in samples.
-fn in_samples(spec: &Spec, head: &dyn Fn(&Sampled) -> Vec<String>) -> Code {
+fn in_samples(spec: &Spec, head: &dyn Fn(&Sampled, &Code) -> Vec<String>) -> Code {
     let Some(sampled) = spec.sampled() else { fault("a controller without samples") };
-    let code = code::short(samples::controller(spec, sampled, head(sampled)));
+    let mut code = code::short(samples::controller(spec, sampled, Vec::new()));
+    code.head = head(sampled, &code);
     match code.check() {
         Ok(()) => code,
         Err(error) => fault(error),

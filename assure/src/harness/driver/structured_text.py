@@ -74,10 +74,14 @@ class Library:
 
     def __init__(self, text: str) -> None:
         self.structures: dict[str, dict[str, Any]] = {}
+        self.arrays: dict[str, Any] = {}
         self.units: dict[str, Unit] = {}
         for item in parsed(text).items:
             if isinstance(item, st.DataTypeDeclaration):
                 declaration = item.declaration
+                if isinstance(declaration, st.ArrayTypeDeclaration):
+                    self.arrays[str(declaration.name).lower()] = self.kind(declaration.init)
+                    continue
                 members = [m for m in declaration.declarations]
                 self.structures[str(declaration.name).lower()] = {
                     str(v.variable.name).lower(): self.kind(m.init) for m in members for v in m.variables
@@ -95,6 +99,8 @@ class Library:
                 raise Wrong("an array begins at 1")
             return (TYPES[str(init.spec.type.type_name).lower()], int(bounds.stop.value))
         word = str(init.spec.type).lower()
+        if word in self.arrays:
+            return self.arrays[word]
         if word not in TYPES and word not in self.structures:
             raise Wrong(f"no type {word}")
         return TYPES.get(word, word)

@@ -14,14 +14,14 @@ from structured_text import Library, parsed
 
 USER = """
 FUNCTION {name}_pi0 : {real}
-VAR_INPUT xi : ARRAY[1..{n}] OF {real}; t : {real}; END_VAR
+VAR_INPUT xi : {name}_vector{n}; t : {real}; END_VAR
 VAR i : DINT; sum : {real}; END_VAR
 FOR i := 1 TO {n} DO sum := sum + ({real}#-1.5 * xi[i]); END_FOR;
 {name}_pi0 := sum + ({real}#0.125 * t);
 END_FUNCTION
 
 FUNCTION {name}_after : {real}
-VAR_INPUT x : ARRAY[1..{n}] OF {real}; t : {real}; END_VAR
+VAR_INPUT x : {name}_vector{n}; t : {real}; END_VAR
 {name}_after := -x[1];
 END_FUNCTION
 """

@@ -14,7 +14,7 @@ use crate::layers::seeded::{Defect, put_in};
 
 /// Defects of the example, and the mode in which each is seen.
 const DEFECTS: [(Defect, usize); 10] = [
-    ((" && (isfinite(x[0]) != 0)", "", "the guard of x1 left out"), 0),
+    ((" && PTC_FINITE_F64(x[0])", "", "the guard of x1 left out"), 0),
     (
         (
             "if (self->t0 <= t) {",
@@ -46,7 +46,7 @@ const IN_LOOPS: [(Defect, usize); 1] =
 
 /// Defects of the example in samples.
 const IN_SAMPLES: [(Defect, usize); 6] = [
-    (("isfinite(y[0]) != 0", "y[0] < 1e300", "the guard of y left out"), 0),
+    (("PTC_FINITE_F64(y[0])", "y[0] < 1e300", "the guard of y left out"), 0),
     ((" && (y != NULL)", "", "the check of y for NULL left out"), 0),
     (("y[0] - p1", "y[1] - p1", "a measurement beyond the array"), 0),
     (("(xhat != NULL)", "(self != NULL)", "the check of xhat for NULL left out"), 0),

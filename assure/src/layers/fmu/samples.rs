@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use ptc_codegen::code::{Code, Instance};
@@ -19,7 +19,8 @@ use crate::layer::{Finding, Table};
 /// What is left of the state at sample N, as a part of 1, with the fewest digits.
 const ARRIVED: f64 = 1e-6;
 
-/// All parameters open; an observer, delay and an end at 0; an observer in single precision.
+/// All parameters open; an observer, delay and an end at 0; an observer in single precision; the
+/// one sample of delay of an importer that reads u after the step, with and without an observer.
 fn designs() -> Vec<Spec> {
     let clock = [("mu", "exp(a=1)"), ("clock", "samples")];
     let design = |more: &[(&str, &str)]| spec(&[&clock[..], more].concat());
@@ -45,7 +46,51 @@ fn designs() -> Vec<Spec> {
             ("measured", "x1"),
             ("observer_poles", "-4,-5"),
         ]),
+        design(&[
+            ("n", "2"),
+            ("name", "explicit"),
+            ("sample_time", "1e-3"),
+            ("tau", "0.8"),
+            ("delay", "1"),
+            ("poles", "-4,-5,-6"),
+        ]),
+        design(&[
+            ("n", "3"),
+            ("name", "observed"),
+            ("sample_time", "0.01"),
+            ("delay", "1"),
+            ("poles", "-4,-5,-6,-7"),
+            ("measured", "x1"),
+            ("observer_poles", "-4,-5,-6"),
+        ]),
     ]
+}
+
+/// An FMU in a closed loop.
+struct Loop<'a> {
+    spec: &'a Spec,
+    /// Whether u is read after the step, which makes one sample of delay.
+    explicit: bool,
+}
+
+impl Loop<'_> {
+    /// The file of its numbers.
+    fn file(&self, home: &Path) -> PathBuf {
+        let order = if self.explicit { "step_get" } else { "get_step" };
+        home.join(format!("{}_{order}.loop", self.spec.name()))
+    }
+}
+
+/// Every design in both orders of calls, where its delay lets u be read after the step.
+fn loops(designs: &[Spec]) -> Vec<Loop<'_>> {
+    let orders = |spec| [false, true].map(|explicit| Loop { spec, explicit });
+    let possible = |one: &Loop<'_>| !one.explicit || delay(one.spec) > 0;
+    designs.iter().flat_map(orders).filter(possible).collect()
+}
+
+/// Samples after which u acts.
+fn delay(spec: &Spec) -> usize {
+    spec.sampled().map_or(0, |sampled| sampled.delay.inputs())
 }
 
 /// Runs the loops, and compares each u with that of the program.
@@ -62,18 +107,21 @@ pub(super) fn run(
         let mut list = String::new();
         for spec in &designs {
             emit(generator, &format!("--lang {lang}"), spec, &home)?;
-            let fmu = home.join(format!("{}.fmu", spec.name()));
-            let told = fmu.with_extension("loop");
-            let delay = spec.sampled().map_or(0, |sampled| sampled.delay.inputs());
-            writeln!(list, "{}\t{}\t{}\t{delay}", fmu.display(), told.display(), spec.n)?;
+        }
+        for one in loops(&designs) {
+            let fmu = home.join(format!("{}.fmu", one.spec.name()));
+            let (file, n, delay) = (one.file(&home), one.spec.n, delay(one.spec));
+            let (fmu, file, explicit) = (fmu.display(), file.display(), u8::from(one.explicit));
+            writeln!(list, "{fmu}\t{file}\t{n}\t{delay}\t{explicit}")?;
         }
         let listed = home.join("list");
         fs::write(&listed, list)?;
         script(python, &home, &["samples".as_ref(), &listed])?;
-        for spec in &designs {
-            let told = fs::read_to_string(home.join(format!("{}.loop", spec.name())))?;
-            let (samples, left, faults) = compared(spec, &told)?;
-            let name = format!("{}, {lang}", spec.name());
+        for one in loops(&designs) {
+            let told = fs::read_to_string(one.file(&home))?;
+            let (samples, left, faults) = compared(one.spec, &told)?;
+            let order = if one.explicit { "set, step, get" } else { "set, get, step" };
+            let name = format!("{}, {lang}, {order}", one.spec.name());
             finding.failures.extend(faults.into_iter().map(|fault| format!("{name}: {fault}")));
             rows.push(vec![name, samples.to_string(), format!("{left:.1e}")]);
         }

@@ -58,7 +58,9 @@ fn program(controller: &Controller<'_>, language: Language) -> Code {
 
 /// The same of a controller in samples.
 fn program_in_samples(report: &Report, language: Language) -> Code {
-    in_samples(&report.spec, &|sampled| head::lines_in_samples(report, sampled, language))
+    in_samples(&report.spec, &|sampled, code| {
+        head::lines_in_samples(report, sampled, code, language)
+    })
 }
 
 /// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no

@@ -33,7 +33,7 @@ pub(in crate::emit) fn written(code: &Code, condition: &Decision) -> String {
 /// The conditions on the parameters.
 pub(in crate::emit) fn domain(code: &Code) -> Vec<Condition> {
     let notes = Notes::default();
-    let printer = C::new(code, &notes);
+    let printer = C::outside(code, &notes);
     let copies = copies(&code.init);
     let all = required(&code.init).next().map(|test| checks(test, &copies)).unwrap_or_default();
     all.into_iter()

@@ -1,5 +1,6 @@
 //! C99: a header and a source file.
 
+mod assumptions;
 mod conditions;
 mod header;
 mod source;
@@ -8,11 +9,12 @@ mod target;
 
 use std::collections::BTreeMap;
 
+pub(in crate::emit) use assumptions::assumptions;
 pub(in crate::emit) use conditions::{Condition, domain, start_tests, written, zero_tests};
 pub(in crate::emit) use target::{TARGET, files_with_proof, real, sampled_files_with_proof};
 
 use super::apart::apart;
-use super::text::{Level, Lines, Text};
+use super::text::{Level, Lines, Text, bare};
 use crate::code::{Access, Callback, Code, Function, Owner, Shape, Status};
 use crate::emit::File;
 use crate::parameter::Precision;
@@ -65,6 +67,8 @@ pub(super) struct C<'a> {
     inputs: Option<usize>,
     /// Whether results that are one number are 0 from the start.
     zeroed: bool,
+    /// Whether the text is for another file, which lacks the macros of the source.
+    outside: bool,
     /// The local value that is stored as soon as it is known, and the result that it is.
     stored: Option<(String, String)>,
     out: Lines,
@@ -125,11 +129,17 @@ impl Text for C<'_> {
     }
 
     fn finite(&self, value: &str) -> String {
-        format!("(isfinite({value}) != 0)")
+        match self.outside {
+            true => format!("(isfinite({value}) != 0)"),
+            false => format!("{}({})", self.precise("PTC_FINITE"), bare(value.to_owned())),
+        }
     }
 
     fn not_number(&self, value: &str) -> String {
-        format!("(isnan({value}) != 0)")
+        match self.outside {
+            true => format!("(isnan({value}) != 0)"),
+            false => format!("{}({})", self.precise("PTC_NAN"), bare(value.to_owned())),
+        }
     }
 }
 
@@ -143,8 +153,22 @@ impl<'a> C<'a> {
             standing: None,
             inputs: None,
             zeroed: false,
+            outside: false,
             stored: None,
             out,
+        }
+    }
+
+    /// A printer of text for other files than the source.
+    fn outside(code: &'a Code, notes: &'a Notes) -> Self {
+        Self { outside: true, ..Self::new(code, notes) }
+    }
+
+    /// The name of a macro for the numbers of the controller.
+    fn precise(&self, macro_name: &str) -> String {
+        match self.code.precision {
+            Precision::F32 => format!("{macro_name}_F32"),
+            Precision::F64 => format!("{macro_name}_F64"),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::super::block::{either, same};
 use super::super::text::{Text, bare};
+use super::assumptions::{assumptions, classification};
 use super::{C, externs, word};
 use crate::code::{
     Ending, Expr, Finish, Function, Owner, Shape, Statement, Status, Test, Variable,
@@ -16,17 +17,23 @@ impl C<'_> {
         let code = self.code;
         let name = &code.name;
         let noun = code.noun();
+        self.init();
+        code.subroutines().into_iter().for_each(|of| self.subroutine(of));
+        code.functions.iter().for_each(|function| self.function(function));
+        let functions = std::mem::take(&mut self.out).text();
         self.out.line(format!("/* Prescribed-time {noun} {name}: see {name}.h. DO NOT EDIT. */"));
-        self.out.line(format!("#include \"{name}.h\"\n\n#include <math.h>\n#include <stddef.h>"));
+        self.out.line(format!(
+            "#include \"{name}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stddef.h>"
+        ));
         let is_list = |result: &Variable| matches!(result.shape, Shape::Reals(_));
         let lists = |f: &Function| f.guarded && f.results.iter().any(is_list);
         if code.functions.iter().any(lists) || code.counts() {
             self.out.line("#include <stdint.h>");
         }
         self.out.line("");
-        self.init();
-        code.subroutines().into_iter().for_each(|of| self.subroutine(of));
-        code.functions.iter().for_each(|function| self.function(function));
+        self.out.line(assumptions(code.precision));
+        self.out.line(classification(code.precision, &functions));
+        self.out.line(functions);
         self.out.text()
     }
 

@@ -1,6 +1,7 @@
 //! The file around the functions.
 
 use super::super::block::{Block, WRITTEN};
+use super::super::c::assumptions;
 use super::super::called::{calls, calls_library};
 use super::super::gives::Gives;
 use super::super::text::{Text, capital};
@@ -20,6 +21,7 @@ impl Cpp<'_> {
         self.out.line(format!(" */\n#ifndef {guard}_HPP\n#define {guard}_HPP\n"));
         self.out.line("#include <array>");
         for (header, needed) in [
+            ("cfloat", true),
             ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
             ("cstddef", code.axes().is_some() || code.counts()),
             (
@@ -36,6 +38,7 @@ impl Cpp<'_> {
                 self.out.line(format!("#include <{header}>"));
             }
         }
+        self.out.line(format!("\n{}", assumptions(code.precision)));
         self.out.line("\nnamespace ptc {\n");
         self.out.line(include_str!("../../../../templates/status.hpp.txt"));
         if self.code.function("rate").is_some() {

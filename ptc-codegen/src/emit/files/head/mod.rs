@@ -6,6 +6,7 @@ mod followed;
 mod formulas;
 mod observed;
 mod plant;
+mod precision;
 mod samples;
 mod time;
 

@@ -1,8 +1,9 @@
 //! The head of the files of a controller in samples.
 
-use super::{Language, axes, coupled, followed, observed, plant, time};
+use super::{Language, axes, coupled, followed, observed, plant, precision, time};
 use crate::algebra::integer;
 use crate::check::examine::Report;
+use crate::code::Code;
 use crate::model::Coupled;
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
@@ -20,6 +21,7 @@ pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
 pub(in crate::emit) fn lines(
     report: &Report,
     sampled: &Sampled,
+    code: &Code,
     language: Language,
 ) -> Vec<String> {
     let spec = &report.spec;
@@ -80,6 +82,7 @@ pub(in crate::emit) fn lines(
         Some(observer) => observed::behaviour(spec, sampled, observer, language),
         None => behaviour(spec, sampled, language),
     });
+    rest.push(precision::line(spec, precision::calls_library(code)));
     rest.extend(time::checks(report));
     lines.extend(rest.iter().flat_map(|line| time::wrap(line)));
     lines

@@ -3,19 +3,22 @@
 use std::collections::BTreeMap;
 
 use super::super::block::{Block, Ends, declared};
-use super::super::text::Text;
-use super::library::{Kind, Library, Member, Scope, Section, Structure, Unit};
+use super::super::text::{Lines, Text};
+use super::library::{Kind, Library, Member, Scope, Section, Structure, Unit, Vector};
+use super::target::{factors, literal};
 use super::{Gives, StructuredText, helpers};
 use crate::code::{Expr, Finish, Function, Owner, Shape, Variable};
 use crate::internal::fault;
-use crate::parameter::Precision;
 
 impl StructuredText<'_> {
     fn kind(&self, shape: Shape) -> Kind {
         match shape {
             Shape::Count => Kind::Elementary("UDINT"),
             Shape::Real => Kind::Elementary(self.real),
-            Shape::Reals(length) => Kind::Array(length, self.real),
+            Shape::Reals(length) => {
+                self.lengths.borrow_mut().insert(length);
+                Kind::Derived(helpers::vector(&self.code.name, length))
+            }
             Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => {
                 fault("a function block gives no gains")
             }
@@ -63,14 +66,39 @@ impl StructuredText<'_> {
         let lines = code.head.iter().map(String::as_str).chain(["", about.trim_end()]);
         // A comment does not end in the middle.
         let about = lines.collect::<Vec<_>>().join("\n").replace("(*", "( *").replace("*)", "* )");
-        let block = Unit {
-            name: name.clone(),
-            about,
-            returns: None,
-            sections: self.sections(),
-            body: self.body(),
+        let statements = self.body();
+        let body = format!("{}{statements}", self.wide_numbers());
+        let block =
+            Unit { name: name.clone(), about, returns: None, sections: self.sections(), body };
+        Library { vectors: self.vectors(), structures, functions: self.helpers(), block }
+    }
+
+    /// Statements that assign the numbers beyond the range of a REAL. Each is a product of powers
+    /// of two and therefore exact, since some compilers read every literal as a REAL.
+    fn wide_numbers(&self) -> String {
+        let wide = self.wide.borrow();
+        if wide.is_empty() {
+            return String::new();
+        }
+        let mut out = Lines::default();
+        out.open("IF init THEN");
+        for (index, digits) in wide.iter().enumerate() {
+            let before = format!("{} := ", helpers::wide(index));
+            let factors = factors(digits);
+            out.line(out.joined(&before, &factors, ("*", "\n    * "), ";"));
+        }
+        out.close("END_IF;");
+        out.text()
+    }
+
+    /// The types of the arrays.
+    fn vectors(&self) -> Vec<Vector> {
+        let vector = |&length: &usize| Vector {
+            name: helpers::vector(&self.code.name, length),
+            length,
+            of: self.real,
         };
-        Library { structures, functions: self.helpers(), block }
+        self.lengths.borrow().iter().map(vector).collect()
     }
 
     /// The statements of the block.
@@ -139,9 +167,19 @@ impl StructuredText<'_> {
     fn sections(&self) -> Vec<Section> {
         let section = |scope, members| Section { scope, members };
         let fields = || Kind::Derived(format!("{}_fields", self.code.name));
-        let kept = vec![Member::plain("ready", "BOOL"), Member::new("self", fields(), "")];
-        let mut temporary = vec![Member::new("built", fields(), "")];
-        temporary.extend(self.temporary());
+        let mut kept = vec![
+            Member::plain("ready", "BOOL"),
+            Member::new("self", fields(), ""),
+            Member::new("built", fields(), ""),
+        ];
+        kept.extend(self.wide.borrow().iter().enumerate().map(|(index, digits)| {
+            let value = literal(digits, self.code.precision);
+            Member::new(helpers::wide(index), Kind::Elementary(self.real), value)
+        }));
+        // Some compilers accept only elementary types among temporary variables.
+        let is_plain = |member: &Member| matches!(member.kind, Kind::Elementary(_));
+        let (temporary, derived) = self.temporary().into_iter().partition(is_plain);
+        kept.extend::<Vec<_>>(derived);
         vec![
             section(Scope::Input, self.inputs()),
             section(Scope::Output, self.given()),
@@ -248,11 +286,8 @@ impl StructuredText<'_> {
             functions.extend([helpers::ticks(name), helpers::left(name)]);
         }
         if divides {
-            let huge = match self.code.precision {
-                Precision::F32 => self.literal("1e38"),
-                Precision::F64 => self.literal("1e308"),
-            };
-            functions.push(helpers::quotient(name, self.real, &self.literal("0.0"), &huge));
+            let [zero, huge] = ["0.0", "1e38"].map(|digits| literal(digits, self.code.precision));
+            functions.push(helpers::quotient(name, self.real, &zero, &huge));
         }
         functions
     }

@@ -44,14 +44,27 @@ IF (b < {zero}) OR (b > {zero}) THEN
     {name}_quotient := a / b;
 ELSE
     huge := {huge};
-    huge := huge * huge;
+    FOR i := 1 TO 4 DO
+        huge := huge * huge;
+    END_FOR;
     {name}_quotient := huge - huge;
 END_IF;"
     );
     let about = "a / b, and not a number where b is 0: some controllers stop at a division by 0.";
     let mut unit = of_two(format!("{name}_quotient"), real, about, body);
-    unit.sections.push(Section { scope: Scope::Local, members: vec![Member::plain("huge", real)] });
+    let members = vec![Member::plain("huge", real), Member::plain("i", "DINT")];
+    unit.sections.push(Section { scope: Scope::Local, members });
     unit
+}
+
+/// The name of the array type of a length.
+pub(super) fn vector(name: &str, length: usize) -> String {
+    format!("{name}_vector{length}")
+}
+
+/// The name of a number beyond the range of a REAL.
+pub(super) fn wide(index: usize) -> String {
+    format!("wide{}", index + 1)
 }
 
 /// The name of a local value of a subroutine, whose statements are among those of the block.
@@ -103,8 +116,10 @@ Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite
     for callback in step.into_iter().flat_map(|step| &step.callbacks) {
         let (name, array, n) = (callback.name, callback.array, length.unwrap_or(1));
         text.push_str(&format!(
-            "\n{}\n  It is a FUNCTION {}_{name} : {real} of the project, with the inputs\n  {array} : ARRAY[1..{n}] OF {real} and t : {real}.",
-            callback.about, code.name
+            "\n{}\n  It is a FUNCTION {}_{name} : {real} of the project, with the inputs\n  {array} : {} and t : {real}.",
+            callback.about,
+            code.name,
+            vector(&code.name, n)
         ));
     }
     text

@@ -4,6 +4,7 @@ use super::super::text::Lines;
 
 /// A function block with all that it needs.
 pub(in crate::emit) struct Library {
+    pub(in crate::emit) vectors: Vec<Vector>,
     pub(in crate::emit) structures: Vec<Structure>,
     pub(in crate::emit) functions: Vec<Unit>,
     pub(in crate::emit) block: Unit,
@@ -13,6 +14,14 @@ pub(in crate::emit) struct Library {
 pub(in crate::emit) struct Structure {
     pub(in crate::emit) name: String,
     pub(in crate::emit) members: Vec<Member>,
+}
+
+/// An array type with indices from 1 to its length. Arrays have named types, for IEC 61131-3 makes
+/// each anonymous type a type of its own, to which no variable can be assigned.
+pub(in crate::emit) struct Vector {
+    pub(in crate::emit) name: String,
+    pub(in crate::emit) length: usize,
+    pub(in crate::emit) of: &'static str,
 }
 
 /// A variable, or a member of a structure.
@@ -27,8 +36,6 @@ pub(in crate::emit) struct Member {
 pub(in crate::emit) enum Kind {
     Elementary(&'static str),
     Derived(String),
-    /// An array with indices from 1 to a length.
-    Array(usize, &'static str),
 }
 
 /// A function, which returns a value, or a function block.
@@ -61,7 +68,6 @@ impl Kind {
         match self {
             Self::Elementary(name) => (*name).to_owned(),
             Self::Derived(name) => name.clone(),
-            Self::Array(length, of) => format!("ARRAY[1..{length}] OF {of}"),
         }
     }
 }
@@ -123,11 +129,14 @@ impl Library {
         out.line("(*");
         self.block.about.lines().for_each(|line| out.line(format!("  {line}")));
         out.line("*)\n");
+        for Vector { name, length, of } in &self.vectors {
+            out.line(format!("TYPE {name} : ARRAY[1..{length}] OF {of}; END_TYPE\n"));
+        }
         for Structure { name, members } in &self.structures {
             out.line(format!("TYPE {name} :"));
             out.open("STRUCT");
             members.iter().for_each(|member| out.line(member.line()));
-            out.close("END_STRUCT\nEND_TYPE\n");
+            out.close("END_STRUCT;\nEND_TYPE\n");
         }
         for function in &self.functions {
             out.line(format!("(* {} *)", function.about));

@@ -6,6 +6,9 @@ mod helpers;
 mod library;
 mod target;
 
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
 use super::block::{Block, Branch, Ends};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
@@ -15,7 +18,7 @@ use crate::internal::fault;
 use crate::parameter::Precision;
 pub(in crate::emit) use library::{Kind, Library, Scope, Unit};
 pub(in crate::emit) use target::{TARGET, names_itself};
-use target::{greatest, is_word, literal};
+use target::{greatest, is_narrow, is_word, literal};
 
 pub(super) struct StructuredText<'a> {
     code: &'a Code,
@@ -24,6 +27,10 @@ pub(super) struct StructuredText<'a> {
     owner: &'static str,
     /// In the statements of a subroutine, the array that it changes, and the one that stands for it.
     applied: Option<(&'static str, String)>,
+    /// Lengths of the arrays, each of which is a type.
+    lengths: RefCell<BTreeSet<usize>>,
+    /// Digits of the numbers that no REAL can hold, in the order in which they are used.
+    wide: RefCell<Vec<String>>,
     out: Lines,
 }
 
@@ -47,7 +54,15 @@ impl Text for StructuredText<'_> {
     }
 
     fn literal(&self, digits: &str) -> String {
-        literal(digits, self.code.precision)
+        if self.code.precision == Precision::F32 || is_narrow(digits) {
+            return literal(digits, self.code.precision);
+        }
+        let mut wide = self.wide.borrow_mut();
+        let index = wide.iter().position(|one| one == digits).unwrap_or_else(|| {
+            wide.push(digits.to_owned());
+            wide.len() - 1
+        });
+        helpers::wide(index)
     }
 
     fn count(&self, count: u32) -> String {
@@ -139,7 +154,7 @@ impl Text for StructuredText<'_> {
     }
 
     fn finite(&self, value: &str) -> String {
-        format!("(ABS({value}) <= {})", greatest(self.code.precision))
+        format!("(ABS({value}) <= {})", self.literal(greatest(self.code.precision)))
     }
 
     fn and(&self) -> &'static str {
@@ -263,7 +278,15 @@ impl Ends for StructuredText<'_> {
 impl<'a> StructuredText<'a> {
     pub(super) fn new(code: &'a Code) -> Self {
         let real = if code.precision == Precision::F32 { "REAL" } else { "LREAL" };
-        Self { code, real, owner: "self", applied: None, out: Lines::default() }
+        Self {
+            code,
+            real,
+            owner: "self",
+            applied: None,
+            lengths: RefCell::default(),
+            wide: RefCell::default(),
+            out: Lines::default(),
+        }
     }
 
     /// A name of the code: capitals and small letters are one, and words of the language, and the function block's
@@ -276,6 +299,7 @@ impl<'a> StructuredText<'a> {
         let name: String = name.chars().map(letter).collect();
         let own = ["built", "ready", "self", "status"].contains(&name.as_str());
         let own = own || (name == "u" && !self.observes());
+        let own = own || name.strip_prefix("wide").is_some_and(|rest| rest.parse::<u32>().is_ok());
         let given = self.outputs().any(|function| function.name == name);
         if own || given || is_word(&name) { format!("{name}_now") } else { name }
     }

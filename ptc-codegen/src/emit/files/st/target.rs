@@ -159,11 +159,44 @@ pub(in crate::emit) fn literal(text: &str, precision: Precision) -> String {
     }
 }
 
-/// The greatest finite number.
-pub(in crate::emit) fn greatest(precision: Precision) -> String {
-    let digits = match precision {
+/// The digits of the greatest finite number.
+pub(in crate::emit) fn greatest(precision: Precision) -> &'static str {
+    match precision {
         Precision::F32 => "3.4028235e38",
         Precision::F64 => "1.7976931348623157e308",
+    }
+}
+
+/// Returns true if a REAL holds a number as large or as small as `digits`.
+pub(in crate::emit) fn is_narrow(digits: &str) -> bool {
+    let value: f64 = digits.parse().unwrap_or(f64::NAN);
+    value == 0.0 || (NARROW[0]..=NARROW[1]).contains(&value)
+}
+
+/// Bounds of the numbers that are written as one literal, within the normal numbers of a REAL.
+const NARROW: [f64; 2] = [1e-37, 3e38];
+
+/// Literals that a REAL can hold and whose product, from left to right, is exactly an LREAL.
+pub(in crate::emit) fn factors(digits: &str) -> Vec<String> {
+    let [small, large] = [-120, 120].map(|exponent| 2f64.powi(exponent));
+    let mut first: f64 = digits.parse().unwrap_or(f64::NAN);
+    let mut factors = Vec::new();
+    while first > NARROW[1] {
+        first *= small;
+        factors.push(large);
+    }
+    while first < NARROW[0] {
+        first *= large;
+        factors.push(small);
+    }
+    let text = |factor: f64| literal(&format!("{factor:e}"), Precision::F64);
+    let mut texts: Vec<_> = factors.into_iter().map(text).collect();
+    // Rounded to a REAL, the first factor of the greatest number is 2^64, and the product overflows.
+    let power = 2f64.powi(64);
+    let first = match first < power && first as f32 == power as f32 {
+        true => format!("({} - {})", text(power), text(power - first)),
+        false => text(first),
     };
-    literal(digits, precision)
+    texts.insert(0, first);
+    texts
 }

@@ -1,8 +1,8 @@
 //! What a controller does at its limits: after the deadline, at the bound of u, with wrong inputs.
 
+use super::super::precision::{self, is_library};
 use super::super::{Controller, Language};
-use crate::expression::Function;
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::{Fixed, Parameter};
 use crate::program::Op;
 use crate::request::{After, Feedback, Guard};
 
@@ -46,27 +46,11 @@ pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<
             format!("Guard none: finite {given} and t >= t0 are the responsibility of the caller.")
         }
     });
-    let precision = match spec.precision {
-        Precision::F64 => "f64 (IEEE 754 binary64)",
-        Precision::F32 => "f32 (IEEE 754 binary32)",
-    };
     let library = controller.program.values.iter().any(|value| match value.op {
-        Op::Call(function, _) => {
-            !matches!(function, Function::Abs | Function::Sign | Function::Sqrt)
-        }
+        Op::Call(function, _) => is_library(function),
         Op::Pow(..) => true,
         _ => false,
     });
-    let library = if library { " and with the same mathematical library" } else { "" };
-    let (fused, machine) = match spec.fma {
-        true => (
-            ", with fused multiply-adds: a processor without them calls the library for each",
-            "whose compiler fuses nothing more",
-        ),
-        false => ("", "without fused multiply-add"),
-    };
-    lines.push(format!(
-        "Precision {precision}{fused}. Results are bit for bit the same on every IEEE 754 machine {machine} (gcc, clang: -ffp-contract=off){library}."
-    ));
+    lines.push(precision::line(spec, library));
     lines
 }
