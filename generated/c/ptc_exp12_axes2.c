@@ -1,9 +1,37 @@
 /* Prescribed-time controller ptc_exp12_axes2: see ptc_exp12_axes2.h. DO NOT EDIT. */
 #include "ptc_exp12_axes2.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_exp12_axes2_init(ptc_exp12_axes2 *self, const ptc_exp12_axes2_params *params)
 {
@@ -28,27 +56,27 @@ ptc_status ptc_exp12_axes2_init(ptc_exp12_axes2 *self, const ptc_exp12_axes2_par
         const double k10 = params->k[9];
         const double k11 = params->k[10];
         const double k12 = params->k[11];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
-            && (isfinite(k3) != 0)
-            && (isfinite(k4) != 0)
-            && (isfinite(k5) != 0)
-            && (isfinite(k6) != 0)
-            && (isfinite(k7) != 0)
-            && (isfinite(k8) != 0)
-            && (isfinite(k9) != 0)
-            && (isfinite(k10) != 0)
-            && (isfinite(k11) != 0)
-            && (isfinite(k12) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
+            && PTC_FINITE_F64(k3)
+            && PTC_FINITE_F64(k4)
+            && PTC_FINITE_F64(k5)
+            && PTC_FINITE_F64(k6)
+            && PTC_FINITE_F64(k7)
+            && PTC_FINITE_F64(k8)
+            && PTC_FINITE_F64(k9)
+            && PTC_FINITE_F64(k10)
+            && PTC_FINITE_F64(k11)
+            && PTC_FINITE_F64(k12)
             && (eps < tau)) {
             const double v1 = a * a;
             const double v2 = v1 * v1;
@@ -132,19 +160,19 @@ ptc_status ptc_exp12_axes2_init(ptc_exp12_axes2 *self, const ptc_exp12_axes2_par
                 && (1e-200 <= size_K10)
                 && (1e-200 <= size_K11)
                 && (1e-200 <= size_K12)
-                && (isfinite(c1) != 0)
-                && (isfinite(c2) != 0)
-                && (isfinite(c3) != 0)
-                && (isfinite(c4) != 0)
-                && (isfinite(c5) != 0)
-                && (isfinite(c6) != 0)
-                && (isfinite(c7) != 0)
-                && (isfinite(c8) != 0)
-                && (isfinite(c9) != 0)
-                && (isfinite(c10) != 0)
-                && (isfinite(c11) != 0)
-                && (isfinite(c12) != 0)
-                && (isfinite(hold_from) != 0)) {
+                && PTC_FINITE_F64(c1)
+                && PTC_FINITE_F64(c2)
+                && PTC_FINITE_F64(c3)
+                && PTC_FINITE_F64(c4)
+                && PTC_FINITE_F64(c5)
+                && PTC_FINITE_F64(c6)
+                && PTC_FINITE_F64(c7)
+                && PTC_FINITE_F64(c8)
+                && PTC_FINITE_F64(c9)
+                && PTC_FINITE_F64(c10)
+                && PTC_FINITE_F64(c11)
+                && PTC_FINITE_F64(c12)
+                && PTC_FINITE_F64(hold_from)) {
                 built.c1 = c1;
                 built.c2 = c2;
                 built.c3 = c3;
@@ -179,11 +207,11 @@ ptc_status ptc_exp12_axes2_arm(ptc_exp12_axes2 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -202,7 +230,7 @@ ptc_status ptc_exp12_axes2_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -250,20 +278,20 @@ ptc_status ptc_exp12_axes2_axis(const ptc_exp12_axes2_gains *gains, const double
         const double s5 = s1 + (gains->gain[8] * x[8]) + (s2 + (gains->gain[10] * x[10]));
         const double v = s5 + (s3 + (gains->gain[9] * x[9]) + (s4 + (gains->gain[11] * x[11])));
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)
-            && (isfinite(x[3]) != 0)
-            && (isfinite(x[4]) != 0)
-            && (isfinite(x[5]) != 0)
-            && (isfinite(x[6]) != 0)
-            && (isfinite(x[7]) != 0)
-            && (isfinite(x[8]) != 0)
-            && (isfinite(x[9]) != 0)
-            && (isfinite(x[10]) != 0)
-            && (isfinite(x[11]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0])
+            && PTC_FINITE_F64(x[1])
+            && PTC_FINITE_F64(x[2])
+            && PTC_FINITE_F64(x[3])
+            && PTC_FINITE_F64(x[4])
+            && PTC_FINITE_F64(x[5])
+            && PTC_FINITE_F64(x[6])
+            && PTC_FINITE_F64(x[7])
+            && PTC_FINITE_F64(x[8])
+            && PTC_FINITE_F64(x[9])
+            && PTC_FINITE_F64(x[10])
+            && PTC_FINITE_F64(x[11])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
@@ -292,7 +320,7 @@ ptc_status ptc_exp12_axes2_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -357,18 +385,18 @@ ptc_status ptc_exp12_axes2_step(
                 for (uint32_t axis = 0U; axis < 2U; axis++) {
                     const double v = wanted[axis];
                     if (!(fabs(v) <= bound)) {
-                        if ((isfinite(x[axis][0]) != 0)
-                            && (isfinite(x[axis][1]) != 0)
-                            && (isfinite(x[axis][2]) != 0)
-                            && (isfinite(x[axis][3]) != 0)
-                            && (isfinite(x[axis][4]) != 0)
-                            && (isfinite(x[axis][5]) != 0)
-                            && (isfinite(x[axis][6]) != 0)
-                            && (isfinite(x[axis][7]) != 0)
-                            && (isfinite(x[axis][8]) != 0)
-                            && (isfinite(x[axis][9]) != 0)
-                            && (isfinite(x[axis][10]) != 0)
-                            && (isfinite(x[axis][11]) != 0)) {
+                        if (PTC_FINITE_F64(x[axis][0])
+                            && PTC_FINITE_F64(x[axis][1])
+                            && PTC_FINITE_F64(x[axis][2])
+                            && PTC_FINITE_F64(x[axis][3])
+                            && PTC_FINITE_F64(x[axis][4])
+                            && PTC_FINITE_F64(x[axis][5])
+                            && PTC_FINITE_F64(x[axis][6])
+                            && PTC_FINITE_F64(x[axis][7])
+                            && PTC_FINITE_F64(x[axis][8])
+                            && PTC_FINITE_F64(x[axis][9])
+                            && PTC_FINITE_F64(x[axis][10])
+                            && PTC_FINITE_F64(x[axis][11])) {
                             if (self->u_max < v) {
                                 u[axis] = self->u_max;
                                 axes[axis] = PTC_SATURATED;

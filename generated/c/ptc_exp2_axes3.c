@@ -1,9 +1,37 @@
 /* Prescribed-time controller ptc_exp2_axes3: see ptc_exp2_axes3.h. DO NOT EDIT. */
 #include "ptc_exp2_axes3.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_exp2_axes3_init(ptc_exp2_axes3 *self, const ptc_exp2_axes3_params *params)
 {
@@ -18,17 +46,17 @@ ptc_status ptc_exp2_axes3_init(ptc_exp2_axes3 *self, const ptc_exp2_axes3_params
         const double a = params->a;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
             && (eps < tau)) {
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
@@ -39,9 +67,9 @@ ptc_status ptc_exp2_axes3_init(ptc_exp2_axes3 *self, const ptc_exp2_axes3_params
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             if ((1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
-                && (isfinite(c1) != 0)
-                && (isfinite(c2) != 0)
-                && (isfinite(hold_from) != 0)) {
+                && PTC_FINITE_F64(c1)
+                && PTC_FINITE_F64(c2)
+                && PTC_FINITE_F64(hold_from)) {
                 built.c1 = c1;
                 built.c2 = c2;
                 built.tau = tau;
@@ -66,11 +94,11 @@ ptc_status ptc_exp2_axes3_arm(ptc_exp2_axes3 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -86,7 +114,7 @@ ptc_status ptc_exp2_axes3_tick(const ptc_exp2_axes3 *self, double t, ptc_exp2_ax
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -114,9 +142,9 @@ ptc_status ptc_exp2_axes3_axis(const ptc_exp2_axes3_gains *gains, const double x
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double v = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
@@ -145,7 +173,7 @@ ptc_status ptc_exp2_axes3_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -180,7 +208,7 @@ ptc_status ptc_exp2_axes3_step(
                 for (uint32_t axis = 0U; axis < 3U; axis++) {
                     const double v = wanted[axis];
                     if (!(fabs(v) <= bound)) {
-                        if ((isfinite(x[axis][0]) != 0) && (isfinite(x[axis][1]) != 0)) {
+                        if (PTC_FINITE_F64(x[axis][0]) && PTC_FINITE_F64(x[axis][1])) {
                             if (self->u_max < v) {
                                 u[axis] = self->u_max;
                                 axes[axis] = PTC_SATURATED;

@@ -1,9 +1,37 @@
 /* Prescribed-time controller ptc_exp3_axes3_own: see ptc_exp3_axes3_own.h. DO NOT EDIT. */
 #include "ptc_exp3_axes3_own.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_exp3_axes3_own_init(
     ptc_exp3_axes3_own *self,
@@ -17,19 +45,19 @@ ptc_status ptc_exp3_axes3_own_init(
         const double t0 = params->t0;
         const double eps = params->eps;
         const double p_m = params->m;
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
-            && (isfinite(p_m) != 0)
+            && PTC_FINITE_F64(p_m)
             && (eps < tau)) {
             const double hold_from = -eps;
             const double input_gain = 1.0 / p_m;
             const double size_input_gain = (fabs(input_gain) <= 0.0) ? 1e-200 : fabs(input_gain);
             if ((1e-200 <= size_input_gain)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(input_gain) != 0)) {
+                && PTC_FINITE_F64(hold_from)
+                && PTC_FINITE_F64(input_gain)) {
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
@@ -52,11 +80,11 @@ ptc_status ptc_exp3_axes3_own_arm(ptc_exp3_axes3_own *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -75,7 +103,7 @@ ptc_status ptc_exp3_axes3_own_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -128,11 +156,9 @@ ptc_status ptc_exp3_axes3_own_axis(
             const double g = gains->input_gain[axis];
             const double v = v1 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max[axis])) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
-            } else if ((isfinite(x[0]) != 0)
-                && (isfinite(x[1]) != 0)
-                && (isfinite(x[2]) != 0)) {
+            } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
                 if (gains->u_max[axis] < v) {
                     *u = gains->u_max[axis];
                     status = PTC_SATURATED;
@@ -162,7 +188,7 @@ ptc_status ptc_exp3_axes3_own_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -209,7 +235,7 @@ ptc_status ptc_exp3_axes3_own_step(
             uint32_t outside = 0U;
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 const double v = wanted[axis];
-                if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
+                if (!(PTC_FINITE_F64(v) && (fabs(v) <= u_max[axis]))) {
                     outside = 1U;
                     break;
                 }
@@ -217,10 +243,10 @@ ptc_status ptc_exp3_axes3_own_step(
             if (outside == 1U) {
                 for (uint32_t axis = 0U; axis < 3U; axis++) {
                     const double v = wanted[axis];
-                    if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
-                        if ((isfinite(x[axis][0]) != 0)
-                            && (isfinite(x[axis][1]) != 0)
-                            && (isfinite(x[axis][2]) != 0)) {
+                    if (!(PTC_FINITE_F64(v) && (fabs(v) <= u_max[axis]))) {
+                        if (PTC_FINITE_F64(x[axis][0])
+                            && PTC_FINITE_F64(x[axis][1])
+                            && PTC_FINITE_F64(x[axis][2])) {
                             if (u_max[axis] < v) {
                                 u[axis] = u_max[axis];
                                 axes[axis] = PTC_SATURATED;

@@ -1,8 +1,36 @@
 /* Prescribed-time controller ptc_exp3_f32: see ptc_exp3_f32.h. DO NOT EDIT. */
 #include "ptc_exp3_f32.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *params)
 {
@@ -18,18 +46,18 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
         const float k1 = params->k[0];
         const float k2 = params->k[1];
         const float k3 = params->k[2];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F32(tau)
             && (1e-18f <= tau)
             && (tau <= 1e18f)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F32(t0)
             && (1e-18f <= eps)
             && (0.0f < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F32(a)
             && (1e-18f <= a)
             && (a <= 1e18f)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
-            && (isfinite(k3) != 0)
+            && PTC_FINITE_F32(k1)
+            && PTC_FINITE_F32(k2)
+            && PTC_FINITE_F32(k3)
             && (eps < tau)) {
             const float v1 = a * a;
             const float v2 = a * v1;
@@ -47,10 +75,10 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
                 && (1e-30f <= size_K1)
                 && (1e-30f <= size_K2)
                 && (1e-30f <= size_K3)
-                && (isfinite(c1) != 0)
-                && (isfinite(c2) != 0)
-                && (isfinite(c3) != 0)
-                && (isfinite(hold_from) != 0)) {
+                && PTC_FINITE_F32(c1)
+                && PTC_FINITE_F32(c2)
+                && PTC_FINITE_F32(c3)
+                && PTC_FINITE_F32(hold_from)) {
                 built.c1 = c1;
                 built.c2 = c2;
                 built.c3 = c3;
@@ -76,11 +104,11 @@ ptc_status ptc_exp3_f32_arm(ptc_exp3_f32 *self, float t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F32(t0)) {
             const float deadline = t0 + self->tau;
             const float v1 = deadline - t0;
             const float correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F32(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -106,19 +134,19 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
             const float s1 = ((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T;
             const float v = (s1 + (self->c3 * x[2])) * inv_T;
             *u = v;
-            if ((isfinite(v) != 0) && (fabsf(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F32(v) && (fabsf(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0)
-                && (isfinite(x[0]) != 0)
-                && (isfinite(x[1]) != 0)
-                && (isfinite(x[2]) != 0)) {
+            } else if (PTC_FINITE_F32(t)
+                && PTC_FINITE_F32(x[0])
+                && PTC_FINITE_F32(x[1])
+                && PTC_FINITE_F32(x[2])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F32(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0f;
@@ -138,7 +166,7 @@ ptc_status ptc_exp3_f32_tick(const ptc_exp3_f32 *self, float t, ptc_exp3_f32_gai
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F32(t) && (self->t0 <= t)) {
             const float past = (t - self->deadline) - self->correction;
             const float late = (past < self->hold_from) ? past : self->hold_from;
             const float inv_T = (-1.0f) / late;
@@ -168,9 +196,9 @@ ptc_status ptc_exp3_f32_axis(const ptc_exp3_f32_gains *gains, const float x[3], 
         const float s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
         const float v = s1 + (gains->gain[2] * x[2]);
         *u = v;
-        if ((isfinite(v) != 0) && (fabsf(v) <= gains->u_max)) {
+        if (PTC_FINITE_F32(v) && (fabsf(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0) && (isfinite(x[2]) != 0)) {
+        } else if (PTC_FINITE_F32(x[0]) && PTC_FINITE_F32(x[1]) && PTC_FINITE_F32(x[2])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;

@@ -1,8 +1,44 @@
 /* Prescribed-time controller ptc_exp3_result: see ptc_exp3_result.h. DO NOT EDIT. */
 #include "ptc_exp3_result.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
+
+#if !defined(PTC_NAN_F64)
+#if defined(isnan) && !defined(__MINGW32__)
+#define PTC_NAN_F64(x) (isnan(x) != 0)
+#else
+#define PTC_NAN_F64(x) (!((x) <= (x)))
+#endif
+#endif
 
 ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_params *params)
 {
@@ -18,18 +54,18 @@ ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_par
         const double k1 = params->k[0];
         const double k2 = params->k[1];
         const double k3 = params->k[2];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
-            && (isfinite(k3) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
+            && PTC_FINITE_F64(k3)
             && (eps < tau)) {
             const double v1 = a * a;
             const double v2 = a * v1;
@@ -47,10 +83,10 @@ ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_par
                 && (1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
                 && (1e-200 <= size_K3)
-                && (isfinite(c1) != 0)
-                && (isfinite(c2) != 0)
-                && (isfinite(c3) != 0)
-                && (isfinite(hold_from) != 0)) {
+                && PTC_FINITE_F64(c1)
+                && PTC_FINITE_F64(c2)
+                && PTC_FINITE_F64(c3)
+                && PTC_FINITE_F64(hold_from)) {
                 built.c1 = c1;
                 built.c2 = c2;
                 built.c3 = c3;
@@ -75,11 +111,11 @@ ptc_status ptc_exp3_result_arm(ptc_exp3_result *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->deadline = deadline;
                 self->correction = correction;
                 status = PTC_OK;
@@ -114,7 +150,7 @@ ptc_status ptc_exp3_result_step(
     } else if (self->eps < margin) {
         *u = v;
         status = PTC_OK;
-    } else if (isnan(margin) != 0) {
+    } else if (PTC_NAN_F64(margin)) {
         *u = 0.0;
         status = PTC_E_RANGE;
     } else {
@@ -157,7 +193,7 @@ ptc_status ptc_exp3_result_axis(const ptc_exp3_result_gains *gains, const double
     } else if (v < -gains->u_max) {
         *u = -gains->u_max;
         status = PTC_SATURATED;
-    } else if (isnan((v - v)) != 0) {
+    } else if (PTC_NAN_F64(v - v)) {
         *u = 0.0;
         status = PTC_E_RANGE;
     } else {

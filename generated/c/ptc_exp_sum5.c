@@ -1,9 +1,37 @@
 /* Prescribed-time controller ptc_exp_sum5: see ptc_exp_sum5.h. DO NOT EDIT. */
 #include "ptc_exp_sum5.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *params)
 {
@@ -22,23 +50,23 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
         const double k3 = params->k[2];
         const double k4 = params->k[3];
         const double k5 = params->k[4];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a1) != 0)
+            && PTC_FINITE_F64(a1)
             && (1e-150 <= a1)
             && (a1 <= 1e150)
-            && (isfinite(a2) != 0)
+            && PTC_FINITE_F64(a2)
             && (1e-150 <= a2)
             && (a2 <= 1e150)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
-            && (isfinite(k3) != 0)
-            && (isfinite(k4) != 0)
-            && (isfinite(k5) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
+            && PTC_FINITE_F64(k3)
+            && PTC_FINITE_F64(k4)
+            && PTC_FINITE_F64(k5)
             && (eps < tau)) {
             const double hold_from = -eps;
             const double target_rate = 2.0 / tau;
@@ -95,26 +123,26 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
                 && (1e-200 <= size_w3)
                 && (1e-200 <= size_w4)
                 && (1e-200 <= size_w5)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(target_rate) != 0)
-                && (isfinite(slowest) != 0)
-                && (isfinite(mean_period) != 0)
-                && (isfinite(tolerance) != 0)
-                && (isfinite(b1_1) != 0)
-                && (isfinite(b1_2) != 0)
-                && (isfinite(b2_1) != 0)
-                && (isfinite(b2_2) != 0)
-                && (isfinite(b3_1) != 0)
-                && (isfinite(b3_2) != 0)
-                && (isfinite(b4_1) != 0)
-                && (isfinite(b4_2) != 0)
-                && (isfinite(b5_1) != 0)
-                && (isfinite(b5_2) != 0)
-                && (isfinite(w1) != 0)
-                && (isfinite(w2) != 0)
-                && (isfinite(w3) != 0)
-                && (isfinite(w4) != 0)
-                && (isfinite(w5) != 0)) {
+                && PTC_FINITE_F64(hold_from)
+                && PTC_FINITE_F64(target_rate)
+                && PTC_FINITE_F64(slowest)
+                && PTC_FINITE_F64(mean_period)
+                && PTC_FINITE_F64(tolerance)
+                && PTC_FINITE_F64(b1_1)
+                && PTC_FINITE_F64(b1_2)
+                && PTC_FINITE_F64(b2_1)
+                && PTC_FINITE_F64(b2_2)
+                && PTC_FINITE_F64(b3_1)
+                && PTC_FINITE_F64(b3_2)
+                && PTC_FINITE_F64(b4_1)
+                && PTC_FINITE_F64(b4_2)
+                && PTC_FINITE_F64(b5_1)
+                && PTC_FINITE_F64(b5_2)
+                && PTC_FINITE_F64(w1)
+                && PTC_FINITE_F64(w2)
+                && PTC_FINITE_F64(w3)
+                && PTC_FINITE_F64(w4)
+                && PTC_FINITE_F64(w5)) {
                 built.a1 = a1;
                 built.a2 = a2;
                 built.tau = tau;
@@ -158,11 +186,11 @@ ptc_status ptc_exp_sum5_arm(ptc_exp_sum5 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -251,21 +279,21 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
             const double s7 = ((((s6 * inv_r1) + (row3 * x[2])) * inv_r1) + (row4 * x[3])) * inv_r1;
             const double v = (s7 + (row5 * x[4])) * inv_r1;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0)
-                && (isfinite(x[0]) != 0)
-                && (isfinite(x[1]) != 0)
-                && (isfinite(x[2]) != 0)
-                && (isfinite(x[3]) != 0)
-                && (isfinite(x[4]) != 0)) {
+            } else if (PTC_FINITE_F64(t)
+                && PTC_FINITE_F64(x[0])
+                && PTC_FINITE_F64(x[1])
+                && PTC_FINITE_F64(x[2])
+                && PTC_FINITE_F64(x[3])
+                && PTC_FINITE_F64(x[4])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;
@@ -285,7 +313,7 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -381,13 +409,13 @@ ptc_status ptc_exp_sum5_axis(const ptc_exp_sum5_gains *gains, const double x[5],
         const double s2 = s1 + (gains->gain[2] * x[2]) + (gains->gain[3] * x[3]);
         const double v = s2 + (gains->gain[4] * x[4]);
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)
-            && (isfinite(x[3]) != 0)
-            && (isfinite(x[4]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0])
+            && PTC_FINITE_F64(x[1])
+            && PTC_FINITE_F64(x[2])
+            && PTC_FINITE_F64(x[3])
+            && PTC_FINITE_F64(x[4])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;

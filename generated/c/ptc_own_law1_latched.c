@@ -1,8 +1,36 @@
 /* Prescribed-time controller ptc_own_law1_latched: see ptc_own_law1_latched.h. DO NOT EDIT. */
 #include "ptc_own_law1_latched.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_own_law1_latched_init(
     ptc_own_law1_latched *self,
@@ -17,15 +45,15 @@ ptc_status ptc_own_law1_latched_init(
         const double t0 = params->t0;
         const double eps = params->eps;
         const double u_max = params->u_max;
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
             && (eps < tau)) {
             const double hold_from = -eps;
-            if (isfinite(hold_from) != 0) {
+            if (PTC_FINITE_F64(hold_from)) {
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
@@ -49,11 +77,11 @@ ptc_status ptc_own_law1_latched_arm(ptc_own_law1_latched *self, double t0, const
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (x0 != NULL)) {
-        if ((isfinite(t0) != 0) && (isfinite(x0[0]) != 0)) {
+        if (PTC_FINITE_F64(t0) && PTC_FINITE_F64(x0[0])) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -85,16 +113,16 @@ ptc_status ptc_own_law1_latched_step(
             const double law = ((-2.0) * x[0]) - (x[0] * self->x1_0);
             const double v = law * inv_r1;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0)) {
+            } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;

@@ -1,9 +1,37 @@
 /* Prescribed-time controller ptc_own_mu1_bisected: see ptc_own_mu1_bisected.h. DO NOT EDIT. */
 #include "ptc_own_mu1_bisected.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_own_mu1_bisected_init(
     ptc_own_mu1_bisected *self,
@@ -18,18 +46,18 @@ ptc_status ptc_own_mu1_bisected_init(
         const double eps = params->eps;
         const double u_max = params->u_max;
         const double k1 = params->k[0];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(k1) != 0)
+            && PTC_FINITE_F64(k1)
             && (eps < tau)) {
             const double hold_from = -eps;
             const double w1 = -k1;
             const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
-            if ((1e-200 <= size_w1) && (isfinite(hold_from) != 0) && (isfinite(w1) != 0)) {
+            if ((1e-200 <= size_w1) && PTC_FINITE_F64(hold_from) && PTC_FINITE_F64(w1)) {
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
@@ -53,11 +81,11 @@ ptc_status ptc_own_mu1_bisected_arm(ptc_own_mu1_bisected *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -119,16 +147,16 @@ ptc_status ptc_own_mu1_bisected_step(
             const double inv_r1 = 1.0 / (T * (-(0.1 * (s2 * 2.0 * 0.5))));
             const double v = self->w1 * x[0] * inv_r1;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0)) {
+            } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;
@@ -151,7 +179,7 @@ ptc_status ptc_own_mu1_bisected_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -214,9 +242,9 @@ ptc_status ptc_own_mu1_bisected_axis(
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double v = gains->gain[0] * x[0];
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if (isfinite(x[0]) != 0) {
+        } else if (PTC_FINITE_F64(x[0])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;

@@ -1,8 +1,36 @@
 /* Prescribed-time controller ptc_power2: see ptc_power2.h. DO NOT EDIT. */
 #include "ptc_power2.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
 {
@@ -18,20 +46,20 @@ ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
         const double m = params->m;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(m) != 0)
+            && PTC_FINITE_F64(m)
             && (1e-150 <= m)
             && (m <= 225.0)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
             && (eps < tau)) {
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
@@ -45,12 +73,12 @@ ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             if ((1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
-                && (isfinite(c1_2) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(minus_tau) != 0)
-                && (isfinite(c2_0) != 0)
-                && (isfinite(c2_1) != 0)
-                && (isfinite(inv_tau) != 0)) {
+                && PTC_FINITE_F64(c1_2)
+                && PTC_FINITE_F64(hold_from)
+                && PTC_FINITE_F64(minus_tau)
+                && PTC_FINITE_F64(c2_0)
+                && PTC_FINITE_F64(c2_1)
+                && PTC_FINITE_F64(inv_tau)) {
                 built.c1_2 = c1_2;
                 built.tau = tau;
                 built.eps = eps;
@@ -79,11 +107,11 @@ ptc_status ptc_power2_arm(ptc_power2 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -112,16 +140,16 @@ ptc_status ptc_power2_step(const ptc_power2 *self, double t, const double x[2], 
             const double inv_T = inv_w * self->inv_tau;
             const double v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;
@@ -141,7 +169,7 @@ ptc_status ptc_power2_tick(const ptc_power2 *self, double t, ptc_power2_gains *g
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;
@@ -173,9 +201,9 @@ ptc_status ptc_power2_axis(const ptc_power2_gains *gains, const double x[2], dou
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double v = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;

@@ -1,8 +1,36 @@
 /* Prescribed-time controller ptc_power5: see ptc_power5.h. DO NOT EDIT. */
 #include "ptc_power5.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
 {
@@ -21,23 +49,23 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
         const double k3 = params->k[2];
         const double k4 = params->k[3];
         const double k5 = params->k[4];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(m) != 0)
+            && PTC_FINITE_F64(m)
             && (1e-150 <= m)
             && (m <= 90.0)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
-            && (isfinite(k3) != 0)
-            && (isfinite(k4) != 0)
-            && (isfinite(k5) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
+            && PTC_FINITE_F64(k3)
+            && PTC_FINITE_F64(k4)
+            && PTC_FINITE_F64(k5)
             && (eps < tau)) {
             const double v1 = a * a;
             const double v2 = v1 * v1;
@@ -80,24 +108,24 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
                 && (1e-200 <= size_K3)
                 && (1e-200 <= size_K4)
                 && (1e-200 <= size_K5)
-                && (isfinite(c1_5) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(minus_tau) != 0)
-                && (isfinite(c2_0) != 0)
-                && (isfinite(c2_1) != 0)
-                && (isfinite(c2_2) != 0)
-                && (isfinite(c2_3) != 0)
-                && (isfinite(c2_4) != 0)
-                && (isfinite(c3_0) != 0)
-                && (isfinite(c3_1) != 0)
-                && (isfinite(c3_2) != 0)
-                && (isfinite(c3_3) != 0)
-                && (isfinite(c4_0) != 0)
-                && (isfinite(c4_1) != 0)
-                && (isfinite(c4_2) != 0)
-                && (isfinite(c5_0) != 0)
-                && (isfinite(c5_1) != 0)
-                && (isfinite(inv_tau) != 0)) {
+                && PTC_FINITE_F64(c1_5)
+                && PTC_FINITE_F64(hold_from)
+                && PTC_FINITE_F64(minus_tau)
+                && PTC_FINITE_F64(c2_0)
+                && PTC_FINITE_F64(c2_1)
+                && PTC_FINITE_F64(c2_2)
+                && PTC_FINITE_F64(c2_3)
+                && PTC_FINITE_F64(c2_4)
+                && PTC_FINITE_F64(c3_0)
+                && PTC_FINITE_F64(c3_1)
+                && PTC_FINITE_F64(c3_2)
+                && PTC_FINITE_F64(c3_3)
+                && PTC_FINITE_F64(c4_0)
+                && PTC_FINITE_F64(c4_1)
+                && PTC_FINITE_F64(c4_2)
+                && PTC_FINITE_F64(c5_0)
+                && PTC_FINITE_F64(c5_1)
+                && PTC_FINITE_F64(inv_tau)) {
                 built.c1_5 = c1_5;
                 built.tau = tau;
                 built.eps = eps;
@@ -138,11 +166,11 @@ ptc_status ptc_power5_arm(ptc_power5 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -178,21 +206,21 @@ ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], 
             const double s3 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
             const double v = ((((s3 * inv_T) + (row4 * x[3])) * inv_T) + (row5 * x[4])) * inv_T;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0)
-                && (isfinite(x[0]) != 0)
-                && (isfinite(x[1]) != 0)
-                && (isfinite(x[2]) != 0)
-                && (isfinite(x[3]) != 0)
-                && (isfinite(x[4]) != 0)) {
+            } else if (PTC_FINITE_F64(t)
+                && PTC_FINITE_F64(x[0])
+                && PTC_FINITE_F64(x[1])
+                && PTC_FINITE_F64(x[2])
+                && PTC_FINITE_F64(x[3])
+                && PTC_FINITE_F64(x[4])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;
@@ -212,7 +240,7 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;
@@ -256,13 +284,13 @@ ptc_status ptc_power5_axis(const ptc_power5_gains *gains, const double x[5], dou
         const double s2 = s1 + (gains->gain[2] * x[2]) + (gains->gain[3] * x[3]);
         const double v = s2 + (gains->gain[4] * x[4]);
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)
-            && (isfinite(x[3]) != 0)
-            && (isfinite(x[4]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0])
+            && PTC_FINITE_F64(x[1])
+            && PTC_FINITE_F64(x[2])
+            && PTC_FINITE_F64(x[3])
+            && PTC_FINITE_F64(x[4])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;

@@ -1,8 +1,36 @@
 /* Prescribed-time controller ptc_soft2: see ptc_soft2.h. DO NOT EDIT. */
 #include "ptc_soft2.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_soft2_init(ptc_soft2 *self, const ptc_soft2_params *params)
 {
@@ -18,20 +46,20 @@ ptc_status ptc_soft2_init(ptc_soft2 *self, const ptc_soft2_params *params)
         const double start = params->start;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(start) != 0)
+            && PTC_FINITE_F64(start)
             && (1e-12 <= start)
             && (start <= 1.0)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
             && (eps < tau)) {
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
@@ -45,12 +73,12 @@ ptc_status ptc_soft2_init(ptc_soft2 *self, const ptc_soft2_params *params)
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             if ((1e-200 <= size_K1)
                 && (1e-200 <= size_K2)
-                && (isfinite(c1) != 0)
-                && (isfinite(c2_0) != 0)
-                && (isfinite(first_slope) != 0)
-                && (isfinite(softness) != 0)
-                && (isfinite(hold_after) != 0)
-                && (isfinite(hold_from) != 0)) {
+                && PTC_FINITE_F64(c1)
+                && PTC_FINITE_F64(c2_0)
+                && PTC_FINITE_F64(first_slope)
+                && PTC_FINITE_F64(softness)
+                && PTC_FINITE_F64(hold_after)
+                && PTC_FINITE_F64(hold_from)) {
                 built.c1 = c1;
                 built.c2_0 = c2_0;
                 built.tau = tau;
@@ -78,11 +106,11 @@ ptc_status ptc_soft2_arm(ptc_soft2 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -101,7 +129,7 @@ ptc_status ptc_soft2_step(const ptc_soft2 *self, double t, const double x[2], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double v1 = t - self->t0;
             const double elapsed = (v1 < self->hold_after) ? v1 : self->hold_after;
             const double past = (t - self->deadline) - self->correction;
@@ -115,16 +143,16 @@ ptc_status ptc_soft2_step(const ptc_soft2 *self, double t, const double x[2], do
             const double row2 = (2.0 * y) + self->c2_0;
             const double v = ((self->c1 * x[0] * inv_H) + (row2 * x[1])) * inv_H;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;
@@ -144,7 +172,7 @@ ptc_status ptc_soft2_tick(const ptc_soft2 *self, double t, ptc_soft2_gains *gain
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double v1 = t - self->t0;
             const double elapsed = (v1 < self->hold_after) ? v1 : self->hold_after;
             const double past = (t - self->deadline) - self->correction;
@@ -180,9 +208,9 @@ ptc_status ptc_soft2_axis(const ptc_soft2_gains *gains, const double x[2], doubl
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double v = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;

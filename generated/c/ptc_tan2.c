@@ -1,8 +1,36 @@
 /* Prescribed-time controller ptc_tan2: see ptc_tan2.h. DO NOT EDIT. */
 #include "ptc_tan2.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params)
 {
@@ -17,17 +45,17 @@ ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params)
         const double a = params->a;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(k1) != 0)
-            && (isfinite(k2) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(k2)
             && (eps < tau)) {
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
@@ -46,13 +74,13 @@ ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params)
                 && (1e-200 <= size_K2)
                 && (1e-200 <= size_c2_0)
                 && (1e-200 <= size_c2_2)
-                && (isfinite(c1_2) != 0)
-                && (isfinite(angle_rate) != 0)
-                && (isfinite(inv_angle_rate) != 0)
-                && (isfinite(hold_from) != 0)
-                && (isfinite(inv_tau) != 0)
-                && (isfinite(c2_0) != 0)
-                && (isfinite(c2_2) != 0)) {
+                && PTC_FINITE_F64(c1_2)
+                && PTC_FINITE_F64(angle_rate)
+                && PTC_FINITE_F64(inv_angle_rate)
+                && PTC_FINITE_F64(hold_from)
+                && PTC_FINITE_F64(inv_tau)
+                && PTC_FINITE_F64(c2_0)
+                && PTC_FINITE_F64(c2_2)) {
                 built.c1_2 = c1_2;
                 built.tau = tau;
                 built.angle_rate = angle_rate;
@@ -81,11 +109,11 @@ ptc_status ptc_tan2_arm(ptc_tan2 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -128,16 +156,16 @@ ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], doub
             const double row2 = (self->c2_2 * cot_rate_squared) + self->c2_0 + (2.0 * cot_rate);
             const double v = (row1 * x[0]) + (row2 * x[1]);
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;
@@ -157,7 +185,7 @@ ptc_status ptc_tan2_tick(const ptc_tan2 *self, double t, ptc_tan2_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -203,9 +231,9 @@ ptc_status ptc_tan2_axis(const ptc_tan2_gains *gains, const double x[2], double 
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double v = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;

@@ -1,8 +1,36 @@
 /* Prescribed-time controller ptc_tanh3_extern: see ptc_tanh3_extern.h. DO NOT EDIT. */
 #include "ptc_tanh3_extern.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_params *params)
 {
@@ -15,13 +43,13 @@ ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_
         const double eps = params->eps;
         const double u_max = params->u_max;
         const double a = params->a;
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
             && (eps < tau)) {
@@ -30,11 +58,11 @@ ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_
             const double f22 = 2.0 * a;
             const double f24 = f16 * a;
             const double f29 = 1.0 / tau;
-            if ((isfinite(hold_from) != 0)
-                && (isfinite(f16) != 0)
-                && (isfinite(f22) != 0)
-                && (isfinite(f24) != 0)
-                && (isfinite(f29) != 0)) {
+            if (PTC_FINITE_F64(hold_from)
+                && PTC_FINITE_F64(f16)
+                && PTC_FINITE_F64(f22)
+                && PTC_FINITE_F64(f24)
+                && PTC_FINITE_F64(f29)) {
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
@@ -62,11 +90,11 @@ ptc_status ptc_tanh3_extern_arm(ptc_tanh3_extern *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -95,11 +123,11 @@ ptc_status ptc_tanh3_extern_step(
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-        if ((isfinite(t) != 0)
+        if (PTC_FINITE_F64(t)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)) {
+            && PTC_FINITE_F64(x1)
+            && PTC_FINITE_F64(x2)
+            && PTC_FINITE_F64(x3)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -131,7 +159,7 @@ ptc_status ptc_tanh3_extern_step(
             } else if (v < -self->u_max) {
                 *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
+            } else if (PTC_FINITE_F64(v)) {
                 *u = v;
                 if (late < self->hold_from) {
                     status = PTC_OK;

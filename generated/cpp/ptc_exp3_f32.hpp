@@ -75,7 +75,27 @@
 #define PTC_EXP3_F32_HPP
 
 #include <array>
+#include <cfloat>
 #include <limits>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
 
 namespace ptc {
 
