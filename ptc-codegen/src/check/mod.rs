@@ -30,6 +30,8 @@ pub enum Verdict {
     Undecided,
     /// Something that the check needs is not known.
     NotChecked,
+    /// The design has nothing for the check to decide, or another check decides it.
+    NotNeeded,
 }
 
 impl Verdict {
@@ -40,7 +42,7 @@ impl Verdict {
             Self::Unsound => "unsound",
             Self::Refuted => "refuted",
             Self::Undecided => "undecided",
-            Self::NotChecked => "not checked",
+            Self::NotChecked | Self::NotNeeded => "not checked",
         }
     }
 }
@@ -70,6 +72,16 @@ impl Outcome {
             details: Vec::new(),
             fix: None,
         }
+    }
+
+    /// The outcome of a check that has nothing to decide, for a `reason`.
+    pub(crate) fn not_needed(name: &'static str, reason: impl Into<String>) -> Self {
+        Self { verdict: Verdict::NotNeeded, ..Self::not_checked(name, reason) }
+    }
+
+    /// Whether the check has looked at the design.
+    pub(crate) fn is_checked(&self) -> bool {
+        !matches!(self.verdict, Verdict::NotChecked | Verdict::NotNeeded)
     }
 
     /// Whether the design is not as it should be.

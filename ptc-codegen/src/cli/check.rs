@@ -18,9 +18,9 @@ pub(crate) const EXAMPLES: &str = "\
 Checks with missing values are skipped, and the report names these values. An undecided check that
 --allow does not name does not refuse the design, but the exit code is 3.
 
-JSON: {\"name\":\"...\",\"command\":\"...\",\"accepted\":true,\"undecided\":[],\"checks\":[{\"name\":\"growth\",
-\"verdict\":\"sound\",\"summary\":\"...\",\"details\":[...],\"fix\":null},...]}; a verdict is sound, unsound,
-refuted, undecided or not checked.
+JSON: {\"name\":\"...\",\"command\":\"...\",\"accepted\":true,\"undecided\":[],
+\"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",\"verdict\":\"sound\",\"summary\":\"...\",
+\"details\":[...],\"fix\":null},...]}; a verdict is sound, unsound, refuted, undecided or not checked.
 
 Examples:
   ptc-codegen check roll.toml
@@ -99,11 +99,15 @@ fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
         outcomes.map(|outcome| outcome.name).collect::<Vec<_>>().join(", ")
     };
     let open = names(&mut report.undecided());
-    let verdict = match (refused, open.is_empty()) {
+    let mut verdict = match (refused, open.is_empty()) {
         (true, _) => format!("refused: {}", names(&mut report.refusals())),
         (false, true) => "accepted".to_owned(),
         (false, false) => format!("accepted; undecided: {open}"),
     };
+    let unseen = report.unseen();
+    if !refused && !unseen.is_empty() {
+        let _ = write!(verdict, "; not looked at: {}", unseen.join(", "));
+    }
     let _ = writeln!(out, "\n{verdict}");
     out
 }
@@ -159,6 +163,7 @@ fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
         "command": report.spec.command(),
         "accepted": !refused,
         "undecided": report.undecided().map(|outcome| outcome.name).collect::<Vec<_>>(),
+        "not_looked_at": report.unseen(),
         "checks": checks,
     });
     if let Some(margins) = margins {

@@ -173,5 +173,5 @@ fn what_is_not_known_is_undecided() {
     }
     // u bounds r^(n)/g too.
     let clipped = with("[params]", "[params]\nu_max = 0.9");
-    assert!(clipped.summary.contains("u may be clipped"), "{clipped:?}");
+    assert!(clipped.summary.contains("u may reach its limit"), "{clipped:?}");
 }

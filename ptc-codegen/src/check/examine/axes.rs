@@ -1,7 +1,7 @@
 //! The checks of several axes: those of one where they share everything, else those of each.
 
-use super::{Report, envelope, examine_expanded, in_samples};
-use crate::check::resolved::alone;
+use super::{Report, envelope, in_samples, judged};
+use crate::check::resolved::{Resolved, alone};
 use crate::check::{Outcome, Verdict, sampled, zeros};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
@@ -9,9 +9,11 @@ use crate::request::Spec;
 
 /// What the checks find of the axes of `spec`.
 pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
-    let forms = |design: &Spec| expanded.filter(|_| design.n == spec.n).cloned();
-    let designs = alone(spec).into_iter();
-    let reports: Vec<_> = designs.map(|own| examine_expanded(&own, forms(&own))).collect();
+    let examined = |design: Spec| {
+        let forms = expanded.filter(|_| design.n == spec.n);
+        judged(Resolved::expanded(&design, forms), forms.cloned())
+    };
+    let reports: Vec<_> = alone(spec).into_iter().map(examined).collect();
     let names = reports.first().map(|report| report.outcomes.len()).unwrap_or_default();
     let each = if spec.decoupled().is_some() { "output" } else { "axis" };
     let of_check = |check: usize| {
@@ -57,11 +59,12 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
 /// How much a verdict says against a design.
 fn gravity(verdict: Verdict) -> u8 {
     match verdict {
-        Verdict::Sound => 0,
-        Verdict::NotChecked => 1,
-        Verdict::Undecided => 2,
-        Verdict::Unsound => 3,
-        Verdict::Refuted => 4,
+        Verdict::NotNeeded => 0,
+        Verdict::Sound => 1,
+        Verdict::NotChecked => 2,
+        Verdict::Undecided => 3,
+        Verdict::Unsound => 4,
+        Verdict::Refuted => 5,
     }
 }
 

@@ -11,7 +11,7 @@ use crate::request::{Feedback, Spec};
 /// What the gains do at the deadline; where the rate is left to run time, the greatest with which
 /// they do it.
 pub(super) fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
-    let lacks = |reason: &str| (Outcome::not_checked("growth", reason), None);
+    let lacks = |reason: &str| (Outcome::not_checked(growth::NAME, reason), None);
     if spec.feedback != Feedback::Linear {
         return lacks("the law is not a sum of gains, so its poles are not known");
     }

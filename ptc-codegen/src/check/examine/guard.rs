@@ -14,12 +14,12 @@ use crate::request::{Reference, Spec};
 /// A statement of the limit for short periods without noise, which decides nothing where the loop
 /// itself is decided. What follows the deadline is for `sampling` to judge.
 pub(super) fn superseded(outcome: Outcome, decided: bool) -> Outcome {
-    if !decided || outcome.verdict == Verdict::NotChecked {
+    if !decided || !outcome.is_checked() {
         return outcome;
     }
     let summary =
         format!("`loop` decides; without noise and for short periods {}", outcome.summary);
-    Outcome { verdict: Verdict::NotChecked, summary, fix: None, ..outcome }
+    Outcome { verdict: Verdict::NotNeeded, summary, fix: None, ..outcome }
 }
 
 /// A period that is judged for a chain with f = 0 says nothing sound of a law whose f, or reference,

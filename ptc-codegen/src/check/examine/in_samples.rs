@@ -1,12 +1,12 @@
 //! The checks of a clock in samples.
 
 use super::Report;
-use super::growth::check_growth;
-use super::{membership, of_chain, of_error};
+use super::{membership, of_chain, of_error, rest};
 use crate::check::Outcome;
 use crate::check::resolved::Looped;
 use crate::check::sampled;
 use crate::check::zeros;
+use crate::internal::fault;
 use crate::keys::CHECKS;
 use crate::parameter::Parameter;
 use crate::request::{Clock, Reference, Spec, What};
@@ -19,8 +19,7 @@ const EXACT: &str = "the law is exact in samples, at any period";
 pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
     let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
     if spec.what == What::Observer {
-        let alone =
-            |name: &&'static str| Outcome::not_checked(name, "an observer alone has no law");
+        let alone = |name: &&'static str| Outcome::not_needed(name, "an observer alone has no law");
         let mut outcomes = vec![membership(&continuous)];
         outcomes.extend(CHECKS[1..].iter().filter(|name| **name != zeros::NAME).map(alone));
         return Report {
@@ -32,7 +31,6 @@ pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
             worst: None,
         };
     }
-    let (growth, _) = check_growth(&continuous);
     let model = spec.model_in_samples();
     // One output of several has no dynamics of its own.
     let of_several = model.is_some_and(|model| model.dynamics.is_empty());
@@ -45,7 +43,7 @@ pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
     };
     let sampled_exactly = spec.sampled().is_some_and(|own| own.exact.is_some());
     let reason = if sampled_exactly { EXACT } else { reason };
-    let exact = |name| Outcome::not_checked(name, reason);
+    let exact = |name| Outcome::not_needed(name, reason);
     let (looped, worst) = match open(&spec) {
         // All outputs together decide it.
         _ if of_several => (exact(sampled::NAME), None),
@@ -53,6 +51,10 @@ pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
         None => known.unwrap_or_else(|| looped(&spec)),
     };
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
+    let growth = match spec.sampled() {
+        Some(own) => rest::at_sample(&spec, own),
+        None => fault("a clock in samples without samples"),
+    };
     let mut outcomes = vec![
         membership(&continuous),
         of_error(&spec, of_chain(&continuous, growth)),

@@ -15,6 +15,8 @@ mod period;
 mod plane;
 mod report;
 mod resolution;
+mod rest;
+mod unseen;
 
 pub(super) use guard::Asked;
 use guard::superseded;
@@ -62,6 +64,16 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
 
 /// Runs every check on a resolved design.
 pub fn examine_resolved(resolved: Resolved, expanded: Option<Expanded>) -> Report {
+    let mut report = judged(resolved, expanded);
+    let looped = report.outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
+    if let Some(looped) = looped {
+        looped.details.extend(unseen::slips(&report.spec));
+    }
+    report
+}
+
+/// The outcomes of a resolved design.
+fn judged(resolved: Resolved, expanded: Option<Expanded>) -> Report {
     let (spec, choices, known) = resolved.parts();
     let report = match (spec.axes.is_some(), spec.sampled().is_some()) {
         (true, _) => axes::of_axes(&spec, expanded.as_ref()),
@@ -109,7 +121,7 @@ fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
 
 /// What is said of x, where the law sees the tracking error in its place.
 fn of_error(spec: &Spec, mut outcome: Outcome) -> Outcome {
-    if spec.reference.is_some() && outcome.verdict != Verdict::NotChecked {
+    if spec.reference.is_some() && outcome.is_checked() {
         let start = if outcome.name == "deadline" { "; x0_max bounds it at the start" } else { "" };
         let (follows, adds) = match spec.states_follow() {
             true => ("x - x_r", "u_r".to_owned()),

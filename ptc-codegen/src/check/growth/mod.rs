@@ -40,6 +40,9 @@ use crate::algebra::stability::{is_bounded, is_hurwitz};
 use crate::algebra::{BigInt, BigRational};
 use crate::linear::{Complex, roots};
 
+/// Name of the check.
+pub(crate) const NAME: &str = "growth";
+
 /// What the mode of a simple pole at -m rho is as a function of time-to-go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Modes {

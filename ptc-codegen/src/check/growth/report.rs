@@ -1,7 +1,7 @@
 //! The report of [`Growth`].
 
 use super::super::{Outcome, Verdict, to_f64};
-use super::Growth;
+use super::{Growth, NAME};
 use crate::diagnostic::{digits, digits_down};
 
 impl Growth {
@@ -69,7 +69,7 @@ pub fn too_fast(n: usize) -> Outcome {
         _ => "x does not go to 0 and u is unbounded at the deadline",
     };
     Outcome {
-        name: "growth",
+        name: NAME,
         verdict: Verdict::Unsound,
         summary: format!(
             "{grows}: mu' falls faster than every exponential, and no linear law follows it"
@@ -82,7 +82,7 @@ pub fn too_fast(n: usize) -> Outcome {
 /// What is said where bounds of rho leave open whether x -> 0.
 pub fn open(rho: &str) -> Outcome {
     Outcome {
-        name: "growth",
+        name: NAME,
         verdict: Verdict::Undecided,
         summary: format!("whether x goes to 0 depends on the exact value of {rho}"),
         details: Vec::new(),
@@ -95,7 +95,7 @@ pub fn without_rate(largest: Option<f64>) -> Outcome {
     let up_to =
         largest.map(|rho| format!("; x and u go to 0 if it is at most {}", digits_down(rho)));
     Outcome {
-        name: "growth",
+        name: NAME,
         verdict: Verdict::Undecided,
         summary: "the decay rate of mu' is not found".to_owned() + &up_to.unwrap_or_default(),
         details: Vec::new(),
@@ -145,7 +145,7 @@ impl From<&Growth> for Outcome {
         let rho = spelling.unwrap_or_default() + &digits(growth.rho);
         details.push(format!("poles {}; rho = {rho}", poles.join(", ")));
         Self {
-            name: "growth",
+            name: NAME,
             verdict,
             summary,
             details,

@@ -115,7 +115,7 @@ fn colour(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Sound => "good",
         Verdict::Unsound | Verdict::Refuted => "bad",
-        Verdict::Undecided | Verdict::NotChecked => "open",
+        Verdict::Undecided | Verdict::NotChecked | Verdict::NotNeeded => "open",
     }
 }
 

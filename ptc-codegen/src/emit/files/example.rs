@@ -185,7 +185,8 @@ fn with_eps(mut spec: Spec, tau: f64) -> Spec {
 
 /// The verdicts of a period that is known to be short enough, and of one that may be.
 const PROVED: &[Verdict] = &[Verdict::Sound];
-const OPEN: &[Verdict] = &[Verdict::Sound, Verdict::Undecided, Verdict::NotChecked];
+const OPEN: &[Verdict] =
+    &[Verdict::Sound, Verdict::Undecided, Verdict::NotChecked, Verdict::NotNeeded];
 
 /// Most steps of a run that is tried: a second or two with the mappings that take longest.
 const STEPS: f64 = 16_000.0;

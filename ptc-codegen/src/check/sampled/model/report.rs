@@ -1,6 +1,6 @@
 //! What is said of the bounds of the loops of a model.
 
-use super::super::outcome::{NAME, followed, split};
+use super::super::outcome::{CLIPPED, NAME, followed, split};
 use super::motion::Motion;
 use super::{Afterwards, Bounded, Output};
 use crate::check::{Outcome, Verdict, bounds};
@@ -21,19 +21,7 @@ pub(super) fn judged(
     let totals: Vec<Vec<f64>> = totals.collect();
     let all = format!("at the deadline {}", of_chains(&totals));
     let limited = clipped(spec, &found.u);
-    let given = !spec.promises.error.is_empty();
-    let (verdict, summary) = match above(outputs, &totals) {
-        _ if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
-        above => match (limited, above) {
-            (Some(j), _) => {
-                (Verdict::Undecided, beyond_limit(spec, &motion.inputs, (j, found.u[j])))
-            }
-            (None, Some((name, error))) => {
-                (Verdict::Undecided, format!("{all}, above error = {} for {name}", digits(error)))
-            }
-            (None, None) => (Verdict::Sound, all),
-        },
-    };
+    let (verdict, summary) = decided(spec, &motion.inputs, (outputs, &totals, &found.u), all);
     let mut details = vec![assumed(found)];
     for (k, output) in outputs.iter().enumerate() {
         let (worst, of) = (&found.worst[k], of_output(outputs, k));
@@ -62,8 +50,32 @@ pub(super) fn judged(
     Outcome { name: NAME, verdict, summary, details, fix: None }
 }
 
+/// The verdict on bounds of the outputs with their derivatives and of the inputs, of which `all` is the text.
+pub(super) fn decided(
+    spec: &Spec,
+    inputs: &[Name],
+    (outputs, totals, u): (&[Output], &[Vec<f64>], &[f64]),
+    all: String,
+) -> (Verdict, String) {
+    if let Some(j) = clipped(spec, u) {
+        return (
+            Verdict::Undecided,
+            format!("{CLIPPED}: {}", beyond_limit(spec, inputs, (j, u[j]))),
+        );
+    }
+    if spec.promises.error.is_empty() {
+        return (Verdict::NotChecked, format!("`error` is not given: {all}"));
+    }
+    match above(outputs, totals) {
+        Some((name, error)) => {
+            (Verdict::Undecided, format!("{all}, above error = {} for {name}", digits(error)))
+        }
+        None => (Verdict::Sound, all),
+    }
+}
+
 /// The first state whose bound is above `error`, and this.
-pub(super) fn above(outputs: &[Output], totals: &[Vec<f64>]) -> Option<(String, f64)> {
+fn above(outputs: &[Output], totals: &[Vec<f64>]) -> Option<(String, f64)> {
     for (k, (output, totals)) in outputs.iter().zip(totals).enumerate() {
         let errors = &output.spec.promises.error;
         let error = |i: usize| one_or_each(errors, i).unwrap_or(f64::INFINITY);
@@ -88,7 +100,7 @@ pub(super) fn clipped(spec: &Spec, u: &[f64]) -> Option<usize> {
 }
 
 /// That an input may be above its bound.
-pub(super) fn beyond_limit(spec: &Spec, inputs: &[Name], (j, u): (usize, f64)) -> String {
+fn beyond_limit(spec: &Spec, inputs: &[Name], (j, u): (usize, f64)) -> String {
     let most = digits_up(u);
     if inputs.len() == 1 {
         return format!("|u| is only known to be below {most}, above u_max");

@@ -17,6 +17,9 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, PlantBounds, Reference, Spec};
 use assumed::assumed;
 
+/// Why the bounds of a loop decide nothing where its u may be clipped.
+pub(super) const CLIPPED: &str = "u may reach its limit, and the bounds assume that it does not";
+
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
 
@@ -85,30 +88,28 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         }
         _ => None,
     };
-    let (verdict, summary) = match () {
-        () if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
-        () if clipped => (
-            Verdict::Undecided,
-            format!("u may be clipped, and the bounds hold only without: {}", told(state, &totals)),
-        ),
-        () if most <= 1.0 => match unknown {
-            Some(why) => (Verdict::Undecided, format!("{why}, {all}")),
-            None => (Verdict::Sound, all),
-        },
-        () if share(&worst.reached).1 > 1.0 => {
-            let state = share(&worst.reached).0;
-            let told = told(state, &nominal);
-            (Verdict::Refuted, format!("{told}, above error = {}", digits(wanted[state])))
-        }
-        () if share(&nominal).1 > 1.0 && !within_rounding(worst, share(&nominal).0) => (
-            Verdict::Unsound,
-            format!(
-                "in doubles {}, above error = {}",
-                told(state, &nominal),
-                digits(wanted[state])
-            ),
-        ),
-        () => (Verdict::Undecided, format!("{}, next to error", told(state, &totals))),
+    let stated = || {
+        unknown.map_or_else(
+            || (Verdict::Sound, all.clone()),
+            |why| (Verdict::Undecided, format!("{why}, {all}")),
+        )
+    };
+    let (verdict, summary) = if clipped {
+        (Verdict::Undecided, format!("{CLIPPED}: {}", told(state, &totals)))
+    } else if !given {
+        (Verdict::NotChecked, format!("`error` is not given: {all}"))
+    } else if most <= 1.0 {
+        stated()
+    } else if share(&worst.reached).1 > 1.0 {
+        let state = share(&worst.reached).0;
+        let told = told(state, &nominal);
+        (Verdict::Refuted, format!("{told}, above error = {}", digits(wanted[state])))
+    } else if share(&nominal).1 > 1.0 && !within_rounding(worst, share(&nominal).0) {
+        let told = told(state, &nominal);
+        let error = digits(wanted[state]);
+        (Verdict::Unsound, format!("in doubles {told}, above error = {error}"))
+    } else {
+        (Verdict::Undecided, format!("{}, next to error", told(state, &totals)))
     };
     let mut details = vec![assumed(spec, worst.samples)];
     details.extend(followed(spec));

@@ -1,11 +1,11 @@
 //! What is said of the bounds of the loops of a plant whose chains are exact at the samples.
 
 use super::super::super::outcome::{NAME, causes};
-use super::super::report::{above, beyond_limit, clipped, of_chains, of_inputs, of_output};
+use super::super::report::{clipped, decided, of_chains, of_inputs, of_output};
 use super::{Bounded, Exactly, Sizes, both, doubles, fractions};
 use crate::algebra::BigRational;
+use crate::check::Outcome;
 use crate::check::sampled::worst::Bound;
-use crate::check::{Outcome, Verdict};
 use crate::diagnostic::{digits, digits_up};
 use crate::parameter::Parameter;
 use crate::request::Spec;
@@ -22,16 +22,7 @@ pub(super) fn judged(
     let u = doubles(&found.sizes.u);
     let all = format!("at the deadline {}", of_chains(&totals));
     let limited = clipped(spec, &u);
-    let (verdict, summary) = match (limited, above(&plant.outputs, &totals)) {
-        _ if spec.promises.error.is_empty() => {
-            (Verdict::NotChecked, format!("`error` is not given: {all}"))
-        }
-        (Some(j), _) => (Verdict::Undecided, beyond_limit(spec, inputs, (j, u[j]))),
-        (None, Some((name, error))) => {
-            (Verdict::Undecided, format!("{all}, above error = {} for {name}", digits(error)))
-        }
-        (None, None) => (Verdict::Sound, all),
-    };
+    let (verdict, summary) = decided(spec, inputs, (&plant.outputs, &totals, &u), all);
     let mut details = vec![assumed(found)];
     if !spec.fixed.contains_key(&Parameter::UMax) {
         details.push("without a limit of u, which is left to run time".to_owned());

@@ -1,0 +1,213 @@
+//! The check `growth` of a clock in samples: where the emitted loop ends.
+//!
+//! Its last samples are deadbeat, E^m y = 0 on the flat output: x = 0 at sample N from any state, whatever the poles
+//! are, and u is a sum of the states with bounded gains. With the gains held at M samples to go the loop is
+//! D^m y = sum_j row_j D^(j-1) y/((M-j+1)..(M-m+1)) from there on, D = E - 1: x ends near 0, and stays there if every
+//! root of D lies within 1 of -1. Poles decide what u does in the limit of short periods, and no more.
+
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use super::growth::check_growth;
+use super::known::fixed_gains;
+use crate::algebra::BigRational;
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::stability::is_hurwitz;
+use crate::check::growth::NAME;
+use crate::check::{Outcome, Verdict};
+use crate::diagnostic::digits;
+use crate::linear::roots;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Clock, Reference, Sampled, Spec};
+
+/// What the emitted loop of `spec` does at sample N, for a design whose eps is set.
+pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
+    let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
+    let (limit, _) = check_growth(&continuous);
+    let (verdict, summary, mut details) = match Held::of(spec) {
+        None => {
+            let off = off(spec, own).map(|off| format!(", but for {off}")).unwrap_or_default();
+            let rest = format!(
+                "at rest at {} from any state{off}: deadbeat ends the loop, whatever the poles, and |u| is bounded",
+                last(spec)
+            );
+            (Verdict::Sound, rest, Vec::new())
+        }
+        Some(held) => held.judged(spec, off(spec, own)),
+    };
+    if limit.is_checked() {
+        let advice = limit.fix.filter(|_| limit.verdict != Verdict::Sound);
+        let advice = advice.map(|fix| format!("; for a u that is bounded there {fix}"));
+        details.push(format!(
+            "in continuous time, the limit of short periods, {}{}",
+            limit.summary,
+            advice.unwrap_or_default()
+        ));
+        details.extend(limit.details);
+    }
+    Outcome { name: NAME, verdict, summary, details, fix: None }
+}
+
+/// Sample N by its number, where that is known.
+fn last(spec: &Spec) -> String {
+    let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+    let count = number(Parameter::Tau).zip(number(Parameter::SampleTime));
+    count.map_or_else(
+        || "sample N".to_owned(),
+        |(tau, h)| format!("sample {}", (tau / h).round().to_integer()),
+    )
+}
+
+/// What the theorem leaves at sample N; `None` if that is 0.
+fn off(spec: &Spec, own: &Sampled) -> Option<&'static str> {
+    let is_held = |eps: &Fixed| eps.number().is_some_and(Signed::is_positive);
+    if own.observer.as_ref().is_some_and(|observer| observer.eps.as_ref().is_some_and(is_held)) {
+        return Some("what the held observer leaves of its error");
+    }
+    let moves = spec.reference.as_ref().is_some_and(Reference::moves);
+    match (spec.model_in_samples().is_some() && own.exact.is_none(), moves) {
+        (true, true) => Some("what f + g u and r do between samples"),
+        (true, false) => Some("what f + g u does between samples"),
+        (false, true) => Some("what r does between samples"),
+        (false, false) => None,
+    }
+}
+
+/// The loop with its gains held.
+struct Held {
+    /// Samples to go at which they are.
+    left: BigRational,
+    /// The characteristic polynomial of D; `None` if the gains are left to run time.
+    loop_of: Option<Polynomial>,
+}
+
+impl Held {
+    /// `None` if the loop ends in deadbeat.
+    fn of(spec: &Spec) -> Option<Self> {
+        let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+        let eps = number(Parameter::Eps).filter(|eps| eps.is_positive())?;
+        let h = number(Parameter::SampleTime);
+        let left = eps / h?;
+        let order = spec.loop_order();
+        // With fewer samples to go than this the program takes the gains of deadbeat.
+        let half = BigRational::new(1.into(), 2.into());
+        if left <= BigRational::from_integer(order.into()) - half {
+            return None;
+        }
+        let chain = Spec { n: order, ..spec.clone() };
+        let rate = number(Parameter::A);
+        let loop_of = fixed_gains(&chain).zip(rate).map(|(gains, a)| held(&gains, a, &left));
+        Some(Self { left, loop_of })
+    }
+
+    fn judged(&self, spec: &Spec, off: Option<&str>) -> (Verdict, String, Vec<String>) {
+        let left = digits(self.left.to_f64().unwrap_or(f64::NAN));
+        let off = off.map(|off| format!("; so does {off}")).unwrap_or_default();
+        let near = format!(
+            "near rest at {}, not at rest: the gains are held from {left} samples to go, and |u| is bounded{off}",
+            last(spec)
+        );
+        let Some(loop_of) = &self.loop_of else { return (Verdict::Sound, near, Vec::new()) };
+        let size = roots(loop_of).map(|roots| {
+            let sizes = roots.iter().map(|root| (1.0 + root.re).hypot(root.im));
+            digits(sizes.fold(0.0, f64::max))
+        });
+        let size = size.map(|size| format!(" (largest eigenvalue {size})")).unwrap_or_default();
+        match is_within_one(loop_of) {
+            true => {
+                let stays = format!("with the held gains the loop is stable{size}: x stays near 0");
+                (Verdict::Sound, near, vec![stays])
+            }
+            false => (
+                Verdict::Undecided,
+                format!(
+                    "the loop with its gains held from {left} samples to go is not stable{size}: x does not stay near 0 after {}, and `loop` decides how near it is there",
+                    last(spec)
+                ),
+                vec![format!(
+                    "without a hold, eps = 0, it is at rest at {} from any state",
+                    last(spec)
+                )],
+            ),
+        }
+    }
+}
+
+/// The characteristic polynomial of D = E - 1 in a loop of these gains held at `left` samples to go.
+fn held(gains: &[BigRational], a: &BigRational, left: &BigRational) -> Polynomial {
+    let order = gains.len();
+    let integer = |i: usize| BigRational::from_integer(i.into());
+    // pi(p) = (p - p_1)..(p - p_n), p_i = -lambda_i/a.
+    let mut pi = Vec::new();
+    let mut power = BigRational::one();
+    for gain in Polynomial::characteristic(gains).coefficients().iter().rev() {
+        pi.insert(0, gain * &power);
+        power = -power / a;
+    }
+    let pi = Polynomial::new(pi);
+    // Newton's divided differences at 0, 1, ...: pi[0, .., j-1].
+    let mut column: Vec<_> = (0..order).map(|i| pi.at(&integer(i))).collect();
+    let mut differences = Vec::new();
+    for j in 1..=order {
+        differences.push(column[0].clone());
+        column = column.windows(2).map(|pair| (&pair[1] - &pair[0]) / integer(j)).collect();
+    }
+    let mut coefficients = vec![BigRational::zero(); order + 1];
+    coefficients[order] = BigRational::one();
+    let mut below = BigRational::one();
+    for j in (1..=order).rev() {
+        below *= left - integer(j - 1);
+        let row = &differences[j - 1] / &below;
+        coefficients[j - 1] = if (order + j).is_multiple_of(2) { -row } else { row };
+    }
+    Polynomial::new(coefficients)
+}
+
+/// Whether every root lies within 1 of -1: with D = 2 w/(1 - w), where w has a negative real part.
+fn is_within_one(p: &Polynomial) -> bool {
+    let degree = p.degree().unwrap_or(0);
+    let [up, down] = [[0, 2], [1, -1]].map(|line| {
+        Polynomial::new(line.iter().map(|c| BigRational::from_integer((*c).into())).collect())
+    });
+    let mut sum = vec![BigRational::zero(); degree + 1];
+    for (i, coefficient) in p.coefficients().iter().enumerate() {
+        let mut term = Polynomial::new(vec![coefficient.clone()]);
+        for k in 0..degree {
+            term = term.times(if k < i { &up } else { &down });
+        }
+        sum.iter_mut().zip(term.coefficients()).for_each(|(sum, own)| *sum += own);
+    }
+    let turned = Polynomial::new(sum);
+    // A root at D = -2 has gone to infinity.
+    turned.degree() == Some(degree) && is_hurwitz(&turned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(values: &[(i64, i64)]) -> Vec<BigRational> {
+        values.iter().map(|(n, d)| BigRational::new((*n).into(), (*d).into())).collect()
+    }
+
+    /// Sizes of the eigenvalues of the sampled loop, from the sampled chain and the law of the theorem.
+    #[test]
+    fn held_loops_of_low_order_have_their_closed_forms() {
+        let whole = |value: i64| BigRational::from_integer(value.into());
+        // n = 1, pole -p: u = -p z/T, E = 1 - p/M.
+        for (p, m, stable) in [(3, 1, false), (3, 2, true), (1, 1, true), (4, 2, false)] {
+            let found = held(&[whole(p)], &whole(1), &whole(m));
+            let wanted = numbers(&[(p, m), (1, 1)]);
+            assert_eq!(found.coefficients(), wanted);
+            assert_eq!(is_within_one(&found), stable, "{p} {m}");
+        }
+        // n = 2, poles -p, -q with a rate a: D^2 y = -(p + q - 1) D y/(M - 1) - p q y/(M (M - 1)), p and q over a.
+        for (p, q, a, m) in [(4, 5, 1, 10), (4, 6, 2, 3), (1, 9, 1, 40)] {
+            let found = held(&[whole(p * q), whole(p + q)], &whole(a), &whole(m));
+            let (p, q) = (p / a, q / a);
+            assert_eq!(
+                found.coefficients(),
+                numbers(&[(p * q, m * (m - 1)), (p + q - 1, m - 1), (1, 1)])
+            );
+        }
+    }
+}
