@@ -35,7 +35,8 @@ Guard full: what is measured is finite, or the call is refused (INPUT).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: x goes to 0 and u stays bounded at the deadline.
+  growth: sound: near rest at sample 400, not at rest: the gains are held from 20 samples
+      to go, and |u| is bounded; so does what the held observer leaves of its error.
   sampling: not checked: the law is exact in samples, at any period.
   deadline: not checked: the law is exact in samples, at any period.
   loop: not checked: `x0_max` is not given.

@@ -38,7 +38,8 @@
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
-//!   growth: sound: x and u go to 0 at the deadline.
+//!   growth: sound: at rest at sample 30 from any state, but for what f + g u and r do between
+//!       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
 //!   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
 //!   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
 //!   loop: not checked: `k` is left to run time.

@@ -43,7 +43,8 @@ Guard full: what is measured is finite, or the call is refused (INPUT).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: x and u go to 0 at the deadline.
+  growth: sound: near rest at sample 30, not at rest: the gains are held from 4 samples to
+      go, and |u| is bounded; so does what f + g u does between samples.
   sampling: not checked: `loop` bounds what the period leaves of a plant with several
       inputs.
   deadline: not checked: `loop` bounds what the period leaves of a plant with several

@@ -43,7 +43,8 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+ *   growth: sound: at rest at sample N from any state, but for what f + g u does between
+ *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several

@@ -60,7 +60,8 @@ function self = stage31_init(params) %#codegen
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
-%   growth: sound: x and u go to 0 at the deadline.
+%   growth: sound: at rest at sample N from any state, but for what f + g u and r do between
+%       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
 %   sampling: not checked: `loop` bounds what the period leaves of a plant with several
 %       inputs.
 %   deadline: not checked: `loop` bounds what the period leaves of a plant with several

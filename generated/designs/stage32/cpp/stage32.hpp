@@ -54,7 +54,8 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+ *   growth: sound: output 1: near rest at sample 30, not at rest: the gains are held from 4
+ *       samples to go, and |u| is bounded; so does what f + g u and r do between samples.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several

@@ -44,7 +44,8 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: x and u go to 0 at the deadline.
+ *   growth: sound: at rest at sample 30 from any state, but for what r does between samples:
+ *       deadbeat ends the loop, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   loop: not checked: axis 1: `x0_max` is not given.

@@ -48,7 +48,8 @@ function self = stage35_init(~) %#codegen
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
-%   growth: sound: x and u go to 0 at the deadline.
+%   growth: sound: at rest at sample 30 from any state: deadbeat ends the loop, whatever the
+%       poles, and |u| is bounded.
 %   sampling: not checked: the law is exact in samples, at any period.
 %   deadline: not checked: the law is exact in samples, at any period.
 %   loop: not checked: `x0_max` is not given.

@@ -29,7 +29,8 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: x and u go to 0 at the deadline.
+ *   growth: sound: near rest at sample 30, not at rest: the gains are held from 5 samples to
+ *       go, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
