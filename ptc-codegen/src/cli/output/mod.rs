@@ -3,13 +3,17 @@
 //! A regular file is replaced as a whole and keeps its mode; a link, a device or a FIFO is written
 //! through; `-` is the standard output.
 
+mod durable;
 mod place;
+mod stale;
 mod temporary;
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 
+#[cfg(feature = "lab")]
+pub(crate) use durable::{nameless, sync_folder};
 #[cfg(feature = "lab")]
 pub(crate) use place::same_file;
 pub(crate) use place::{Kind, Place};

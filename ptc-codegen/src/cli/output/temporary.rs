@@ -1,5 +1,5 @@
 //! Files and folders under way: each is gone when it is dropped, and when a signal ends the process,
-//! unless it has taken its place. With them go the folders that were made to hold them, where nothing
+//! unless it has taken its place. One that a kill leaves is removed by the next process that writes there. With them go the folders that were made to hold them, where nothing
 //! is in them.
 
 use std::collections::BTreeSet;
@@ -10,25 +10,51 @@ use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempDir};
 
+use super::durable::{sync_folder, sync_tree};
+use super::stale::{self, PREFIX, RANDOM, SUFFIX, claim};
+
 /// What exists now. Code that makes or removes some of it holds the lock, and a signal keeps it, so
 /// that nothing is made after the last look.
-static UNDER_WAY: Mutex<UnderWay> =
-    Mutex::new(UnderWay { temporary: BTreeSet::new(), made: BTreeSet::new() });
+static UNDER_WAY: Mutex<UnderWay> = Mutex::new(UnderWay {
+    temporary: BTreeSet::new(),
+    made: BTreeSet::new(),
+    clean: BTreeSet::new(),
+});
 
 struct UnderWay {
     /// Files and folders that are removed with all that is in them.
     temporary: BTreeSet<PathBuf>,
     /// Folders for outputs that were not there before.
     made: BTreeSet<PathBuf>,
+    /// Folders in which nothing is left of a process that was killed.
+    clean: BTreeSet<PathBuf>,
 }
 
 impl UnderWay {
+    /// Removes from a folder, once, what a process left that was killed.
+    fn clean(&mut self, folder: &Path) {
+        if self.clean.insert(folder.to_owned()) {
+            stale::remove_left(folder);
+        }
+    }
+
     /// Makes a folder, and those above it that are missing.
     fn make(&mut self, folder: &Path) -> io::Result<()> {
         let missing = folder.ancestors().filter(|path| !path.as_os_str().is_empty());
         let missing: Vec<_> = missing.take_while(|path| !path.exists()).collect();
         self.made.extend(missing.into_iter().map(Path::to_owned));
         fs::create_dir_all(folder)
+    }
+
+    /// The folders in which files at these paths have new names, and those in which folders for them have.
+    fn changed<'a>(&self, paths: impl Iterator<Item = &'a Path>) -> BTreeSet<PathBuf> {
+        let mut changed = BTreeSet::new();
+        for folder in paths.filter_map(Path::parent) {
+            changed.insert(folder.to_owned());
+            let made = folder.ancestors().take_while(|above| self.made.contains(*above));
+            changed.extend(made.filter_map(Path::parent).map(Path::to_owned));
+        }
+        changed
     }
 
     /// Removes the folders that were made and hold nothing, the inner ones first.
@@ -73,10 +99,15 @@ impl Temporary {
     pub(crate) fn new(folder: &Path) -> io::Result<Self> {
         watch();
         let mut all = under_way();
-        let made = all.make(folder).and_then(|()| builder(0o666).tempfile_in(folder));
-        let file = made.inspect_err(|_| all.remove_empty())?;
-        all.temporary.insert(file.path().to_owned());
-        Ok(Self(Some(file)))
+        all.clean(folder);
+        loop {
+            let made = all.make(folder).and_then(|()| builder(0o666).tempfile_in(folder));
+            let file = made.inspect_err(|_| all.remove_empty())?;
+            if claim(file.as_file(), file.path()) {
+                all.temporary.insert(file.path().to_owned());
+                return Ok(Self(Some(file)));
+            }
+        }
     }
 
     /// The open file.
@@ -97,11 +128,16 @@ impl Drop for Temporary {
     }
 }
 
-/// Puts each file in its place, all of them before a signal is heard.
+/// Puts each file in its place, all of them before a signal is heard, so that a power cut leaves the old
+/// file or the new one.
 ///
 /// # Errors
 /// A file cannot be put in its place, which is returned with the error.
 pub(crate) fn commit(mut files: Vec<(Temporary, PathBuf)>) -> Result<(), (PathBuf, io::Error)> {
+    for (temporary, path) in &files {
+        let synced = temporary.file().and_then(File::sync_all);
+        synced.map_err(|error| (path.clone(), error))?;
+    }
     let mut all = under_way();
     let mut result = Ok(());
     for (temporary, path) in &mut files {
@@ -118,22 +154,32 @@ pub(crate) fn commit(mut files: Vec<(Temporary, PathBuf)>) -> Result<(), (PathBu
             }
         }
     }
+    let folders = all.changed(files.iter().map(|(_, path)| path.as_path()));
     // What is left is dropped, for which the lock is needed again.
     drop(all);
-    result
+    result?;
+    folders
+        .iter()
+        .try_for_each(|folder| sync_folder(folder).map_err(|error| (folder.clone(), error)))
 }
 
 /// A folder that is removed with all that is in it.
-pub(crate) struct TemporaryFolder(Option<TempDir>);
+pub(crate) struct TemporaryFolder(Option<TempDir>, Option<File>);
 
 impl TemporaryFolder {
     /// An empty folder in `folder`, with the mode of a new folder.
     pub(crate) fn new(folder: &Path) -> io::Result<Self> {
         watch();
         let mut all = under_way();
-        let made = builder(0o777).tempdir_in(folder)?;
-        all.temporary.insert(made.path().to_owned());
-        Ok(Self(Some(made)))
+        all.clean(folder);
+        loop {
+            let made = builder(0o777).tempdir_in(folder)?;
+            let held = held(made.path())?;
+            if held.as_ref().is_none_or(|held| claim(held, made.path())) {
+                all.temporary.insert(made.path().to_owned());
+                return Ok(Self(Some(made), held));
+            }
+        }
     }
 
     /// Writes a file in it, by its path in it. A signal waits for the end of that: what is removed would
@@ -155,6 +201,7 @@ impl TemporaryFolder {
     /// # Errors
     /// It cannot be renamed.
     pub(crate) fn commit(mut self, path: &Path) -> io::Result<()> {
+        sync_tree(self.path())?;
         let mut all = under_way();
         let Some(made) = self.0.take() else { return Ok(()) };
         // Not every system renames a folder over an empty one.
@@ -166,8 +213,9 @@ impl TemporaryFolder {
         if renamed.is_ok() {
             // Its name is another now.
             let _ = made.keep();
+            self.1.take();
         }
-        renamed
+        renamed.and_then(|()| path.parent().map_or(Ok(()), sync_folder))
     }
 }
 
@@ -181,10 +229,21 @@ impl Drop for TemporaryFolder {
     }
 }
 
+/// What holds the lock on a folder.
+#[cfg(unix)]
+fn held(folder: &Path) -> io::Result<Option<File>> {
+    File::open(folder).map(Some)
+}
+
+#[cfg(not(unix))]
+fn held(_: &Path) -> io::Result<Option<File>> {
+    Ok(None)
+}
+
 /// A short name that no other file has, whatever the length of the name that is to come.
 fn builder(mode: u32) -> Builder<'static, 'static> {
     let mut builder = Builder::new();
-    builder.prefix(".ptc-").suffix(".tmp");
+    builder.prefix(PREFIX).rand_bytes(RANDOM).suffix(SUFFIX);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -226,8 +285,9 @@ mod signals {
         let ignored = ignored();
         let all = [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGXCPU];
         let heard = all.into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
-        let mut signals = Signals::new(heard)?;
-        thread::Builder::new().name("signals".to_owned()).spawn(move || {
+        let heard: Vec<_> = heard.collect();
+        let mut signals = Signals::new(&heard)?;
+        let listen = move || {
             if let Some(signal) = signals.forever().next() {
                 let mut all = under_way();
                 for path in &all.temporary {
@@ -239,7 +299,14 @@ mod signals {
                 let _ = low_level::emulate_default_handler(signal);
                 low_level::exit(128 + signal);
             }
-        })?;
+        };
+        if let Err(error) = thread::Builder::new().name("signals".to_owned()).spawn(listen) {
+            // Without a thread that listens a signal ends the process at once, as it would anyway.
+            for signal in heard {
+                flag::register_conditional_default(signal, Arc::new(true.into()))?;
+            }
+            return Err(error);
+        }
         Ok(())
     }
 

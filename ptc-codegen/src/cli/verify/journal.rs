@@ -2,29 +2,32 @@
 //! the next one goes on with. One process has it at a time, by a lock that ends with the process.
 //!
 //! The file is a line that names the owner, a header that names program, version, campaign and range,
-//! and then one record a chunk: its range, a checksum, and the numbers of its rows. A record that ends
-//! too soon was being written; whatever else differs from what was written is damage.
+//! and then one record a chunk: its range, a checksum, and the numbers of its rows. The header is synced
+//! before the first scenario runs, and the records every few seconds, so that a power cut costs the last
+//! of them. Every record that is whole is used again, whatever stands between them.
 
 mod failure;
 mod header;
 mod lock;
+mod records;
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
+use crate::verify::Campaign;
 use crate::verify::record::{PROGRAM, Row, differing, hash};
-use crate::verify::{Campaign, chunks};
 
 use failure::{foreign, unusable};
 use header::{Header, OWNER, owner, owner_line};
 use lock::lock;
 
-use crate::cli::output::watch;
-use crate::cli::report::Failure;
+use crate::cli::output::{nameless, sync_folder, watch};
+use crate::cli::report::{Failure, print};
 
 /// The end of the name of its file.
 pub(super) const SUFFIX: &str = ".chunks";
@@ -34,6 +37,9 @@ const HEAD: usize = 8 + 8 + 64;
 
 /// Most bytes of a header that is looked at to say how it differs.
 const MAX_HEADER: u64 = 1 << 20;
+
+/// Longest time for which records are not on the disk.
+const SYNC: Duration = Duration::from_secs(2);
 
 /// The rows under way.
 pub(super) struct Journal {
@@ -45,9 +51,11 @@ pub(super) struct Journal {
 }
 
 struct State {
-    file: File,
+    file: Arc<File>,
     /// Where the next record begins.
     end: u64,
+    /// When the records were last synced.
+    synced: Instant,
     /// Where each chunk that is done begins, by its first scenario.
     done: BTreeMap<u64, u64>,
 }
@@ -56,7 +64,7 @@ impl Journal {
     /// The journal at `path`: a new one, or that of an interrupted run of the same campaign.
     ///
     /// # Errors
-    /// Another process has it; it is of another run; it is damaged; or it is not of this program.
+    /// Another process has it; it is of another run; its header is damaged; or it is not of this program.
     pub(super) fn open(
         path: &Path,
         campaign: &Campaign,
@@ -72,14 +80,14 @@ impl Journal {
     /// A journal without a name, which is gone with the process.
     pub(super) fn nameless(campaign: &Campaign, range: &Range<u64>) -> io::Result<Self> {
         watch();
-        let file = tempfile::tempfile()?;
-        let journal = Self::new(None, file, campaign, range);
+        let journal = Self::new(None, nameless()?, campaign, range);
         journal.start()?;
         Ok(journal)
     }
 
     fn new(path: Option<PathBuf>, file: File, campaign: &Campaign, range: &Range<u64>) -> Self {
-        let state = Mutex::new(State { file, end: 0, done: BTreeMap::new() });
+        let (file, synced) = (Arc::new(file), Instant::now());
+        let state = Mutex::new(State { file, end: 0, synced, done: BTreeMap::new() });
         let columns = campaign.columns().len();
         Self { path, state, columns, header: Header::new(campaign, range) }
     }
@@ -99,17 +107,24 @@ impl Journal {
     /// It cannot be written; the chunks before it stay.
     pub(super) fn keep(&self, chunk: &Range<u64>, rows: &[Row]) -> io::Result<()> {
         let record = self.record(chunk, rows);
-        let state = &mut *self.state();
-        let written =
-            state.file.seek(SeekFrom::Start(state.end)).and_then(|_| state.file.write_all(&record));
+        let mut state = self.state();
+        let (end, mut file) = (state.end, &*state.file);
+        let written = file.seek(SeekFrom::Start(end)).and_then(|_| file.write_all(&record));
         if written.is_err() {
             // The next run would cut it off as well.
-            let _ = state.file.set_len(state.end);
+            let _ = file.set_len(end);
             return written;
         }
-        state.done.insert(chunk.start, state.end);
+        state.done.insert(chunk.start, end);
         state.end += record.len() as u64;
-        Ok(())
+        if self.path.is_none() || state.synced.elapsed() < SYNC {
+            return Ok(());
+        }
+        state.synced = Instant::now();
+        let file = Arc::clone(&state.file);
+        // The others go on writing meanwhile.
+        drop(state);
+        file.sync_data()
     }
 
     /// The rows of a chunk that is done, as they are read back.
@@ -117,22 +132,29 @@ impl Journal {
     /// # Errors
     /// They cannot be read, or are not what was written.
     pub(super) fn rows(&self, chunk: &Range<u64>) -> io::Result<Vec<Row>> {
-        let state = &mut *self.state();
-        let at = state.done.get(&chunk.start).ok_or(ErrorKind::NotFound)?;
-        state.file.seek(SeekFrom::Start(*at))?;
-        let mut record = vec![0; self.length(chunk)];
-        state.file.read_exact(&mut record)?;
-        let numbers = &record[HEAD..];
-        if record[..HEAD] != *self.head(chunk, numbers) {
-            return Err(damaged(chunk));
-        }
+        let at = self.state().done.get(&chunk.start).copied().ok_or(ErrorKind::NotFound)?;
+        let Some(record) = self.record_at(at, chunk)? else { return Err(damaged(chunk)) };
         let number = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, f64::from_le_bytes);
-        let rows = numbers.chunks_exact(8 * self.columns).map(|row| row.chunks_exact(8));
+        let rows = record[HEAD..].chunks_exact(8 * self.columns).map(|row| row.chunks_exact(8));
         let row = |(index, row): (u64, std::slice::ChunksExact<'_, u8>)| Row {
             index,
             numbers: row.map(number).collect(),
         };
         Ok(chunk.clone().zip(rows).map(row).collect())
+    }
+
+    /// The record of a chunk at a place of the file; `None` if it is not whole.
+    fn record_at(&self, at: u64, chunk: &Range<u64>) -> io::Result<Option<Vec<u8>>> {
+        let state = self.state();
+        let mut file = &*state.file;
+        file.seek(SeekFrom::Start(at))?;
+        let mut record = vec![0; self.length(chunk)];
+        match file.read_exact(&mut record) {
+            Err(error) if error.kind() == ErrorKind::UnexpectedEof => return Ok(None),
+            read => read?,
+        }
+        let whole = record[..HEAD] == *self.head(chunk, &record[HEAD..]);
+        Ok(whole.then_some(record))
     }
 
     /// Removes the file, whose rows are elsewhere now.
@@ -165,11 +187,14 @@ impl Journal {
         let state = &mut *self.state();
         let head =
             [owner_line(std::process::id()).as_bytes(), self.header.text.as_bytes()].concat();
-        state.file.rewind()?;
-        state.file.write_all(&head)?;
-        state.file.set_len(head.len() as u64)?;
+        let mut file = &*state.file;
+        file.rewind()?;
+        file.write_all(&head)?;
+        file.set_len(head.len() as u64)?;
         state.end = head.len() as u64;
-        Ok(())
+        let Some(path) = &self.path else { return Ok(()) };
+        file.sync_all()?;
+        path.parent().map_or(Ok(()), sync_folder)
     }
 
     /// Finds what is done in a file that is locked.
@@ -177,9 +202,8 @@ impl Journal {
         let wrong = |error: io::Error| unusable(path, &error.to_string());
         let mut head = Vec::new();
         {
-            let file = &mut self.state().file;
             let most = (OWNER + self.header.text.len()) as u64;
-            Read::by_ref(file).take(most).read_to_end(&mut head).map_err(wrong)?;
+            (&*self.state().file).take(most).read_to_end(&mut head).map_err(wrong)?;
         }
         let header = self.header.text.as_bytes();
         let is_owner = |line: &[u8]| owner(line).is_some();
@@ -197,52 +221,22 @@ impl Journal {
             }
             _ => return Err(foreign(path, "is not a file of this program")),
         }
-        self.index(range).map_err(wrong)?;
+        let damage = self.index(range).map_err(wrong)?;
+        print(&damage.map(|damage| damage.notice(path)).into_iter().collect::<Vec<_>>());
         // Only a process that finds the file locked reads its owner.
-        let state = &mut *self.state();
+        let state = self.state();
+        let mut file = &*state.file;
         let line = owner_line(std::process::id());
-        let renamed = state.file.rewind().and_then(|()| state.file.write_all(line.as_bytes()));
-        renamed.map_err(wrong)
-    }
-
-    /// Goes through the records, each of which is read in full, and cuts off what was being written.
-    fn index(&self, range: &Range<u64>) -> io::Result<()> {
-        let legal: BTreeMap<_, _> =
-            chunks(range.clone()).into_iter().map(|chunk| (chunk.start, chunk.end)).collect();
-        let length = self.state().file.metadata()?.len();
-        let mut at = (OWNER + self.header.text.len()) as u64;
-        while at < length {
-            let left = length - at;
-            let mut ends = [[0; 8]; 2];
-            if left >= 16 {
-                let file = &mut self.state().file;
-                file.seek(SeekFrom::Start(at))?;
-                ends.iter_mut().try_for_each(|end| file.read_exact(end))?;
-            }
-            let [start, end] = ends.map(u64::from_le_bytes);
-            let chunk = start..end;
-            let known = legal.get(&start) == Some(&end) && !self.has(&chunk);
-            if left >= 16 && !known {
-                return Err(damaged_at(at));
-            }
-            if left < 16 || left < self.length(&chunk) as u64 {
-                self.state().file.set_len(at)?;
-                break;
-            }
-            self.state().done.insert(start, at);
-            self.rows(&chunk)?;
-            at += self.length(&chunk) as u64;
-        }
-        self.state().end = at;
-        Ok(())
+        file.rewind().and_then(|()| file.write_all(line.as_bytes())).map_err(wrong)
     }
 
     /// Why a file of this program is not of this run.
     fn differs(&self, path: &Path, owned: bool) -> Failure {
         let mut text = Vec::new();
-        let file = &mut self.state().file;
+        let state = self.state();
+        let mut file = &*state.file;
         let read = file.seek(SeekFrom::Start(OWNER as u64));
-        let read = read.and_then(|_| Read::by_ref(file).take(MAX_HEADER).read_to_end(&mut text));
+        let read = read.and_then(|_| file.take(MAX_HEADER).read_to_end(&mut text));
         let there = read.ok().and_then(|_| Header::read(&text)).filter(|_| owned);
         let Some(there) = there else {
             return unusable(path, "its header is damaged");
@@ -270,8 +264,4 @@ impl Journal {
 fn damaged(chunk: &Range<u64>) -> io::Error {
     let message = format!("its scenarios from {} to below {} are damaged", chunk.start, chunk.end);
     io::Error::new(ErrorKind::InvalidData, message)
-}
-
-fn damaged_at(byte: u64) -> io::Error {
-    io::Error::new(ErrorKind::InvalidData, format!("it is damaged from byte {byte} on"))
 }

@@ -12,7 +12,9 @@ use crate::verify::{Campaign, Drawn, Trial, chunks, sample};
 
 use super::journal::{Journal, SUFFIX};
 
-use crate::cli::output::{Kind, Outputs, Place, commit, open_beside, through, with_suffix};
+use crate::cli::output::{
+    Kind, Outputs, Place, commit, nameless, open_beside, through, with_suffix,
+};
 use crate::cli::progress::progress;
 use crate::cli::report::{Failure, Notice};
 
@@ -191,12 +193,10 @@ fn write(
             let temporary = open_beside(&place).map_err(|error| failed(&error))?;
             let file = temporary.file().map_err(|error| failed(&error))?;
             into(file, &mut drawn)?;
-            // The journal, which goes after it, is all that there is besides.
-            file.sync_all().map_err(|error| failed(&error))?;
             commit(vec![(temporary, place.path)]).map_err(|(_, error)| failed(&error))?;
         }
         _ if place.is_stream() => {
-            let mut file = tempfile::tempfile().map_err(|error| failed(&error))?;
+            let mut file = nameless().map_err(|error| failed(&error))?;
             into(&file, &mut drawn)?;
             let copied = file.rewind().and_then(|()| through(&place, &mut file));
             copied.map_err(|error| failed(&error))?;

@@ -112,7 +112,7 @@ fn a_signal_keeps_the_rows_and_leaves_nothing_else() {
 }
 
 #[test]
-fn damage_is_told_by_name() {
+fn damage_is_reported_by_name() {
     let folder = stage("damage");
     interrupted(&folder, "rows.parquet", "-KILL");
     let journal = folder.join("rows.parquet.chunks");
@@ -123,14 +123,15 @@ fn damage_is_told_by_name() {
     let part = fs::read(folder.join("part.parquet")).expect("rows");
     let merge = ["verify", "stage.toml", "--merge", "part.parquet"];
     assert_eq!(run_in(&folder, &merge).0, Some(0));
+    let header = header(&whole);
     // A few bits of each; `cargo assure attack` goes through more.
-    for (file, bytes, arguments) in
-        [("rows.parquet.chunks", whole, &resume[..]), ("part.parquet", part, &merge)]
-    {
+    for (file, bytes, end, arguments) in [
+        ("rows.parquet.chunks", whole, header, &resume[..]),
+        ("part.parquet", part.clone(), part.len(), &merge),
+    ] {
         for place in 0..12 {
             let mut damaged = bytes.clone();
-            // In the journal up to its third record, as what is last may be half there.
-            let byte = place * bytes.len().min(5000) / 12;
+            let byte = place * end / 12;
             damaged[byte] ^= 1 << (place % 8);
             fs::write(folder.join(file), &damaged).expect("written");
             let (code, printed, wrong) = run_in(&folder, arguments);
@@ -139,6 +140,85 @@ fn damage_is_told_by_name() {
             assert!(fs::read(folder.join(file)).expect("there") == damaged, "it is left as it is");
         }
     }
+}
+
+/// Bytes before the first record of a journal: the owner, and a header that says how long its campaign is.
+fn header(journal: &[u8]) -> usize {
+    let mut lines = journal.split_inclusive(|byte| *byte == b'\n');
+    let first: Vec<_> = lines.by_ref().take(4).collect();
+    let design = String::from_utf8_lossy(first[3]);
+    let bytes = design.trim().strip_suffix(" bytes").and_then(|line| line.rsplit(' ').next());
+    let campaign: usize = bytes.and_then(|bytes| bytes.parse().ok()).expect("a length");
+    first.concat().len() + campaign + "\n".len() + 64 + "\n".len()
+}
+
+#[test]
+fn rows_that_are_whole_outlive_a_power_cut() {
+    let folder = stage("power_cut");
+    let arguments = |out| ["verify", "stage.toml", "--scenarios=640", "--out", out];
+    let (code, verdict, _) = run_in(&folder, &arguments("whole.parquet"));
+    assert_eq!(code, Some(0));
+    let rows = fs::read(folder.join("whole.parquet")).expect("rows");
+    let journal = folder.join("rows.parquet.chunks");
+    let mut child = command_in(&folder, &arguments("rows.parquet"))
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("runs");
+    while fs::metadata(&journal).map_or(0, |there| there.len()) < 12_000 {
+        assert!(child.try_wait().expect("a state").is_none(), "it is still running");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().expect("killed");
+    child.wait().expect("ended");
+    let kept = fs::read(&journal).expect("rows");
+    let first = header(&kept);
+    let zeroed = |range: std::ops::Range<usize>| {
+        let mut bytes = kept.clone();
+        bytes.resize(range.end.max(bytes.len()), 0);
+        bytes[range].fill(0);
+        bytes
+    };
+    let mut flipped = kept.clone();
+    flipped[first + 100] ^= 4;
+    for (damage, bytes, warns) in [
+        ("zeros behind the last record", zeroed(kept.len()..kept.len() + 4096), true),
+        ("zeros between records that are whole", zeroed(first + 2000..first + 6096), true),
+        ("no record at all", zeroed(first..kept.len()), true),
+        ("a bit of the first record", flipped, true),
+        ("half a record", kept[..kept.len() - 1000].to_vec(), false),
+    ] {
+        fs::write(&journal, bytes).expect("written");
+        let (code, printed, told) = run_in(&folder, &arguments("rows.parquet"));
+        assert_eq!((code, &printed), (Some(0), &verdict), "{damage}: {told}");
+        assert!(fs::read(folder.join("rows.parquet")).expect("rows") == rows, "{damage}");
+        assert_eq!(told.contains("rows.parquet.chunks, which keeps"), warns, "{damage}: {told}");
+        assert_eq!(told.contains("of 640 scenarios are kept"), warns, "{damage}: {told}");
+        assert_eq!(names(&folder), ["rows.parquet", "stage.toml", "whole.parquet"], "{damage}");
+        fs::remove_file(folder.join("rows.parquet")).expect("removed");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn files_that_a_kill_left_are_removed_and_others_stay() {
+    let folder = stage("left");
+    let left = folder.join("out");
+    fs::create_dir_all(left.join(".ptc-AbCdEf.tmp/inner")).expect("a folder");
+    fs::write(left.join(".ptc-123456.tmp"), "half").expect("a file");
+    // Names that this program does not give, and a file under way of a process that is at work.
+    fs::write(left.join(".ptc-mine.tmp"), "mine").expect("a file");
+    let held = fs::File::create(left.join(".ptc-abcdef.tmp")).expect("a file");
+    held.lock().expect("a lock");
+    let emit = ["emit", "stage.toml", "--lang=c", "-o", "out"];
+    assert_eq!(run_in(&folder, &emit).0, Some(0));
+    let there = names(&left);
+    assert!(there.contains(&".ptc-mine.tmp".to_owned()), "{there:?}");
+    assert!(there.contains(&".ptc-abcdef.tmp".to_owned()), "{there:?}");
+    assert_eq!(there.len(), 4, "{there:?}");
+    drop(held);
+    fs::write(folder.join("stage.toml"), DESIGN.replace("-4", "-5")).expect("written");
+    assert_eq!(run_in(&folder, &emit).0, Some(0));
+    assert!(!names(&left).contains(&".ptc-abcdef.tmp".to_owned()));
 }
 
 #[test]
