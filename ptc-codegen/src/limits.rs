@@ -134,6 +134,11 @@ table! {
     /// Steps of the work on one self-test, each of about a nanosecond.
     SELFTEST = 2_000_000_000 "steps of work", "a refusal takes about two seconds",
         "write mu, kappa, pi0 or g with fewer functions, lower the order, or test the controller by hand";
+    /// Samples of a run of `simulate`.
+    SAMPLES = 10_000_000 "samples", "what is more is a period that was mistyped; the rows go to the file as they are made, and a run takes less than 500 MB",
+        "give a longer --sample-time";
+    /// Threads of a campaign or a search.
+    THREADS = 256 "threads", "more than there are cores make nothing faster; RAYON_NUM_THREADS may give fewer", "";
     /// Messages about one input.
     MESSAGES = 20 "messages", "the first ones are to be mended first", "";
 }

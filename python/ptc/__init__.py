@@ -13,12 +13,12 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, overload
 
 from ptc import _ptc
-from ptc._design import Design
-from ptc._errors import DesignError, DesignWarning, Mistake, RunError
-from ptc._results import Check, Objective, Report, Run, Status, Trajectory, Verdict
+from ptc._design import Design, readable
+from ptc._errors import DesignError, DesignWarning, Mistake, RunError, mistake
+from ptc._results import Check, Objective, Part, Report, Run, Status, Trajectory, Verdict
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,6 +33,7 @@ __all__ = [
     "DesignWarning",
     "Mistake",
     "Objective",
+    "Part",
     "Report",
     "Run",
     "RunError",
@@ -41,6 +42,7 @@ __all__ = [
     "Verdict",
     "check",
     "emit",
+    "merge",
     "simulate",
     "verify",
 ]
@@ -63,11 +65,33 @@ def _vector(given: ArrayLike, name: str) -> Sequence[float]:
     """The numbers of something with one axis."""
     import numpy as np
 
-    numbers = np.asarray(given, dtype=np.float64)
+    try:
+        numbers = np.asarray(given, dtype=np.float64)
+    except (OverflowError, RecursionError):
+        raise mistake(name, "not numbers within 1.7e308", "give numbers that a double holds") from None
     if numbers.ndim != 1:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: one axis")
     result: Sequence[float] = numbers.tolist()
     return result
+
+
+def _real(given: float, name: str) -> float:
+    """A number as a double."""
+    try:
+        return float(given)
+    except OverflowError:
+        raise mistake(name, "not a number within 1.7e308", "give a number that a double holds") from None
+
+
+def _whole(given: int, name: str) -> int:
+    """A number that is not negative and has 64 bits."""
+    try:
+        number = int(given)
+    except OverflowError:
+        number = -1
+    if 0 <= number < 2**64:
+        return number
+    raise mistake(name, f"not a whole number from 0 to {2**64 - 1}", "give such a number")
 
 
 def emit(design: Design, lang: str = "c", *, selftest: bool = False) -> dict[str, str]:
@@ -78,7 +102,7 @@ def emit(design: Design, lang: str = "c", *, selftest: bool = False) -> dict[str
 
     Raises `DesignError` for checks that refuse the design, and for what the language cannot express.
     """
-    return dict(_ptc.emit(design._own, lang, selftest))
+    return dict(_ptc.emit(design._own, readable("lang", lang), selftest))
 
 
 def check(design: Design) -> Report:
@@ -131,10 +155,10 @@ def simulate(
         legal = f"({len(design.states)},), one number for each of {names}"
         raise ValueError(f"x0 has shape ({len(start)},); legal: {legal}")
     fractions = None if at is None else _vector(at, "at")
-    end = None if until is None else float(until)
-    told = _ptc.simulate(
-        design._own, start, fractions, seed, end, _vector(arm_at, "arm_at"), progress
-    )
+    end = None if until is None else _real(until, "until")
+    again = _vector(arm_at, "arm_at")
+    number = _whole(seed, "seed")
+    told = _ptc.simulate(design._own, start, fractions, number, end, again, progress)
     for warning in told["warnings"]:
         warnings.warn(warning, DesignWarning, stacklevel=2)
     t = _array(told["t"], -1)
@@ -152,18 +176,44 @@ def simulate(
     )
 
 
+@overload
 def verify(
     design: Design,
     *,
     scenarios: int | None = None,
     seed: int | None = None,
     draws: bool = False,
+    shard: None = None,
     progress: Progress | None = None,
-) -> Verdict:
+) -> Verdict: ...
+
+
+@overload
+def verify(
+    design: Design,
+    *,
+    scenarios: int | None = None,
+    seed: int | None = None,
+    draws: bool = False,
+    shard: tuple[int, int],
+    progress: Progress | None = None,
+) -> Part: ...
+
+
+def verify(
+    design: Design,
+    *,
+    scenarios: int | None = None,
+    seed: int | None = None,
+    draws: bool = False,
+    shard: tuple[int, int] | None = None,
+    progress: Progress | None = None,
+) -> Verdict | Part:
     """Verifies the objectives of a design for all that is uncertain, as it says under ``[verify]``.
 
     ``scenarios`` and ``seed`` override the design's. With ``draws`` the verdict holds all
-    draws, 8 bytes a number.
+    draws, 8 bytes a number. With ``shard = (i, n)`` the draws of the i-th of n parts alone are run, here
+    or on another machine, and `merge` makes the verdict of all parts.
 
     ``progress`` is called with the number of runs that are done and the most that there may be, at most
     20 times a second, from the thread that called, and with the two equal in the end. What it raises
@@ -171,9 +221,40 @@ def verify(
 
     Raises `DesignError` for mistakes in the campaign, and for objectives that no control can keep.
     """
-    keys = [("verify.scenarios", scenarios), ("verify.seed", seed)]
-    given = [(key, str(int(value))) for key, value in keys if value is not None]
-    told = _ptc.verify(design._own, given, draws, progress)
+    given = _campaign(scenarios, seed)
+    if shard is None:
+        return _verdict(_ptc.verify(design._own, given, draws, progress))
+    index, count = (_whole(number, "shard") for number in shard)
+    start, stop, of, numbers = _ptc.part(design._own, given, (index, count), progress)
+    return Part(start=start, stop=stop, campaign=of, numbers=bytes(numbers))
+
+
+def merge(
+    design: Design,
+    parts: Sequence[Part],
+    *,
+    scenarios: int | None = None,
+    seed: int | None = None,
+    draws: bool = False,
+    progress: Progress | None = None,
+) -> Verdict:
+    """The verdict of a campaign whose draws were run in parts, in any order: that of `verify` in one piece.
+
+    ``scenarios`` and ``seed`` are those of the parts. Raises `DesignError` for a part that is missing, is
+    there twice or is of another campaign.
+    """
+    own = [(part.start, part.stop, part.campaign, part.numbers) for part in parts]
+    return _verdict(_ptc.merge(design._own, _campaign(scenarios, seed), own, draws, progress))
+
+
+def _campaign(scenarios: int | None, seed: int | None) -> list[tuple[str, str]]:
+    """What overrides the campaign of a design."""
+    keys = [("scenarios", scenarios), ("seed", seed)]
+    return [(f"verify.{key}", str(_whole(value, key))) for key, value in keys if value is not None]
+
+
+def _verdict(told: Any) -> Verdict:
+    """The verdict of plain values."""
     worst = told["worst"]
     trajectory = None
     if worst is not None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from ptc import _ptc
+from ptc._errors import mistake
 
 if TYPE_CHECKING:
     import numpy as np
@@ -15,15 +16,29 @@ if TYPE_CHECKING:
     Value = Union[str, complex, Sequence[Any], NDArray[Any], np.generic, Mapping[str, Any]]
 
 
+def readable(key: str, text: str) -> str:
+    """A text that has an encoding."""
+    try:
+        text.encode()
+    except UnicodeEncodeError as wrong:
+        shown = ascii(text[wrong.start : wrong.start + 1])
+        raise mistake(ascii(key)[1:-1], f"half a surrogate, {shown}", "give a text of Unicode") from None
+    return text
+
+
 def _text(key: str, value: Any) -> str:
     """A value as it is written in a design."""
     if hasattr(value, "tolist"):
         # Of NumPy: its numbers as those of Python.
         value = value.tolist()
     if isinstance(value, str):
-        return value
+        return readable(key, value)
     if isinstance(value, int) and not isinstance(value, bool):
-        return str(value)
+        try:
+            return str(value)
+        except ValueError:
+            # Python writes no more than some thousand digits.
+            raise mistake(key, "too many digits", "round the number") from None
     if isinstance(value, float):
         return repr(value)
     if isinstance(value, complex):
@@ -34,14 +49,22 @@ def _text(key: str, value: Any) -> str:
     raise TypeError(f"{key} is of type {type(value).__name__}; legal: {kinds}")
 
 
-def given(values: Mapping[str, Any], table: str = "") -> Iterator[tuple[str, str]]:
-    """Keys with dots, and the texts of their values."""
+def _flat(values: Mapping[str, Any], table: str = "") -> Iterator[tuple[str, str]]:
     for key, value in values.items():
-        whole = f"{table}{key}"
+        whole = readable("", f"{table}{key}")
         if isinstance(value, Mapping):
-            yield from given(value, f"{whole}.")
+            yield from _flat(value, f"{whole}.")
         else:
             yield whole, _text(whole, value)
+
+
+def given(values: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Keys with dots, and the texts of their values."""
+    try:
+        return list(_flat(values))
+    except RecursionError:
+        help = "give a list of numbers, or of such lists"
+        raise mistake("", "a value that is nested too deeply, or holds itself", help) from None
 
 
 class Design:
@@ -61,14 +84,23 @@ class Design:
     __slots__ = ("_own",)
 
     def __init__(self, text: str = "", /, **keys: Value) -> None:
-        self._own = _ptc.Design(text, list(given(keys)))
+        self._own = _ptc.Design(readable("", text), given(keys))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], /, **keys: Value) -> Design:
         """The design in a file; keywords as for the class."""
         design = cls.__new__(cls)
-        design._own = _ptc.Design.load(path, list(given(keys)))
+        try:
+            name = os.fspath(path)
+            os.fsencode(name)
+        except UnicodeEncodeError:
+            raise mistake("", f"no file is called {path!a}", "give the path of a file") from None
+        design._own = _ptc.Design.load(name, given(keys))
         return design
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A design is its text with its keywords, in another process too."""
+        return _restored, (type(self), self._own.text, self._own.given)
 
     @property
     def name(self) -> str:
@@ -87,3 +119,10 @@ class Design:
 
     def __repr__(self) -> str:
         return f"<ptc.Design {self.name}: {self.flags}>"
+
+
+def _restored(cls: type[Design], text: str, keys: Sequence[tuple[str, str]]) -> Design:
+    """The design of a text and of keywords that are texts already."""
+    design = cls.__new__(cls)
+    design._own = _ptc.Design(text, keys)
+    return design

@@ -40,6 +40,11 @@ class DesignError(ValueError):
         return "\n".join(map(str, self.mistakes))
 
 
+def mistake(key: str, message: str, help: str) -> DesignError:
+    """One mistake in an argument."""
+    return DesignError([(None, "bad-value", key, message, help)])
+
+
 class RunError(ArithmeticError):
     """A simulation that ended early."""
 

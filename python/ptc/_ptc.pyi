@@ -6,7 +6,7 @@ from typing import TypedDict, final
 
 from typing_extensions import Self, TypeAlias
 
-__all__ = ["Design", "check", "command", "emit", "simulate", "verify"]
+__all__ = ["Design", "check", "command", "emit", "merge", "part", "simulate", "verify"]
 
 _Given: TypeAlias = Sequence[tuple[str, str]]
 _Progress: TypeAlias = Callable[[int, int], object] | None
@@ -56,6 +56,10 @@ class Design:
     @staticmethod
     def load(path: str | PathLike[str], given: _Given) -> Design: ...
     @property
+    def text(self) -> str: ...
+    @property
+    def given(self) -> list[tuple[str, str]]: ...
+    @property
     def name(self) -> str: ...
     @property
     def command(self) -> str: ...
@@ -77,3 +81,13 @@ def simulate(
     progress: _Progress,
 ) -> _Run: ...
 def verify(design: Design, given: _Given, rows: bool, progress: _Progress) -> _Verdict: ...
+def part(
+    design: Design, given: _Given, shard: tuple[int, int], progress: _Progress
+) -> tuple[int, int, str, bytearray]: ...
+def merge(
+    design: Design,
+    given: _Given,
+    parts: Sequence[tuple[int, int, str, bytes]],
+    rows: bool,
+    progress: _Progress,
+) -> _Verdict: ...

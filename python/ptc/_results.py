@@ -51,6 +51,20 @@ class Check:
 
 
 @dataclass(frozen=True)
+class Part:
+    """The draws of a part of a campaign, which `merge` takes: it can be pickled."""
+
+    start: int
+    """Index of the first draw."""
+    stop: int
+    """Index of the first draw that is not of it."""
+    campaign: str
+    """Hash of the campaign that it is of, and of the version of the engine."""
+    numbers: bytes = field(repr=False)
+    """The numbers of all draws, each a double."""
+
+
+@dataclass(frozen=True)
 class Report:
     """What all checks say of a design."""
 

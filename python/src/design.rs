@@ -27,8 +27,8 @@ pub(crate) struct Design {
     entries: Vec<Entry>,
     pub(crate) spec: Spec,
     pub(crate) plant: Option<Plant>,
-    /// The keys that are given beside the text.
-    given: Vec<String>,
+    /// The keys that are given beside the text, with the texts of their values.
+    given: Vec<(String, String)>,
 }
 
 #[pymethods]
@@ -46,6 +46,18 @@ impl Design {
     fn load(py: Python<'_>, path: PathBuf, given: Vec<(String, String)>) -> PyResult<Self> {
         let text = load(&path).map_err(|found| mistakes(py, vec![found], "", &[]))?;
         Self::new(py, &text, given)
+    }
+
+    /// The text that it was read from.
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What was given beside the text.
+    #[getter]
+    fn given(&self) -> Vec<(String, String)> {
+        self.given.clone()
     }
 
     /// The name of the controller.
@@ -75,7 +87,7 @@ impl Design {
 
     /// Whether `key` is given beside the text.
     pub(crate) fn gives(&self, key: &str) -> bool {
-        self.given.iter().any(|own| own == key)
+        self.given.iter().any(|(own, _)| canonical(own) == key)
     }
 
     /// The entries with other values of some keys.
@@ -143,7 +155,7 @@ fn read(text: &str, given: &[(String, String)]) -> Result<Design, Wrong> {
             entries,
             spec,
             plant,
-            given: given.iter().map(|(key, _)| canonical(key).to_owned()).collect(),
+            given: given.to_vec(),
         }),
         Ok(_) => Err((design::mistakes(&found, Vec::new()), places)),
         Err(more) => Err((design::mistakes(&found, more), places)),

@@ -34,5 +34,5 @@ mod _ptc {
     #[pymodule_export]
     use super::simulate::simulate;
     #[pymodule_export]
-    use super::verify::verify;
+    use super::verify::{merge, part, verify};
 }

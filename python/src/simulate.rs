@@ -6,7 +6,8 @@ use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::record::{self, Asked, Row, instant};
-use ptc_codegen::simulate::{Failure, Loop, MAX_SAMPLES, Values, grid, tracking_error};
+use ptc_codegen::reference::Status;
+use ptc_codegen::simulate::{Failure, Loop, Values, grid, tracking_error};
 use ptc_codegen::syntax::number;
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
@@ -51,6 +52,36 @@ struct Course {
     around: Option<Loop>,
 }
 
+/// The rows that were asked for, a column each: a row by itself takes several times as much memory.
+#[derive(Default)]
+struct Kept {
+    t: Vec<f64>,
+    x: Vec<f64>,
+    u: Vec<f64>,
+    measured: Vec<f64>,
+    status: Vec<i8>,
+    /// The first call that is refused, of all rows, and when.
+    refused: Option<(Status, f64)>,
+    /// Time and state of the last row.
+    last: Option<(f64, Vec<f64>)>,
+}
+
+impl Kept {
+    fn take(&mut self, row: Row) {
+        if row.is_refused() {
+            self.refused.get_or_insert((row.status, row.t));
+        }
+        if row.reported {
+            self.t.push(row.t);
+            self.x.extend(&row.x);
+            self.u.extend(&row.u);
+            self.measured.extend(&row.measured);
+            self.status.push(row.status as i8);
+        }
+        self.last = Some((row.t, row.x));
+    }
+}
+
 /// Runs the closed loop of a design from `x0`.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
@@ -93,22 +124,21 @@ pub(crate) fn simulate<'py>(
         return Err(mistake(py, "missing-value", message, help.to_owned()));
     }
     let course = Course { spec: spec.clone(), plant, values, asked, around };
-    let (rows, error) = watch::run(py, (progress, course.rows()), |watch| course.run(watch))?
+    let (kept, error) = watch::run(py, (progress, course.rows()), |watch| course.run(watch))?
         .map_err(|failure| ended(py, failure))?;
     let held = course.around.is_some();
-    let warnings = warnings(report.as_ref(), &rows);
-    let reported = || rows.iter().filter(|row| row.reported);
-    let measured = || bytes(py, reported().flat_map(|row| row.measured.iter().copied()));
+    let warnings = warnings(report.as_ref(), kept.refused);
+    let Kept { t, x, u, measured, status, .. } = kept;
     Ok(Told {
         tau: course.values.get(Parameter::Tau),
         t0: course.values.get(Parameter::StartTime),
         states: spec.state_names(),
         inputs: spec.input_names(),
-        t: bytes(py, reported().map(|row| row.t)),
-        x: bytes(py, reported().flat_map(|row| row.x.iter().copied())),
-        u: bytes(py, reported().flat_map(|row| row.u.iter().copied())),
-        y: held.then(measured),
-        status: emitted.then(|| reported().map(|row| row.status as i8).collect()),
+        t: bytes(py, t),
+        x: bytes(py, x),
+        u: bytes(py, u),
+        y: held.then(|| bytes(py, measured)),
+        status: emitted.then_some(status),
         error,
         warnings,
     })
@@ -142,13 +172,7 @@ fn around(
     }
     let around = Loop { seed, until, arm_at, ..around };
     match around.too_long(spec) {
-        Some(length) => Err(wrong(
-            format!(
-                "a sample period of {} s makes more than {MAX_SAMPLES:e} samples in {length} s",
-                around.period
-            ),
-            "give `Design` a longer sample_time",
-        )),
+        Some(message) => Err(wrong(message, "give `Design` a longer sample_time")),
         None => Ok(Some(around)),
     }
 }
@@ -178,38 +202,41 @@ fn asked(
 
 impl Course {
     /// How many rows there will be.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     fn rows(&self) -> u64 {
-        let Some(around) = &self.around else {
-            return if self.asked.whole { grid().len() } else { self.asked.at.len() } as u64;
-        };
-        let length = around.until.unwrap_or(self.values.get(Parameter::Tau));
-        (length / around.period).ceil() as u64 + 1
+        match &self.around {
+            None if self.asked.whole => grid().len() as u64,
+            None => self.asked.at.len() as u64,
+            Some(around) => around.samples(self.values.get(Parameter::Tau)),
+        }
     }
 
     /// The rows, and the tracking error in the last one.
-    fn run(&self, watch: &watch::Watch) -> Result<(Vec<Row>, Option<Vec<f64>>), Failure> {
+    fn run(&self, watch: &watch::Watch) -> Result<(Kept, Option<Vec<f64>>), Failure> {
         let Self { spec, plant, values, asked, around } = self;
-        let seen = &mut || watch.tick(1);
-        let rows = match around {
-            None => record::continuous((spec, plant), values, asked, seen)?,
-            Some(around) => record::sampled((spec, plant), values, (&asked.x0, around), seen)?,
+        let mut kept = Kept::default();
+        let take = &mut |row| {
+            kept.take(row);
+            watch.tick(1);
         };
-        let error = rows.last().map(|row| tracking_error(spec, values, row.t, &row.x));
-        Ok((rows, error.transpose()?.flatten()))
+        match around {
+            None => record::continuous((spec, plant), values, asked, take)?,
+            Some(around) => record::sampled((spec, plant), values, (&asked.x0, around), take)?,
+        }
+        let last = kept.last.as_ref();
+        let error = last.map(|(t, x)| tracking_error(spec, values, *t, x)).transpose()?.flatten();
+        Ok((kept, error))
     }
 }
 
 /// The checks that refuse the emitted controller, and its first call that is refused.
-fn warnings(report: Option<&Report>, rows: &[Row]) -> Vec<String> {
+fn warnings(report: Option<&Report>, refused: Option<(Status, f64)>) -> Vec<String> {
     let Some(report) = report else { return Vec::new() };
     let refusals = report.refusals().map(|outcome| {
         let fix = outcome.fix.iter().map(|fix| format!("; {fix}")).collect::<String>();
         format!("the check {} refuses the design: {}{fix}", outcome.name, outcome.summary)
     });
-    let refused = rows.iter().find(|row| row.is_refused()).map(|row| {
-        let (name, t) = (row.status.c_name(), row.t);
-        format!("step returns {name} and u = 0, first at t = {t} s")
+    let refused = refused.map(|(status, t)| {
+        format!("step returns {} and u = 0, first at t = {t} s", status.c_name())
     });
     refusals.chain(refused).collect()
 }

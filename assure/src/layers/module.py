@@ -5,9 +5,12 @@ the module is asked for a start that is one rounding away, which has to be seen.
 """
 
 import contextlib
+import copy
 import io
 import json
+import multiprocessing
 import os
+import pickle
 import re
 import signal
 import subprocess
@@ -24,6 +27,9 @@ import ptc
 GENERATOR, COMMAND, WORKSPACE = sys.argv[1:4]
 DEFECT = "--defect" in sys.argv
 FAILURES = []
+
+# Seconds after which a process of a pool is taken to hang.
+HANGS = 120
 
 EXAMPLES = sorted(Path(WORKSPACE).glob("examples/*.toml"))
 CATALOGUE = sorted(Path(WORKSPACE).glob("ptc-codegen/catalogue/*.toml"))
@@ -248,6 +254,73 @@ def refused():
             expect(any(one.category is ptc.DesignWarning for one in caught), "no warning")
 
 
+def strange():
+    """Values that Python refuses before the library sees them: mistakes like all others."""
+    design = ptc.Design.load(f"{WORKSPACE}/examples/campaign.toml")
+    endless = []
+    endless.append(endless)
+    held = {}
+    held["x"] = held
+    for work in [
+        lambda: ptc.Design("\ud800"),
+        lambda: ptc.Design(n=2, mu="\ud800"),
+        lambda: ptc.Design(n=10**5000),
+        lambda: ptc.Design(n=2, gains=endless),
+        lambda: ptc.Design(n=2, plant=held),
+        lambda: ptc.Design(**{"\udcff": 1}),
+        lambda: ptc.Design.load("\ud800.toml"),
+        lambda: ptc.emit(design, "\ud800"),
+        lambda: ptc.simulate(design, [10**400, 0]),
+        lambda: ptc.simulate(design, [1, 0], seed=-1),
+        lambda: ptc.simulate(design, [1, 0], seed=2**64),
+        lambda: ptc.simulate(design, [1, 0], until=10**400),
+        lambda: ptc.verify(design, seed=-1),
+        lambda: ptc.verify(design, scenarios=float("inf")),
+        lambda: ptc.verify(design, shard=(0, 3)),
+        lambda: ptc.verify(design, shard=(4, 3)),
+        lambda: ptc.merge(design, []),
+    ]:
+        try:
+            work()
+        except ptc.DesignError:
+            continue
+        except BaseException as error:
+            FAILURES.append(f"{type(error).__name__} in place of DesignError: {error}")
+        else:
+            FAILURES.append("a strange value is no mistake")
+
+
+def shared():
+    """Other processes: designs and parts go to them, forked ones included, and parts make the whole."""
+    design = ptc.Design.load(f"{WORKSPACE}/examples/campaign.toml", tau=0.9)
+    run = {"scenarios": 200, "seed": 5}
+    whole = ptc.verify(design, **run, draws=True)
+    for other in [copy.copy(design), copy.deepcopy(design), pickle.loads(pickle.dumps(design))]:
+        expect((other.flags, repr(other)) == (design.flags, repr(design)), "a copy is another design")
+        expect(ptc.verify(other, **run).text == whole.text, "the verdict of a copy")
+    for kind in ["fork", "spawn"]:
+        with multiprocessing.get_context(kind).Pool(2) as pool:
+            work = pool.starmap_async(part_of, [(design, run, (i, 3)) for i in [3, 1, 2]])
+            try:
+                parts = work.get(timeout=HANGS)
+            except multiprocessing.TimeoutError:
+                pool.terminate()
+                FAILURES.append(f"{kind}: no answer in {HANGS} s")
+                continue
+        merged = ptc.merge(design, parts, **run, draws=True)
+        expect(merged.text == whole.text, f"{kind}: another report of the parts")
+        expect(all(same(merged.draws[name], own) for name, own in whole.draws.items()), f"{kind}: draws")
+        for wrong in [parts[:2], [*parts, parts[0]]]:
+            raised(ptc.DesignError, lambda wrong=wrong: ptc.merge(design, wrong, **run))
+        raised(ptc.DesignError, lambda: ptc.merge(design, parts, scenarios=200, seed=6))
+    return "parts of a campaign in forked and spawned processes"
+
+
+def part_of(design, run, shard):
+    """What a process of a pool does."""
+    return ptc.verify(design, **run, shard=shard)
+
+
 def stopped():
     """What progress raises and Ctrl-C stop the work, soon."""
     long = ptc.Design.load(f"{WORKSPACE}/examples/campaign.toml")
@@ -336,10 +409,16 @@ def commanded():
     return f"{len(LINES) + 3} command lines"
 
 
-signal.signal(signal.SIGINT, signal.default_int_handler)
-parts = [simulated] if DEFECT else [emitted, checked, simulated, verified, refused, stopped, documented, commanded]
-told = [part() for part in parts]
-for failure in FAILURES:
-    print(failure, file=sys.stderr)
-print("; ".join(filter(None, told)))
-sys.exit(bool(FAILURES))
+def main():
+    """Runs all parts, or the one that a defect is put into."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    all_parts = [emitted, checked, simulated, verified, refused, strange, shared, stopped, documented, commanded]
+    told = [part() for part in ([simulated] if DEFECT else all_parts)]
+    for failure in FAILURES:
+        print(failure, file=sys.stderr)
+    print("; ".join(filter(None, told)))
+    return bool(FAILURES)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

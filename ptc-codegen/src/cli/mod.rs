@@ -42,6 +42,7 @@ mod write;
 
 use std::borrow::Cow;
 use std::ffi::OsString;
+use std::io::IsTerminal;
 
 use clap::{CommandFactory, Parser};
 
@@ -69,14 +70,31 @@ pub(crate) fn run(line: impl IntoIterator<Item = OsString>) -> u8 {
 
 /// Prints what is wrong with the command line, or the help that it requests, and exits.
 fn refuse(wrong: &clap::Error) -> ! {
-    let text = wrong.render().to_string();
-    match visible(&text) {
+    let text = wrong.render();
+    let plain = text.to_string();
+    let code = match visible(&plain) {
         Cow::Owned(shown) if wrong.use_stderr() => {
             report::print_text(&shown);
-            std::process::exit(wrong.exit_code())
+            wrong.exit_code()
         }
-        _ => wrong.exit(),
-    }
+        _ if wrong.use_stderr() => wrong.exit(),
+        // In colours where they are seen, and an error where it cannot be written.
+        _ => {
+            let is_seen = std::io::stdout().is_terminal();
+            let printed = match is_seen {
+                true => wrong.print().map_err(|error| write::unprinted(&error)),
+                false => write::to_stdout(&plain),
+            };
+            printed.map_or_else(
+                |failure| {
+                    report::print(&failure.notices);
+                    failure.exit as i32
+                },
+                |()| wrong.exit_code(),
+            )
+        }
+    };
+    std::process::exit(code)
 }
 
 /// Runs a command.

@@ -11,12 +11,17 @@ use super::report::Failure;
 pub(crate) fn to_stdout(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_ref()).and_then(|()| stdout.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::because(
-            format!("cannot write the standard output: {error}"),
-            "direct it to a file or a pipe that takes it",
-        )),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(unprinted(&error)),
         _ => Ok(()),
     }
+}
+
+/// The message of an error of the standard output.
+pub(crate) fn unprinted(error: &io::Error) -> Failure {
+    Failure::because(
+        format!("cannot write the standard output: {error}"),
+        "direct it to a file or a pipe that takes it",
+    )
 }
 
 /// A path on a line of the standard output, where the terminal would take its control characters.

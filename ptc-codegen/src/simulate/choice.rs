@@ -3,11 +3,9 @@
 use num_traits::ToPrimitive;
 
 use super::Loop;
+use crate::limits::SAMPLES;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
-
-/// Most samples of a run: what is more is a period that was mistyped.
-pub const MAX_SAMPLES: f64 = 1e7;
 
 impl Loop {
     /// The key for which a run of a design is that of the sampled loop; `None` where the law acts at
@@ -29,10 +27,17 @@ impl Loop {
         disturbed.into_iter().find_map(|(given, key)| given.then_some(key))
     }
 
-    /// The length in s of a run of more samples than there may be.
-    pub fn too_long(&self, spec: &Spec) -> Option<f64> {
+    /// Why a run has more samples than there may be, if it has.
+    pub fn too_long(&self, spec: &Spec) -> Option<String> {
         let tau = spec.fixed.get(&Parameter::Tau).and_then(Fixed::number);
-        let length = self.until.or(tau.and_then(ToPrimitive::to_f64));
-        length.filter(|length| length / self.period > MAX_SAMPLES)
+        let length = self.until.or(tau.and_then(ToPrimitive::to_f64))?;
+        let subject = format!("a run of {length} s with a sample period of {} s", self.period);
+        (length / self.period > SAMPLES.most as f64).then(|| SAMPLES.beyond(&subject))
+    }
+
+    /// How many samples a run of `length` seconds has, where nothing else ends it.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub fn samples(&self, length: f64) -> u64 {
+        (self.until.unwrap_or(length) / self.period).ceil() as u64 + 1
     }
 }

@@ -45,7 +45,6 @@ pub(crate) use along::Along;
 pub use around::Loop;
 #[cfg(feature = "lab")]
 pub(crate) use around::SAME;
-pub use choice::MAX_SAMPLES;
 pub use continuous::Continuous;
 pub use controller::Controller;
 pub use direct::Direct;

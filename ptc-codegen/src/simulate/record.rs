@@ -1,4 +1,4 @@
-//! Runs with all their rows.
+//! Runs that hand over each of their rows, of which there may be more than memory holds.
 
 use num_traits::{One, Signed, ToPrimitive};
 
@@ -71,7 +71,7 @@ pub fn instant(elapsed: &BigRational) -> Option<(f64, f64)> {
 }
 
 /// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a
-/// model. `seen` is called at each row.
+/// model.
 ///
 /// # Errors
 /// A parameter without a value, or a loop that leaves the range of numbers.
@@ -79,50 +79,52 @@ pub fn continuous(
     (spec, plant): (&Spec, &Plant),
     values: &Values,
     asked: &Asked,
-    seen: &mut dyn FnMut(),
-) -> Result<Vec<Row>, Failure> {
+    take: &mut dyn FnMut(Row),
+) -> Result<(), Failure> {
     if spec.has_model() {
-        along(Direct::of(spec, plant), values, asked, seen)
+        along(Direct::of(spec, plant), values, asked, take)
     } else {
-        along(Continuous::of(spec, plant), values, asked, seen)
+        along(Continuous::of(spec, plant), values, asked, take)
     }
 }
 
-/// The rows of a run in which the control acts at every instant.
+/// A run in which the control acts at every instant.
 fn along<S: Side>(
     run: Result<Run<S>, Failure>,
     values: &Values,
     asked: &Asked,
-    seen: &mut dyn FnMut(),
-) -> Result<Vec<Row>, Failure> {
+    take: &mut dyn FnMut(Row),
+) -> Result<(), Failure> {
     let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
     let mut shares = if asked.whole { grid() } else { Vec::new() };
     shares.extend(asked.at.iter().map(|(share, _)| share));
     shares.sort_unstable_by(|a, b| b.total_cmp(a));
     shares.dedup();
-    let mut rows = Vec::with_capacity(shares.len());
+    let mut lost = None;
     let mut index = 0;
     run?.run(values, &asked.x0, &shares, Accuracy::default(), &mut |sample| {
         let at = asked.at.iter().find(|(share, _)| *share == shares[index]);
         let t = at.map_or(sample.t, |(_, elapsed)| t0 + tau * elapsed);
         let reported = asked.at.is_empty() || at.is_some();
-        rows.push(Row::of(Sample { t, ..sample }, reported));
+        let row = Row::of(Sample { t, ..sample }, reported);
+        if !row.x.iter().chain(&row.u).all(|value| value.is_finite()) {
+            lost.get_or_insert(t);
+        }
+        take(row);
         index += 1;
-        seen();
     })?;
-    let finite = |row: &&Row| row.x.iter().chain(&row.u).all(|v| v.is_finite());
-    match rows.iter().find(|row| !finite(row)) {
-        None => Ok(rows),
-        Some(row) => Err(Failure {
+    match lost {
+        None => Ok(()),
+        Some(t) => Err(Failure {
             cause: Cause::Range,
-            at: Some(row.t),
-            message: format!("x or u leaves the range of numbers, at t = {} s", row.t),
+            at: Some(t),
+            message: format!("x or u leaves the range of numbers, at t = {t} s"),
             help: "the loop is unstable with these values, or the gains of the law overflow so close to the deadline".to_owned(),
         }),
     }
 }
 
-/// The emitted controller at each sample, from `x0`. `seen` is called at each row.
+/// The emitted controller at each sample, from `x0`.
 ///
 /// # Errors
 /// A parameter without a value, or a loop that leaves the range of numbers.
@@ -130,12 +132,8 @@ pub fn sampled(
     (spec, plant): (&Spec, &Plant),
     values: &Values,
     (x0, around): (&[f64], &Loop),
-    seen: &mut dyn FnMut(),
-) -> Result<Vec<Row>, Failure> {
-    let mut rows = Vec::new();
-    Sampled::new(spec, plant)?.run(values, x0, around, &mut |sample| {
-        rows.push(Row::of(sample, true));
-        seen();
-    })?;
-    Ok(rows)
+    take: &mut dyn FnMut(Row),
+) -> Result<(), Failure> {
+    let visit = &mut |sample: Sample<'_>| take(Row::of(sample, true));
+    Sampled::new(spec, plant)?.run(values, x0, around, visit)
 }

@@ -22,6 +22,15 @@ pub fn chunks(range: Range<u64>) -> Vec<Range<u64>> {
     starts.map(|start| start..range.end.min(start + size)).collect()
 }
 
+/// The scenarios of the `index`-th of `count` parts, counted from 1; `None` if that is not a part.
+pub fn shard(index: u64, count: u64, scenarios: u64) -> Option<Range<u64>> {
+    let at = |part: u64| {
+        let share = u128::from(scenarios) * u128::from(part) / u128::from(count);
+        u64::try_from(share).unwrap_or(scenarios)
+    };
+    (1..=count).contains(&index).then(|| at(index - 1)..at(index))
+}
+
 /// What takes a chunk that is done.
 pub type Done<'a, E> = &'a (dyn Fn(&Range<u64>, Vec<Row>) -> Result<(), E> + Sync);
 

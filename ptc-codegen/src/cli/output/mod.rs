@@ -5,6 +5,7 @@
 
 mod durable;
 mod place;
+mod spool;
 mod stale;
 mod temporary;
 
@@ -17,12 +18,15 @@ pub(crate) use durable::{nameless, sync_folder};
 #[cfg(feature = "lab")]
 pub(crate) use place::same_file;
 pub(crate) use place::{Kind, Place};
+pub(crate) use spool::Content;
+#[cfg(feature = "lab")]
+pub(crate) use spool::Spool;
 #[cfg(feature = "lab")]
 pub(crate) use temporary::watch;
 pub(crate) use temporary::{Folder, Temporary, TemporaryFolder, commit};
 
 use super::report::Failure;
-use super::write::{failed, shown, to_stdout};
+use super::write::{failed, shown, to_stdout, unprinted};
 
 /// The files that a command reads and writes, each by the flag that names it.
 #[derive(Default)]
@@ -154,39 +158,45 @@ impl Outputs {
     }
 }
 
-/// Writes files to their places and returns one line a file; what is printed has none. What is
-/// there now counts, which may not be what was there when the place was planned.
+/// Writes files to their places and returns one line a file.
 pub(crate) fn write(files: &[(Place, &[u8])]) -> Result<String, Failure> {
+    let all = files.iter().map(|(place, bytes)| (place.clone(), Content::Bytes(bytes)));
+    write_all(all.collect())
+}
+
+/// Writes contents to their places and returns one line a file; what is printed has none. What is
+/// there now counts, which may not be what was there when the place was planned.
+pub(crate) fn write_all(files: Vec<(Place, Content<'_>)>) -> Result<String, Failure> {
     let mut told = String::new();
     let mut streams = Vec::new();
     let mut pending = Vec::new();
-    for (planned, content) in files {
+    for (planned, mut content) in files {
         let wrong = |error: &io::Error| failed("cannot write", &planned.shown, error);
         let place = Place::of(&planned.shown).map_err(|error| wrong(&error))?;
         let mut line = |word: &str| told.push_str(&format!("{word} {}\n", shown(&place.shown)));
         match &place.kind {
-            Kind::StandardOutput => streams.push((place, *content)),
+            Kind::StandardOutput => streams.push((place, content)),
             Kind::Device | Kind::Fifo | Kind::Descriptor => {
                 line("wrote");
-                streams.push((place, *content));
+                streams.push((place, content));
             }
             // A file that keeps its time stamp is not built again.
-            Kind::Regular(there) if holds(&place.path, there, content) => line("unchanged"),
+            Kind::Regular(there) if content.is_in(&place.path, there) => line("unchanged"),
             Kind::Missing | Kind::Regular(_) => {
                 line("wrote");
-                pending.push((beside(&place, content).map_err(|error| wrong(&error))?, place.path));
+                let beside = content.beside(&place).map_err(|error| wrong(&error))?;
+                pending.push((beside, place.path));
             }
             Kind::Folder => return Err(wrong(&ErrorKind::IsADirectory.into())),
             Kind::Other(what) => return Err(wrong(&io::Error::other(format!("it is {what}")))),
         }
     }
-    for (place, content) in streams {
-        if place.is_standard_output() {
-            to_stdout(content)?;
-        } else {
-            through(&place, &mut &*content)
-                .map_err(|error| failed("cannot write", &place.shown, &error))?;
-        }
+    for (place, mut content) in streams {
+        let copied = content.reader().and_then(|mut reader| through(&place, &mut reader));
+        copied.map_err(|error| match place.is_standard_output() {
+            true => unprinted(&error),
+            false => failed("cannot write", &place.shown, &error),
+        })?;
     }
     commit(pending).map_err(|(path, error)| failed("cannot write", &path, &error))?;
     Ok(told)
@@ -207,15 +217,6 @@ pub(crate) fn through(place: &Place, content: &mut dyn Read) -> io::Result<()> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         copied => copied.map(|_| ()),
     }
-}
-
-/// The content as a file beside the place where it goes.
-fn beside(place: &Place, content: &[u8]) -> io::Result<Temporary> {
-    let temporary = open_beside(place)?;
-    let mut file = temporary.file()?;
-    file.write_all(content)?;
-    file.flush()?;
-    Ok(temporary)
 }
 
 /// An empty file beside the place where it goes, in a folder that is made if it is missing, with the

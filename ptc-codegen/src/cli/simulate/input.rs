@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use crate::algebra::BigRational;
 use crate::diagnostic::counted;
+use crate::limits::SAMPLES;
 use crate::request::Spec;
+use crate::simulate::Loop;
 use crate::simulate::record::{Asked, instant};
-use crate::simulate::{Loop, MAX_SAMPLES};
 use crate::syntax::number;
 use num_traits::{Signed, ToPrimitive};
 
@@ -74,14 +75,8 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
     let until = request.until.as_deref().map(end).transpose()?;
     let arm_at = request.arm_at.as_deref().map(List::times).transpose()?.unwrap_or_default();
     let around = Loop { seed: request.seed, until, arm_at, ..around };
-    if let Some(length) = around.too_long(spec) {
-        let period = around.period;
-        return Err(Failure::because(
-            format!(
-                "a sample period of {period} s makes more than {MAX_SAMPLES:e} samples in {length} s"
-            ),
-            "give a longer --sample-time",
-        ));
+    if let Some(message) = around.too_long(spec) {
+        return Err(Failure::because(message, SAMPLES.fix));
     }
     Ok(Some(around))
 }

@@ -1,7 +1,9 @@
 //! `simulate`: the closed loop of a design with its plant, as CSV and as a picture.
 
 mod args;
+mod csv;
 mod input;
+mod kept;
 mod merit;
 mod page;
 mod picture;
@@ -10,10 +12,11 @@ mod run;
 use crate::parameter::Precision;
 use crate::plant::{self, Plant};
 pub(crate) use args::{EXAMPLES, Simulate};
+use csv::Csv;
 use picture::Kind;
 use run::{Run, continuous, sampled};
 
-use super::output::{self, Outputs};
+use super::output::{self, Content, Outputs};
 use super::page as html;
 use super::report::{Failure, note};
 use super::source::Source;
@@ -45,6 +48,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             "give --mu once, or --plot for a picture of all",
         ));
     }
+    let mut csv = Csv::new(out, numbered(request, &mappings))?;
     let sources = mappings.iter().flat_map(|source| source.each("tau"));
     let all = sources.flat_map(|source| request.x0.iter().map(move |x0| (source.clone(), x0)));
     for (source, x0) in all {
@@ -82,8 +86,8 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             );
         }
         let mut run = match &around {
-            None => continuous(&spec, &plant, &asked)?,
-            Some(around) => sampled(&spec, &plant, &asked, around)?,
+            None => continuous(&spec, &plant, &asked, &mut csv)?,
+            Some(around) => sampled(&spec, &plant, &asked, around, &mut csv)?,
         };
         if mappings.len() > 1 {
             let text = source.flags().find_map(|(name, text)| (name == "--mu").then_some(text));
@@ -108,8 +112,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         runs.push(run);
         drawn = Some((spec, plant));
     }
-    let csv = csv(&runs, numbered(request, &mappings));
-    let mut files = Vec::new();
+    let mut files = vec![csv.finish()?];
     let picture = match (kind, &drawn) {
         (Some(kind), Some((spec, _))) => kind.file(&picture::figure(spec, &runs, request.log))?,
         _ => Vec::new(),
@@ -118,37 +121,15 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         (Some(_), Some((spec, plant))) => page::text(request, &source, (spec, plant), &runs)?,
         _ => String::new(),
     };
-    files.push((out, csv.as_bytes()));
-    files.extend(report.map(|place| (place, told.as_bytes())));
-    files.extend(plot.map(|place| (place, picture.as_slice())));
+    files.extend(report.map(|place| (place, Content::Bytes(told.as_bytes()))));
+    files.extend(plot.map(|place| (place, Content::Bytes(&picture))));
     // What is printed is the CSV or the page alone, for whatever reads it.
     let printed = files.iter().any(|(place, _)| place.is_standard_output());
-    let told = output::write(&files)?;
+    let told = output::write_all(files)?;
     if printed { Ok(()) } else { write::to_stdout(&told) }
 }
 
 /// Whether tau does not tell the runs apart.
 fn numbered(request: &Simulate, mappings: &[Source]) -> bool {
     mappings.len() > 1 || request.x0.len() > 1
-}
-
-fn csv(runs: &[Run], numbered: bool) -> String {
-    // All runs are of one kind.
-    let columns = runs.first().map(Run::columns).unwrap_or_default();
-    let first = if numbered { "run," } else { "" };
-    let mut text = format!("{first}tau,t,{}\n", columns.join(","));
-    for (number, run) in (1..).zip(runs) {
-        let first = if numbered { format!("{number},") } else { String::new() };
-        for row in run.rows.iter().filter(|row| row.reported) {
-            let (measured, status) = match run.held {
-                true => (&row.measured[..], format!(",{}", row.status.c_name())),
-                false => (&[][..], String::new()),
-            };
-            let given = [run.tau, row.t];
-            let values = given.iter().chain(&row.x).chain(&row.u).chain(measured);
-            let values: Vec<_> = values.map(|value| format!("{value:?}")).collect();
-            text.push_str(&format!("{first}{}{status}\n", values.join(",")));
-        }
-    }
-    text
 }

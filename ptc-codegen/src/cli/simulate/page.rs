@@ -126,15 +126,12 @@ fn table(asked: bool, runs: &[Run]) -> Table {
     }
     let mut rows = Vec::new();
     for run in runs {
-        let reported: Vec<_> = run.rows.iter().filter(|row| row.reported).collect();
-        let last = reported.len().saturating_sub(1);
-        let shown = |i: usize| asked || (0..SHOWN).any(|k| k * last / (SHOWN - 1) == i);
+        let shown = if asked { run.kept.reported().collect() } else { run.kept.spread(SHOWN) };
         let line = |row: &Row| {
             let numbers = [run.tau, row.t].into_iter().chain(row.x.iter().copied());
             numbers.chain(row.u.iter().copied()).map(short).collect()
         };
-        let all = reported.iter().enumerate().filter(|(i, _)| shown(*i));
-        rows.extend(all.map(|(_, row)| line(row)));
+        rows.extend(shown.into_iter().map(line));
     }
     Table { head, rows }
 }

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use crate::plot::{Figure, Quantity, Trace};
 use crate::request::Spec;
-use crate::simulate::record::Row;
 use num_traits::ToPrimitive;
 
 use super::run::Run;
@@ -64,15 +63,15 @@ pub(super) fn figure(spec: &Spec, runs: &[Run], by_decades: bool) -> Figure {
 }
 
 fn trace(run: &Run) -> Trace {
-    let column = |of: &dyn Fn(&Row) -> f64| run.rows.iter().map(of).collect::<Vec<_>>();
+    let states = run.states.len();
     Trace {
         label: run.label.clone(),
         start: run.t0,
         deadline: run.t0 + run.tau,
-        t: column(&|row| row.t),
-        stretched: column(&|row| row.stretched),
-        x: (0..run.states.len()).map(|j| column(&|row| row.x[j])).collect(),
-        u: (0..run.inputs.len()).map(|k| column(&|row| row.u[k])).collect(),
+        t: run.kept.instants(|row| row.t),
+        stretched: run.kept.instants(|row| row.stretched),
+        x: (0..states).map(|j| run.kept.curve(j)).collect(),
+        u: (0..run.inputs.len()).map(|k| run.kept.curve(states + k)).collect(),
         held: run.held,
     }
 }

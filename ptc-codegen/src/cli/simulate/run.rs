@@ -1,4 +1,4 @@
-//! One run for one tau, kept for the CSV and the picture.
+//! One run for one tau, written to the CSV and kept for the picture.
 
 use crate::check::examine::{Report, examine};
 use crate::diagnostic::digits;
@@ -8,8 +8,13 @@ use crate::request::Spec;
 use crate::simulate::record::{self, Asked, Row};
 use crate::simulate::{Cause, Failure as Ended, Loop, Values, tracking_error};
 
-use crate::cli::progress::checking;
+use super::csv::{Common, Csv};
+use super::kept::Kept;
+use crate::cli::progress::{checking, progress};
 use crate::cli::report::{self, Failure, Notice};
+
+/// Rows between two reports of progress.
+const COUNTED: u64 = 1 << 12;
 
 /// A run.
 pub(super) struct Run {
@@ -27,7 +32,7 @@ pub(super) struct Run {
     pub(super) report: Option<Report>,
     /// Whether u is held between the rows.
     pub(super) held: bool,
-    pub(super) rows: Vec<Row>,
+    pub(super) kept: Kept,
     /// The tracking error in the last row by its names, where there is a reference: `e2_1` is the rate of
     /// that of output 1.
     pub(super) error: Option<Vec<(String, f64)>>,
@@ -39,11 +44,11 @@ impl Run {
     fn new(
         (spec, values): (&Spec, &Values),
         (report, held): (Option<Report>, bool),
-        rows: Vec<Row>,
+        kept: Kept,
         armed: f64,
     ) -> Result<Self, Failure> {
         let [tau, t0] = [Parameter::Tau, Parameter::StartTime].map(|p| values.get(p));
-        let last = rows.last();
+        let last = kept.last();
         let last = last.map(|row| tracking_error(spec, values, row.t - armed, &row.x));
         let error = last.transpose().map_err(|failure| ended(failure, tau))?.flatten();
         let (states, inputs) = (spec.state_names(), spec.input_names());
@@ -51,41 +56,58 @@ impl Run {
         let names = spec.names_of_chains().into_iter().map(|name| format!("e{name}"));
         let error = error.map(|error| names.zip(error).collect());
         let (label, mapping) = (format!("tau = {tau} s"), spec.mapping_name().to_owned());
-        Ok(Self { label, mapping, tau, states, inputs, t0, limits, report, held, rows, error })
+        Ok(Self { label, mapping, tau, states, inputs, t0, limits, report, held, kept, error })
     }
 
     /// The tracking error in the end, in words.
     pub(super) fn tracking(&self) -> Option<String> {
-        let (error, last) = (self.error.as_ref()?, self.rows.last()?);
+        let (error, last) = (self.error.as_ref()?, self.kept.last()?);
         let all: Vec<_> = error.iter().map(|(name, e)| format!("{name} = {e:.3e}")).collect();
         Some(format!("tracking error at t = {} s: {}", digits(last.t), all.join(", ")))
     }
+}
 
-    /// The columns of the CSV after tau and t. Only a sampled loop measures.
-    pub(super) fn columns(&self) -> Vec<String> {
-        let mut columns = self.states.clone();
-        columns.extend(self.inputs.iter().cloned());
-        if let (true, Some(row)) = (self.held, self.rows.first()) {
-            columns.extend((1..=row.measured.len()).map(|j| format!("y{j}")));
-            columns.push("status".to_owned());
-        }
-        columns
+/// What takes the rows of a run.
+struct Taken<'a> {
+    csv: &'a mut Csv,
+    tau: f64,
+    names: [Vec<String>; 2],
+    held: bool,
+    kept: Kept,
+}
+
+impl<'a> Taken<'a> {
+    fn new(csv: &'a mut Csv, spec: &Spec, values: &Values, held: bool) -> Self {
+        let (tau, names) = (values.get(Parameter::Tau), [spec.state_names(), spec.input_names()]);
+        csv.next_run();
+        Self { csv, tau, names, held, kept: Kept::new(values.limits(spec)) }
+    }
+
+    fn take(&mut self, row: Row) {
+        let Self { csv, tau, names, held, kept } = self;
+        csv.take(&Common { tau: *tau, names, held: *held }, &row);
+        kept.take(row);
     }
 }
 
 /// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a
 /// model.
-pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Run, Failure> {
+pub(super) fn continuous(
+    spec: &Spec,
+    plant: &Plant,
+    asked: &Asked,
+    csv: &mut Csv,
+) -> Result<Run, Failure> {
     let report = spec.has_model().then(|| examined(spec));
     let spec = report.as_ref().map_or(spec, |report| &report.spec);
     let values = complete(spec, plant, report.is_some())?;
-    let tau = values.get(Parameter::Tau);
-    let rows = record::continuous((spec, plant), &values, asked, &mut || ())
-        .map_err(|failure| ended(failure, tau))?;
+    let mut taken = Taken::new(csv, spec, &values, false);
+    record::continuous((spec, plant), &values, asked, &mut |row| taken.take(row))
+        .map_err(|failure| ended(failure, taken.tau))?;
     if report.is_some() {
-        refused(spec, &rows, tau);
+        refused(spec, &taken.kept, taken.tau);
     }
-    Run::new((spec, &values), (report.clone(), false), rows, 0.0)
+    Run::new((spec, &values), (report.clone(), false), taken.kept, 0.0)
 }
 
 /// The emitted controller at each sample.
@@ -94,18 +116,29 @@ pub(super) fn sampled(
     plant: &Plant,
     asked: &Asked,
     around: &Loop,
+    csv: &mut Csv,
 ) -> Result<Run, Failure> {
     let report = examined(spec);
     let spec = &report.spec;
     let values = complete(spec, plant, true)?;
-    let tau = values.get(Parameter::Tau);
-    let rows = record::sampled((spec, plant), &values, (&asked.x0, around), &mut || ())
-        .map_err(|failure| ended(failure, tau))?;
-    refused(spec, &rows, tau);
+    let mut taken = Taken::new(csv, spec, &values, true);
+    let bar = progress("simulating", around.samples(taken.tau));
+    let mut count = 0;
+    let mut take = |row| {
+        taken.take(row);
+        count += 1;
+        if count % COUNTED == 0 {
+            bar.inc(COUNTED);
+        }
+    };
+    let run = record::sampled((spec, plant), &values, (&asked.x0, around), &mut take);
+    run.map_err(|failure| ended(failure, taken.tau))?;
+    drop(bar);
+    refused(spec, &taken.kept, taken.tau);
     // In samples the time of a reference counts from there.
-    let end = rows.last().map_or(0.0, |row| row.t);
+    let end = taken.kept.last().map_or(0.0, |row| row.t);
     let armed = spec.sampled().map_or(0.0, |_| around.last_armed(end));
-    Run::new((spec, &values), (Some(report.clone()), true), rows, armed)
+    Run::new((spec, &values), (Some(report.clone()), true), taken.kept, armed)
 }
 
 /// The checks of the emitted controller, which set eps where a sample period or an error is promised;
@@ -128,9 +161,9 @@ fn examined(spec: &Spec) -> Report {
 }
 
 /// Warns of the first call that is refused.
-fn refused(spec: &Spec, rows: &[Row], tau: f64) {
-    if let Some(row) = rows.iter().find(|row| row.is_refused()) {
-        let (name, t) = (row.status.c_name(), row.t);
+fn refused(spec: &Spec, kept: &Kept, tau: f64) {
+    if let Some((status, t)) = kept.refused {
+        let name = status.c_name();
         let title = format!("tau = {tau}: step returns {name} and u = 0, first at t = {t} s");
         let help = match spec.coupled {
             None => {

@@ -9,7 +9,7 @@ mod parts;
 use std::ops::Range;
 
 use crate::request;
-use crate::verify::{self, Campaign, End, Known, Trial, csv, possible, summary};
+use crate::verify::{self, Campaign, End, Known, Trial, csv, possible, shard, summary};
 
 pub(crate) use args::{EXAMPLES, Verify};
 use journal::Journal;
@@ -41,9 +41,9 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     }
     let (drawn, journal) = match &request.shard {
         _ if !request.merge.is_empty() => parts::merge(&campaign, &request.merge, out.as_ref())?,
-        shard => {
-            let range = match shard {
-                Some(shard) => part(shard, campaign.scenarios)?,
+        given => {
+            let range = match given {
+                Some(text) => part(text, campaign.scenarios)?,
                 None => 0..campaign.scenarios,
             };
             parts::run(&campaign, &trial, range, out.as_ref())?
@@ -116,19 +116,11 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
 
 /// The scenarios of part I of N.
 fn part(text: &str, scenarios: u64) -> Result<Range<u64>, Failure> {
-    let numbers = text.split_once('/').and_then(|(i, n)| {
-        let (i, n) = (i.parse::<u64>().ok()?, n.parse::<u64>().ok()?);
-        (1..=n).contains(&i).then_some((i, n))
-    });
-    let Some((i, n)) = numbers else {
-        return Err(Failure::because(
+    let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+    numbers.and_then(|(i, n)| shard(i, n, scenarios)).ok_or_else(|| {
+        Failure::because(
             format!("--shard {text} is not a part"),
             "write I/N, the I-th of N parts, I from 1 to N: --shard 3/64",
-        ));
-    };
-    let at = |part: u64| {
-        let share = u128::from(scenarios) * u128::from(part) / u128::from(n);
-        u64::try_from(share).unwrap_or(scenarios)
-    };
-    Ok(at(i - 1)..at(i))
+        )
+    })
 }

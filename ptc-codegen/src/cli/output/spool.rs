@@ -1,0 +1,123 @@
+//! Content of a file whose size is not known: it is written as it is made, and takes its place in the end.
+
+use std::fs::{File, Metadata};
+use std::io::{self, BufReader, Read, Seek, Write};
+use std::path::Path;
+
+use super::durable::nameless;
+use super::temporary::Temporary;
+use super::{Kind, Place, holds, open_beside};
+
+/// Bytes that are kept in memory of what goes through a stream.
+const IN_MEMORY: usize = 1 << 20;
+
+/// Content under way.
+pub(crate) enum Spool {
+    /// A file beside the one that it will become.
+    Beside(Temporary),
+    /// The beginning of what goes to a stream.
+    Memory(Vec<u8>),
+    /// A long content that goes to a stream.
+    Nameless(File),
+}
+
+impl Spool {
+    /// Nothing as yet, of what goes to `place`.
+    pub(crate) fn new(place: &Place) -> io::Result<Self> {
+        match place.kind {
+            Kind::Missing | Kind::Regular(_) => open_beside(place).map(Self::Beside),
+            _ => Ok(Self::Memory(Vec::new())),
+        }
+    }
+}
+
+impl Write for Spool {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if let Self::Memory(kept) = self {
+            if kept.len() + bytes.len() <= IN_MEMORY {
+                return kept.write(bytes);
+            }
+            let mut file = nameless()?;
+            file.write_all(kept)?;
+            *self = Self::Nameless(file);
+        }
+        match self {
+            Self::Beside(temporary) => temporary.file()?.write(bytes),
+            Self::Memory(kept) => kept.write(bytes),
+            Self::Nameless(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// What is written to a place.
+pub(crate) enum Content<'a> {
+    Bytes(&'a [u8]),
+    #[cfg_attr(not(feature = "lab"), allow(dead_code))]
+    Spooled(Spool),
+}
+
+impl Content<'_> {
+    /// Reads it from its beginning.
+    pub(super) fn reader(&mut self) -> io::Result<Box<dyn Read + '_>> {
+        Ok(match self {
+            Self::Bytes(bytes) => Box::new(*bytes),
+            Self::Spooled(Spool::Memory(kept)) => Box::new(kept.as_slice()),
+            Self::Spooled(Spool::Nameless(file)) => Box::new(rewound(file)?),
+            Self::Spooled(Spool::Beside(temporary)) => Box::new(rewound(temporary.file()?)?),
+        })
+    }
+
+    /// Whether the regular file at `path` holds it.
+    pub(super) fn is_in(&mut self, path: &Path, there: &Metadata) -> bool {
+        match self {
+            Self::Bytes(bytes) => holds(path, there, bytes),
+            Self::Spooled(_) => self.equals(path).is_ok_and(|equals| equals),
+        }
+    }
+
+    fn equals(&mut self, path: &Path) -> io::Result<bool> {
+        let mut own = self.reader()?;
+        let mut there = BufReader::new(File::open(path)?);
+        let [mut own_part, mut there_part] = [[0; 1 << 16]; 2];
+        loop {
+            let count = read_full(&mut own, &mut own_part)?;
+            let other = read_full(&mut there, &mut there_part)?;
+            if own_part[..count] != there_part[..other] {
+                return Ok(false);
+            }
+            if count < own_part.len() {
+                return Ok(true);
+            }
+        }
+    }
+
+    /// It as a file beside the place where it goes.
+    pub(super) fn beside(mut self, place: &Place) -> io::Result<Temporary> {
+        if let Self::Spooled(Spool::Beside(temporary)) = self {
+            return Ok(temporary);
+        }
+        let temporary = open_beside(place)?;
+        io::copy(&mut self.reader()?, &mut temporary.file()?)?;
+        Ok(temporary)
+    }
+}
+
+fn rewound(mut file: &File) -> io::Result<&File> {
+    file.rewind().map(|()| file)
+}
+
+/// Fills `part`, or as much of it as there is.
+fn read_full(from: &mut dyn Read, part: &mut [u8]) -> io::Result<usize> {
+    let mut count = 0;
+    while count < part.len() {
+        match from.read(&mut part[count..])? {
+            0 => break,
+            more => count += more,
+        }
+    }
+    Ok(count)
+}

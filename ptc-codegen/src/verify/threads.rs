@@ -1,0 +1,53 @@
+//! The threads of a campaign: those of one call, which end with it. A process that is forked later has none of
+//! them, and needs none.
+
+use std::num::NonZero;
+use std::thread::available_parallelism;
+
+use rayon::ThreadPoolBuilder;
+
+use crate::limits::THREADS;
+
+/// Stack of each thread: that of a main thread.
+const STACK: usize = 8 << 20;
+
+/// The result of `work`, whose scenarios run on all cores: on fewer threads where the system gives fewer, and
+/// without another one on this thread alone.
+pub fn threaded<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    if rayon::current_thread_index().is_some() {
+        return work();
+    }
+    let builder = |count| ThreadPoolBuilder::new().num_threads(count).stack_size(STACK);
+    let mut count = wanted();
+    while count > 1 {
+        if let Ok(pool) = builder(count).build() {
+            return pool.install(work);
+        }
+        count /= 2;
+    }
+    // From here on this thread is a pool of one.
+    let _alone = builder(1).use_current_thread().build();
+    work()
+}
+
+/// One thread a core, unless the user wants another number.
+fn wanted() -> usize {
+    let given = std::env::var("RAYON_NUM_THREADS").ok();
+    let given = given.and_then(|text| text.parse().ok()).filter(|count| *count > 0);
+    given.unwrap_or_else(|| available_parallelism().map_or(1, NonZero::get)).min(THREADS.size())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayon::prelude::*;
+
+    #[test]
+    fn work_within_work_takes_the_threads_that_are_there() {
+        let both = threaded(|| {
+            let outer = rayon::current_num_threads();
+            threaded(|| (outer, rayon::current_num_threads(), (0..100u64).into_par_iter().sum()))
+        });
+        assert_eq!((both.0, both.2), (both.1, 4950u64));
+    }
+}
