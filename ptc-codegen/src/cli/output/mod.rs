@@ -3,16 +3,20 @@
 //! A regular file is replaced as a whole and keeps its mode; a link, a device or a FIFO is written
 //! through; `-` is the standard output.
 
+mod beside;
 mod durable;
 mod place;
 mod spool;
 mod stale;
 mod temporary;
 
-use std::fs::{self, File, Metadata};
+use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 
+pub(crate) use beside::holds;
+#[cfg(feature = "lab")]
+pub(crate) use beside::open_beside;
 #[cfg(feature = "lab")]
 pub(crate) use durable::{nameless, sync_folder};
 #[cfg(feature = "lab")]
@@ -23,7 +27,7 @@ pub(crate) use spool::Content;
 pub(crate) use spool::Spool;
 #[cfg(feature = "lab")]
 pub(crate) use temporary::watch;
-pub(crate) use temporary::{Folder, Temporary, TemporaryFolder, commit};
+pub(crate) use temporary::{Folder, TemporaryFolder, commit};
 
 use super::report::Failure;
 use super::write::{failed, shown, to_stdout, unprinted};
@@ -217,44 +221,6 @@ pub(crate) fn through(place: &Place, content: &mut dyn Read) -> io::Result<()> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         copied => copied.map(|_| ()),
     }
-}
-
-/// An empty file beside the place where it goes, in a folder that is made if it is missing, with the
-/// owner and the mode of the file that it will replace.
-pub(crate) fn open_beside(place: &Place) -> io::Result<Temporary> {
-    let folder = place.path.parent().unwrap_or(&place.path);
-    let temporary = Temporary::new(folder)?;
-    if let Kind::Regular(there) = &place.kind {
-        if there.permissions().readonly() {
-            return Err(io::Error::new(ErrorKind::PermissionDenied, "it is read-only"));
-        }
-        let file = temporary.file()?;
-        keep_owner(file, there);
-        file.set_permissions(there.permissions())?;
-    }
-    Ok(temporary)
-}
-
-/// Gives `file` the owner and the group of what is there, as far as this process may.
-#[cfg(unix)]
-fn keep_owner(file: &File, there: &Metadata) {
-    use std::os::unix::fs::{MetadataExt, fchown};
-    let (owner, group) = (Some(there.uid()), Some(there.gid()));
-    let _ = fchown(file, owner, group).or_else(|_| fchown(file, None, group));
-}
-
-#[cfg(not(unix))]
-fn keep_owner(_: &File, _: &Metadata) {}
-
-/// Whether the regular file at `path` is `content`. No more is read than that takes.
-pub(crate) fn holds(path: &Path, there: &Metadata, content: &[u8]) -> bool {
-    let length = content.len() as u64;
-    if there.len() != length {
-        return false;
-    }
-    let mut read = Vec::with_capacity(content.len());
-    let file = File::open(path);
-    file.and_then(|file| file.take(length + 1).read_to_end(&mut read)).is_ok() && read == content
 }
 
 /// Finds before the work what would fail after it.

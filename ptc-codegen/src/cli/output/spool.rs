@@ -4,9 +4,10 @@ use std::fs::{File, Metadata};
 use std::io::{self, BufReader, Read, Seek, Write};
 use std::path::Path;
 
+use super::beside::{holds, open_beside};
 use super::durable::nameless;
+use super::place::{Kind, Place};
 use super::temporary::Temporary;
-use super::{Kind, Place, holds, open_beside};
 
 /// Bytes that are kept in memory of what goes through a stream.
 const IN_MEMORY: usize = 1 << 20;
