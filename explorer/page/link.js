@@ -1,17 +1,30 @@
 // The whole state of the page in the fragment of its address.
 
+/** Most mappings that are compared; the engine runs no more either. */
+const MOST = 20;
+
+/** The first mappings of a list, each once, and how many are left out. */
+export function bounded(mappings) {
+  const all = [...new Set(mappings)];
+  return { overlays: all.slice(0, MOST), leftOut: Math.max(all.length - MOST, 0) };
+}
+
+/** What is said of mappings that are left out. */
+export function leftOut(count) {
+  return count ? `At most ${MOST} mappings are compared; ${count} left out` : "";
+}
+
 /** What the address holds; null without a design. */
 export function read() {
   const held = new URLSearchParams(location.hash.slice(1));
   if (!held.has("design")) return null;
-  const overlays = held.getAll("with");
   return {
     design: held.get("design"),
     language: held.get("lang") ?? "c",
     x0: held.get("x0") ?? "",
     seed: Number(held.get("seed") ?? 0),
     log: held.has("log"),
-    overlays,
+    ...bounded(held.getAll("with")),
   };
 }
 

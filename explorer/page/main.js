@@ -18,13 +18,20 @@ const engine = new Engine(show);
 let timer = 0;
 
 function request() {
+  const checked = [...document.querySelectorAll("#overlays input:checked")].map((box) => box.value);
+  const { overlays, leftOut } = link.bounded(checked);
+  if (leftOut) say(link.leftOut(leftOut));
   return {
     design: editor.text(),
     language: output.language(),
     x0: $("x0").value,
     seed: Number($("seed").value) || 0,
-    overlays: [...document.querySelectorAll("#overlays input:checked")].map((box) => box.value),
+    overlays,
   };
+}
+
+function say(text) {
+  $("said").textContent = text;
 }
 
 function ask() {
@@ -67,6 +74,7 @@ function load(state) {
   $("seed").value = state.seed;
   $("log").checked = state.log;
   for (const mapping of state.overlays) overlay(mapping).checked = true;
+  say(link.leftOut(state.leftOut ?? 0));
   engine.ask(request());
 }
 
@@ -115,8 +123,7 @@ function start() {
   $("save").addEventListener("click", () => download("design.toml", editor.text()));
   $("share").addEventListener("click", () => {
     ask();
-    const said = (text) => { $("said").textContent = text; };
-    navigator.clipboard.writeText(location.href).then(() => said("Link copied"), () => said("Copy the address of the page"));
+    navigator.clipboard.writeText(location.href).then(() => say("Link copied"), () => say("Copy the address of the page"));
   });
   addEventListener("hashchange", () => {
     const state = link.read();

@@ -13,8 +13,8 @@ use serde_json::{Value, json};
 use crate::design::Design;
 use course::{Around, Course};
 
-/// Most mappings that are laid over a run.
-const OVERLAYS: usize = 8;
+/// Most mappings that are laid over a run; the page asks for no more (`page/link.js`).
+pub(crate) const OVERLAYS: usize = 20;
 
 /// The runs that a request asks for, each with its course or with the reason why it has none.
 pub(crate) fn runs(

@@ -80,6 +80,17 @@ fn a_design_is_run_and_others_are_laid_over_it() {
 }
 
 #[test]
+fn page_and_engine_bound_the_mappings_alike() {
+    let most = crate::run::OVERLAYS;
+    let page = include_str!("../page/link.js");
+    assert!(page.contains(&format!("const MOST = {most};")));
+    let design = "n = 1\nmu = \"exp(a=1)\"\npoles = [-4]\ntau = 1\n";
+    let overlays: Vec<_> = (1..=most + 5).map(|a| format!("exp(a={a})")).collect();
+    let told = ask(&json!({ "design": design, "language": "c", "overlays": overlays }));
+    assert_eq!(told["runs"]["series"].as_array().expect("runs").len(), 1 + most);
+}
+
+#[test]
 fn every_input_of_a_plant_is_run() {
     let design = example("two_link.toml");
     let told = ask(&json!({ "design": design, "language": "c", "x0": "1, -0.5, 0, 0" }));

@@ -1,7 +1,8 @@
 """The module ptc of the wheel against the command of the workspace: the same files, verdicts and bits.
 
-Usage: module.py GENERATOR COMMAND WORKSPACE [--defect], where COMMAND is the wheel's. With --defect
-the module is asked for a start that is one rounding away, which has to be seen.
+Usage: module.py GENERATOR COMMAND WORKSPACE [--defect|--hang], where COMMAND is the wheel's. With --defect
+the module is asked for a start that is one rounding away, and with --hang a forked process does not answer,
+which have to be seen.
 """
 
 import contextlib
@@ -26,10 +27,11 @@ import ptc
 
 GENERATOR, COMMAND, WORKSPACE = sys.argv[1:4]
 DEFECT = "--defect" in sys.argv
+HANG = "--hang" in sys.argv
 FAILURES = []
 
 # Seconds after which a process of a pool is taken to hang.
-HANGS = 120
+HANGS = 3 if HANG else 120
 
 EXAMPLES = sorted(Path(WORKSPACE).glob("examples/*.toml"))
 CATALOGUE = sorted(Path(WORKSPACE).glob("ptc-codegen/catalogue/*.toml"))
@@ -318,6 +320,8 @@ def shared():
 
 def part_of(design, run, shard):
     """What a process of a pool does."""
+    if HANG:
+        time.sleep(1000)
     return ptc.verify(design, **run, shard=shard)
 
 
@@ -413,7 +417,7 @@ def main():
     """Runs all parts, or the one that a defect is put into."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
     all_parts = [emitted, checked, simulated, verified, refused, strange, shared, stopped, documented, commanded]
-    told = [part() for part in ([simulated] if DEFECT else all_parts)]
+    told = [part() for part in ([simulated] if DEFECT else [shared] if HANG else all_parts)]
     for failure in FAILURES:
         print(failure, file=sys.stderr)
     print("; ".join(filter(None, told)))

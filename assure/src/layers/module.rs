@@ -53,6 +53,9 @@ fn run(context: &Context) -> Result<Finding> {
     let told = String::from_utf8_lossy(&defect.stderr).lines().next().map(str::to_owned);
     let caught = told.filter(|_| !defect.status.success());
     finding.seed("a start that is one rounding away", caught);
+    let hung = compare(&["--hang"]).output()?;
+    let told = String::from_utf8_lossy(&hung.stderr).lines().next().map(str::to_owned);
+    finding.seed("a forked process that does not answer", told.filter(|_| !hung.status.success()));
     source(context, &folder)?;
     types(&python, &mut finding);
     versions(&mut finding)?;

@@ -1,4 +1,4 @@
-//! Every bit of sampled bytes of a part and of rows under way, flipped.
+//! Every bit of sampled bytes of a part and of the head of rows under way, flipped.
 
 use std::fs;
 
@@ -32,8 +32,8 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
     first.kill()?;
     first.wait()?;
     let journal = fs::read(folder.join(JOURNAL))?;
-    // The last record may be half there, which is no damage.
-    let rows = examine(JOURNAL, &journal, journal.len().min(5000), &LONG)?;
+    // A record is run again: `power` damages those.
+    let rows = examine(JOURNAL, &journal, head(&journal)?, &LONG)?;
     finding.failures.extend(part.iter().chain(&rows).map(|bit| format!("{bit} was not reported")));
     fs::remove_file(folder.join(JOURNAL))?;
     // The reader of before, which knew a file by its ends.
@@ -42,7 +42,7 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
         accepted(&mut random, &world.rows, world.rows.len(), 4, &mut |bytes| magic(bytes))?;
     finding.seed("a reader without a checksum", silent.first().cloned());
     Ok(format!(
-        "{flips} flipped bits of a part and of rows under way ({ROWS}, {JOURNAL}), each reported by name"
+        "{flips} flipped bits of a part and of the head of rows under way ({ROWS}, {JOURNAL}), each reported by name"
     ))
 }
 
@@ -66,4 +66,13 @@ fn accepted(
         }
     }
     Ok(taken)
+}
+
+/// Bytes before the first record of a journal: the owner, and a header that says how long its campaign is.
+pub(super) fn head(journal: &[u8]) -> Result<usize> {
+    let first: Vec<_> = journal.split_inclusive(|byte| *byte == b'\n').take(4).collect();
+    let design = String::from_utf8_lossy(first.last().context("a header")?).into_owned();
+    let length = design.trim().strip_suffix(" bytes").and_then(|line| line.rsplit(' ').next());
+    let length: usize = length.context("a length")?.parse()?;
+    Ok(first.concat().len() + length + "\n".len() + 64 + "\n".len())
 }

@@ -69,8 +69,18 @@ const DEFECTS: [(&str, &str); 5] = [
 ];
 
 fn limited(command: &Path, words: &[String], folder: &Path, seconds: u64) -> Result<Output> {
+    limited_to((MEMORY, seconds), command, words, folder)
+}
+
+/// The end of a command within so many KB of address space and seconds of the processor.
+pub(super) fn limited_to(
+    (memory, seconds): (u64, u64),
+    command: &Path,
+    words: &[String],
+    folder: &Path,
+) -> Result<Output> {
     let mut shell = Command::new("sh");
-    shell.args(["-c", LIMITED, "sh", &MEMORY.to_string(), &seconds.to_string()]);
+    shell.args(["-c", LIMITED, "sh", &memory.to_string(), &seconds.to_string()]);
     shell.arg(command).args(words).current_dir(folder).stdin(Stdio::null());
     shell.output().context("a shell runs")
 }

@@ -5,8 +5,11 @@ mod disk;
 mod injection;
 mod inputs;
 mod kill;
+mod memory;
 mod outputs;
 mod owners;
+mod power;
+mod streams;
 mod world;
 
 use anyhow::Result;
@@ -18,9 +21,10 @@ use world::World;
 pub(super) const LAYER: Layer = Layer {
     name: "attack",
     claim: "A campaign that is killed at any instant resumes to the bytes, verdict and exit code of \
-            one run; one process at a time has it; every flipped bit of its files is reported; and a \
-            full disk, a read-only folder, devices, links and colliding outputs lose no file. Every \
-            input ends in 4 s and 500 MB, with output or a message and a documented exit code. No text of \
+            one run, and so does one whose rows under way a power cut left torn or zero; one process at a \
+            time has it; every flipped bit of its files is reported; and a full disk, a read-only folder, devices, links and colliding outputs lose no file. Every \
+            input ends in 4 s and 500 MB, with output or a message and a documented exit code; long runs fit \
+            into 500 MB, and threads that cannot be had and full outputs end no work silently. No text of \
             a design is read as code in an emitted file, or as an element in a report.",
     tools: &[],
     run,
@@ -35,8 +39,11 @@ const ATTACKS: &[(&str, Attack)] = &[
     ("kills", kill::attack),
     ("owners", owners::attack),
     ("damage", corruption::attack),
+    ("power", power::attack),
     ("disk", disk::attack),
     ("outputs", outputs::attack),
+    ("streams", streams::attack),
+    ("memory", memory::attack),
     ("inputs", inputs::attack),
 ];
 

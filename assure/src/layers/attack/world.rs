@@ -97,7 +97,12 @@ impl World {
 
     /// Starts a campaign too long to end by itself and waits until it has kept several records of rows.
     pub(super) fn under_way(&self, folder: &Path) -> Result<Child> {
-        let mut child = self.start(folder, &LONG)?;
+        self.under_way_with(folder, &LONG)
+    }
+
+    /// The same of any campaign that is long enough for that.
+    pub(super) fn under_way_with(&self, folder: &Path, arguments: &[&str]) -> Result<Child> {
+        let mut child = self.start(folder, arguments)?;
         let size = || fs::metadata(folder.join(JOURNAL)).map_or(0, |there| there.len());
         let began = Instant::now();
         while size() < 100_000 {

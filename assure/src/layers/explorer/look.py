@@ -125,6 +125,12 @@ def handled(opened, browser, path, told, design):
     other.page.wait_for_selector(ANSWERED, timeout=WAIT)
     seen["from_address"] = other.page.input_value("#text") == text
     seen["overlaid_from_address"] = other.page.locator("#legend li.run").count()
+    # An address that compares with more mappings than the page takes, 49 kB of them.
+    other.page.goto("about:blank")
+    other.page.goto(address + "".join(f"&with=exp(a%3D{number})" for number in range(3000)))
+    other.page.wait_for_selector(ANSWERED, timeout=WAIT)
+    seen["overlaid_at_most"] = other.page.locator("#overlays input:checked").count()
+    seen["says_so"] = "At most 20" in other.page.text_content("#said")
     other.context.close()
     return seen
 

@@ -203,6 +203,7 @@ fn faults(seen: &Value, bytes: usize, said: &Commands) -> Vec<String> {
     let handled = &seen["handled"];
     let expected = json!({
         "tau": true, "pole": true, "errors": [], "overlaid": 2, "from_address": true, "overlaid_from_address": 2,
+        "overlaid_at_most": 20, "says_so": true,
     });
     if *handled != expected {
         faults.push(format!("by keyboard and address: {handled}"));

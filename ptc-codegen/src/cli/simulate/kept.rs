@@ -173,7 +173,7 @@ mod tests {
         let u = if index == 77_777 { -9.0 } else { (t / 1000.0).sin() };
         Row {
             t,
-            stretched: f64::NAN,
+            stretched: 0.0,
             x: vec![t],
             measured: vec![t],
             status: if index == 50_001 { Status::Input } else { Status::Ok },
