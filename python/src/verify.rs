@@ -8,8 +8,8 @@ use ptc_codegen::request;
 use ptc_codegen::simulate::Failure;
 use ptc_codegen::verify::record::{Row, hash};
 use ptc_codegen::verify::{
-    Campaign, Drawn, ENGINE, End, Instant, Judged, Known, Objective, Summary, Trial, chunks, possible,
-    read_with_plant, sample, shard, summary, threaded,
+    Campaign, Drawn, ENGINE, End, Instant, Judged, Known, Objective, Summary, Trial, chunks,
+    possible, read_with_plant, sample, shard, summary, threaded,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
@@ -78,11 +78,7 @@ type Part<'py> = (u64, u64, String, Bound<'py, PyByteArray>);
 /// The same as it is given back.
 type GivenPart = (u64, u64, String, Vec<u8>);
 
-fn campaign(
-    py: Python<'_>,
-    design: &Design,
-    given: &[(String, String)],
-) -> PyResult<Campaign> {
+fn campaign(py: Python<'_>, design: &Design, given: &[(String, String)]) -> PyResult<Campaign> {
     let entries = design.with(py, given)?;
     let campaign = request::read(&entries).and_then(|spec| read_with_plant(&entries, &spec));
     campaign.map_err(|found| design.wrong(py, found))
@@ -116,10 +112,11 @@ pub(crate) fn part<'py>(
     py: Python<'py>,
     design: &Design,
     given: Vec<(String, String)>,
-    (index, count): (u64, u64),
+    place: (u64, u64),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Part<'py>> {
     let campaign = campaign(py, design, &given)?;
+    let (index, count) = place;
     let Some(range) = shard(index, count, campaign.scenarios) else {
         let message = format!("shard = ({index}, {count}) is not a part");
         let help = "give (i, n), the i-th of n parts, i from 1 to n".to_owned();
@@ -150,9 +147,8 @@ pub(crate) fn merge<'py>(
 ) -> PyResult<Verdict<'py>> {
     let campaign = campaign(py, design, &given)?;
     parts.sort_by_key(|part| part.0);
-    joined(&campaign, &parts).map_err(|(message, help)| {
-        mistake(py, "bad-value", message, help.to_owned())
-    })?;
+    joined(&campaign, &parts)
+        .map_err(|(message, help)| mistake(py, "bad-value", message, help.to_owned()))?;
     let work = |watch: &Watch| {
         threaded(|| {
             let mut trial = Trial::new(&campaign)?;
@@ -170,13 +166,18 @@ pub(crate) fn merge<'py>(
 
 /// Whether parts in their order are all draws of a campaign.
 fn joined(campaign: &Campaign, parts: &[GivenPart]) -> Result<(), (String, &'static str)> {
-    let help = "give each part once, all of one division into parts, of this design, scenarios and seed";
+    let help =
+        "give each part once, all of one division into parts, of this design, scenarios and seed";
     let identity = identity(campaign);
     let mut next = 0;
     for (start, end, of, numbers) in parts {
-        let length = (end.saturating_sub(*start)).saturating_mul(8 * campaign.columns().len() as u64);
+        let length =
+            (end.saturating_sub(*start)).saturating_mul(8 * campaign.columns().len() as u64);
         if *of != identity {
-            return Err((format!("the part from scenario {start} on is of another campaign"), help));
+            return Err((
+                format!("the part from scenario {start} on is of another campaign"),
+                help,
+            ));
         }
         if *start != next || end < start || numbers.len() as u64 != length {
             return Err((format!("expected scenario {next}, found a part from {start} on"), help));
@@ -224,7 +225,8 @@ fn verdict<'py>(
             ended: worst.ended.clone(),
         }
     });
-    let numbers = |rows: &Vec<Row>| bytes(py, rows.iter().flat_map(|row| row.numbers.iter().copied()));
+    let numbers =
+        |rows: &Vec<Row>| bytes(py, rows.iter().flat_map(|row| row.numbers.iter().copied()));
     Verdict {
         holds: match summary.end() {
             End::Holds => Some(true),

@@ -55,9 +55,11 @@ pub(super) fn steps(
     let start = |at: usize| terms.as_ref().map_or(0.0, |terms| terms[at].0);
     let units = kept.iter().enumerate().map(|(at, name)| (unit(name), start(at))).collect();
     let mut steps = Vec::with_capacity(samples.clone().count());
+    // What `init` computes is the same at every sample.
+    let mut begun = Sample::new(&code, &kept, (sampled, spec.references()))?;
+    begun.block(&code.init)?;
     for k in samples {
-        let mut sample = Sample::new(&code, &kept, (sampled, spec.references()), k)?;
-        sample.block(&code.init)?;
+        let mut sample = begun.at(k)?;
         sample.block(&code.function("step")?.body)?;
         let control = sample.end(&code.function("step")?.finish)?;
         let u = sample.row(&control, chain, true)?;

@@ -1,16 +1,23 @@
 //! One sample of a program, whose values are rows.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use super::super::chain::{Chain, Near, Row, centre};
 use super::super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
 use super::{Held, is_rate};
+use crate::algebra::BigRational;
 use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
 use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
 use crate::request::Sampled;
 
+/// The numbers of a program as they are rounded, by their places in it.
+type Numbers = Rc<RefCell<BTreeMap<*const BigRational, Rounded>>>;
+
 /// One call of `step`.
+#[derive(Clone)]
 pub(super) struct Sample<'a> {
     precision: Precision,
     /// Numbers of what is kept and measured.
@@ -20,6 +27,7 @@ pub(super) struct Sample<'a> {
     locals: BTreeMap<&'a str, Held>,
     measured: Vec<Held>,
     reference: Vec<Held>,
+    numbers: Numbers,
 }
 
 impl<'a> Sample<'a> {
@@ -27,7 +35,6 @@ impl<'a> Sample<'a> {
         code: &'a Code,
         kept: &[&'a str],
         (sampled, references): (&Sampled, usize),
-        k: usize,
     ) -> Option<Self> {
         let (precision, known) = (code.precision, kept.len() + sampled.measured);
         let rates =
@@ -40,8 +47,6 @@ impl<'a> Sample<'a> {
             sum[at] = Rounded { exact: Range::from(1.0), error };
             Held::Linear(sum)
         };
-        let mut locals = BTreeMap::new();
-        locals.insert("k", Held::Count(u32::try_from(k).ok()?));
         // A measurement is rounded as it is handed over.
         let rounding = unit_roundoff(precision);
         let measured = (kept.len()..known).map(|at| unit(at, rounding)).collect();
@@ -53,8 +58,32 @@ impl<'a> Sample<'a> {
         for (at, name) in (known + references..).zip(rates) {
             fields.insert(name, unit(at, 0.0));
         }
-        fields.insert("seen", Held::Count(u32::from(k > 0)));
-        Some(Self { precision, terms, kept: kept.len(), fields, locals, measured, reference })
+        fields.insert("seen", Held::Count(0));
+        Some(Self {
+            precision,
+            terms,
+            kept: kept.len(),
+            fields,
+            locals: BTreeMap::new(),
+            measured,
+            reference,
+            numbers: Numbers::default(),
+        })
+    }
+
+    /// The same at sample `k`.
+    pub(super) fn at(&self, k: usize) -> Option<Self> {
+        let mut own = self.clone();
+        own.locals.insert("k", Held::Count(u32::try_from(k).ok()?));
+        own.fields.insert("seen", Held::Count(u32::from(k > 0)));
+        Some(own)
+    }
+
+    /// A number of the program.
+    fn number(&self, exact: &BigRational) -> Rounded {
+        let mut numbers = self.numbers.borrow_mut();
+        let place = std::ptr::from_ref(exact);
+        *numbers.entry(place).or_insert_with(|| Rounded::number(exact, self.precision))
     }
 
     /// A value over the states x_1..x_n and what is kept, and over the causes.
@@ -185,7 +214,7 @@ impl<'a> Sample<'a> {
     fn real(&self, value: &Expr) -> Option<Held> {
         let unit = unit_roundoff(self.precision);
         match value {
-            Expr::Number(exact) => Some(Held::Known(Rounded::number(exact, self.precision))),
+            Expr::Number(exact) => Some(Held::Known(self.number(exact))),
             Expr::Neg(a) => Some(match self.real(a)? {
                 Held::Known(a) => Held::Known(negative(a)),
                 Held::Linear(sum) => Held::Linear(sum.into_iter().map(negative).collect()),
