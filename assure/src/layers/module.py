@@ -272,10 +272,10 @@ def strange():
         lambda: ptc.Design(**{"\udcff": 1}),
         lambda: ptc.Design.load("\ud800.toml"),
         lambda: ptc.emit(design, "\ud800"),
-        lambda: ptc.simulate(design, [10**400, 0]),
-        lambda: ptc.simulate(design, [1, 0], seed=-1),
-        lambda: ptc.simulate(design, [1, 0], seed=2**64),
-        lambda: ptc.simulate(design, [1, 0], until=10**400),
+        lambda: ptc.simulate(design, [10**400, 0, 0]),
+        lambda: ptc.simulate(design, [1, 0, 0], seed=-1),
+        lambda: ptc.simulate(design, [1, 0, 0], seed=2**64),
+        lambda: ptc.simulate(design, [1, 0, 0], until=10**400),
         lambda: ptc.verify(design, seed=-1),
         lambda: ptc.verify(design, scenarios=float("inf")),
         lambda: ptc.verify(design, shard=(0, 3)),
@@ -294,7 +294,7 @@ def strange():
 
 def shared():
     """Other processes: designs and parts go to them, forked ones included, and parts make the whole."""
-    design = ptc.Design.load(f"{WORKSPACE}/examples/campaign.toml", tau=0.9)
+    design = ptc.Design.load(f"{WORKSPACE}/examples/campaign.toml", name="other")
     run = {"scenarios": 200, "seed": 5}
     whole = ptc.verify(design, **run, draws=True)
     for other in [copy.copy(design), copy.deepcopy(design), pickle.loads(pickle.dumps(design))]:
