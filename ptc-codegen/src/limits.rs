@@ -84,6 +84,9 @@ table! {
     /// States of a model.
     STATES = 16 "states", "each is differentiated by in each derivative of the output",
         "leave out states that the output does not depend on";
+    /// Inputs of a model, as many as coordinates of a mechanical plant.
+    INPUTS = 8 "inputs", "u is a solution of equations with as many unknowns",
+        "make several controllers of fewer inputs";
     /// Axes of a controller.
     AXES = 16 "axes", "gains of its own for each are lines of the emitted step",
         "make several controllers, armed at the same t0 with the same tau";

@@ -11,6 +11,24 @@ use crate::limits::{ARGUMENTS, BITS, Limit, SIZE};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::syntax::{self, Argument, Operator, Value, parse};
 
+/// Constants of C and Arduino, each of which would otherwise be a parameter, and how they are written.
+const CONSTANTS: [(&str, &str); 14] = [
+    ("M_PI", "pi"),
+    ("M_PI_2", "pi/2"),
+    ("M_PI_4", "pi/4"),
+    ("M_1_PI", "1/pi"),
+    ("M_2_PI", "2/pi"),
+    ("M_E", "exp(1)"),
+    ("M_LN2", "ln(2)"),
+    ("M_LN10", "ln(10)"),
+    ("M_SQRT2", "sqrt(2)"),
+    ("M_SQRT1_2", "sqrt(1/2)"),
+    ("PI", "pi"),
+    ("HALF_PI", "pi/2"),
+    ("TWO_PI", "2*pi"),
+    ("DEG_TO_RAD", "pi/180"),
+];
+
 /// The name of the integral over a run.
 pub const INTEGRAL: &str = "integral";
 
@@ -183,6 +201,10 @@ impl Resolver<'_, '_> {
                 format!("the function `{name}` has no argument"),
                 &format!("write {name}(...)"),
             );
+        }
+        if let Some((_, meant)) = CONSTANTS.iter().find(|(constant, _)| *constant == name) {
+            let message = format!("`{name}` is a constant of other languages, not a parameter");
+            return self.wrong(place, message, &format!("write {meant}"));
         }
         match Name::new(name) {
             Some(name) => Some(Expression::from(Parameter::Named(name))),

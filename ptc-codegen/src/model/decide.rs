@@ -69,7 +69,9 @@ fn has_pivots(mut a: Vec<Interval>, m: usize) -> bool {
 /// The names of some expressions: their parameters, states and input.
 fn names(forms: &[Expression]) -> Vec<Expression> {
     let parameters = crate::collect::set(forms.iter().flat_map(Expression::parameters));
-    let variables = (1..=crate::limits::STATES.size()).map(Variable::State);
+    // Several inputs are numbered behind the states.
+    let most = crate::limits::STATES.size() + crate::limits::INPUTS.size();
+    let variables = (1..=most).map(Variable::State);
     let variables = variables.chain([Variable::Control]);
     let variables = variables.filter(|v| forms.iter().any(|form| form.contains(*v)));
     parameters.into_iter().map(Expression::from).chain(variables.map(Expression::from)).collect()

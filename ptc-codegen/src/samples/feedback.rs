@@ -109,20 +109,22 @@ impl Builder<'_> {
         statements.push(Statement::Variable(name.clone(), Shape::Real));
         let end = vec![Statement::Note("Deadbeat.".to_owned()), v(dead)];
         match test {
+            // Gains that are held from before the end never come to deadbeat.
+            None => statements.extend(known),
             // So few samples are deadbeat from the first.
-            Test::CountLess(_, Expr::Count(0)) => statements.extend(end),
-            test => statements.push(Statement::If(test, known, end)),
+            Some(Test::CountLess(_, Expr::Count(0))) => statements.extend(end),
+            Some(test) => statements.push(Statement::If(test, known, end)),
         }
         statements
     }
 
-    /// m0, the samples to go, with what stands before the law, the test whether the law holds, and
-    /// what stands within it.
+    /// m0, the samples to go, with what stands before the law, the test whether the law holds, which
+    /// is `None` if it always does, and what stands within it.
     fn count_down(
         &mut self,
         order: usize,
         samples: &Expr,
-    ) -> (Vec<Statement>, Test, Vec<Statement>) {
+    ) -> (Vec<Statement>, Option<Test>, Vec<Statement>) {
         let hold = self.hold();
         let from = self.deadbeat_from(order, hold.is_some());
         let elapsed = || Expr::local("elapsed");
@@ -132,18 +134,23 @@ impl Builder<'_> {
         if let (Some(from), Expr::Count(samples)) = (whole, samples) {
             let end = Expr::Count(samples.saturating_sub(from));
             let left = Expr::Count(*samples).count_sub(elapsed()).real();
-            return (Vec::new(), Test::CountLess(elapsed(), end), vec![now(left)]);
+            return (Vec::new(), Some(Test::CountLess(elapsed(), end)), vec![now(left)]);
         }
         let left = samples.clone().count_left(elapsed());
         let mut first = vec![Statement::Let("left".to_owned(), Shape::Count, left)];
         let mut left = Expr::local("left").real();
+        let always = hold.as_ref().and_then(Expr::number).zip(from.number());
+        let always = always.is_some_and(|(hold, from)| hold > from);
         if let Some(hold) = hold {
             left = left.max(self.keep("hold", "samples to go at which the gains are held", hold));
         }
         first.push(now(left));
+        if always {
+            return (first, None, Vec::new());
+        }
         let from =
             self.keep(&self.named("deadbeat"), "samples to go at which deadbeat takes over", from);
-        (first, Test::Less(from, Expr::local("m0")), Vec::new())
+        (first, Some(Test::Less(from, Expr::local("m0"))), Vec::new())
     }
 
     /// Samples to go at which deadbeat takes over.

@@ -262,6 +262,9 @@ class Unit:
             each = f"type({first})(i) for i in range(int({first}), int({last}) + 1, {step})"
             self.line(depth, f"for {control} in ({each}):")
             self.statements(s.statements.statements, depth + 1)
+        elif isinstance(s, st.WhileStatement):
+            self.line(depth, f"while {self.expression(s.expression)}:")
+            self.statements(s.statements.statements, depth + 1)
         elif isinstance(s, st.ExitStatement):
             self.line(depth, "break")
         elif isinstance(s, st.ReturnStatement):

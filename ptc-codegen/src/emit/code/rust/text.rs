@@ -74,6 +74,7 @@ impl Text for Rust<'_> {
     }
 
     fn abs(&self, a: &str) -> String {
+        let a = self.receiver(a);
         let name = a.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
         if name { format!("{a}.abs()") } else { format!("({a}).abs()") }
     }
@@ -112,11 +113,24 @@ impl Text for Rust<'_> {
     }
 
     fn finite(&self, value: &str) -> String {
-        format!("{value}.is_finite()")
+        format!("{}.is_finite()", self.receiver(value))
     }
 
     fn not_number(&self, value: &str) -> String {
-        format!("{value}.is_nan()")
+        format!("{}.is_nan()", self.receiver(value))
+    }
+}
+
+impl Rust<'_> {
+    /// A value whose type is known, so that a method can be called on it: that of a literal is open.
+    fn receiver(&self, value: &str) -> String {
+        let inner = value.trim_start_matches(['(', '-']).trim_end_matches(')');
+        match inner.parse::<f64>() {
+            Ok(_) if inner.starts_with(|c: char| c.is_ascii_digit()) => {
+                value.replacen(inner, &format!("{inner}_{}", self.type_of(Shape::Real)), 1)
+            }
+            _ => value.to_owned(),
+        }
     }
 }
 

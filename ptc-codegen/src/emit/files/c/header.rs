@@ -3,17 +3,18 @@
 use super::super::gives::Gives;
 use super::super::text::capital;
 use super::C;
+use super::guard::once;
 use crate::code::{Finish, Function, Shape, Variable};
 
 impl C<'_> {
     pub(super) fn header(mut self) -> String {
         let code = self.code;
-        let guard = code.name.to_uppercase();
         self.out.line("/*");
         for line in &code.head {
             self.out.line(format!(" * {line}"));
         }
-        self.out.line(format!(" */\n#ifndef {guard}_H\n#define {guard}_H\n"));
+        self.out.line(" */");
+        let head = std::mem::take(&mut self.out).text();
         let arguments = code.functions.iter().flat_map(|function| &function.arguments);
         let mut variables = code.parameters.iter().chain(&code.fields).chain(arguments);
         if variables.any(|variable| variable.shape == Shape::Count) {
@@ -35,8 +36,8 @@ impl C<'_> {
             let signature = self.signature(function);
             self.prototype(function.name, &signature);
         }
-        self.out.line("\n#ifdef __cplusplus\n}\n#endif\n\n#endif");
-        self.out.text()
+        self.out.line("\n#ifdef __cplusplus\n}\n#endif");
+        once(code, &head, &self.out.text(), "H")
     }
 
     fn prototype(&mut self, function: &str, signature: &str) {

@@ -2,7 +2,9 @@
 
 mod assumptions;
 mod conditions;
+mod guard;
 mod header;
+mod hosts;
 mod source;
 mod statement;
 mod target;
@@ -11,6 +13,8 @@ use std::collections::BTreeMap;
 
 pub(in crate::emit) use assumptions::assumptions;
 pub(in crate::emit) use conditions::{Condition, domain, start_tests, written, zero_tests};
+pub(in crate::emit) use guard::once;
+pub(in crate::emit) use hosts::refuse_macros;
 pub(in crate::emit) use target::{TARGET, files_with_proof, real, sampled_files_with_proof};
 
 use super::apart::apart;

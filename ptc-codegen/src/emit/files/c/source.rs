@@ -113,15 +113,27 @@ impl C<'_> {
         self.out.close("}");
     }
 
-    /// A list of results is 0 where a pointer is missing, as one is from the start.
+    /// A list of results is 0 where a pointer is missing, as one is from the start, and a list of
+    /// statuses has that of the call.
     fn without_pointers(&mut self, function: &Function) {
         let zero = self.literal("0.0");
-        for result in &function.results {
-            let (Shape::Reals(count), name) = (result.shape, &result.name) else { continue };
-            self.out.turn("} else {");
+        let lists: Vec<_> = function
+            .results
+            .iter()
+            .filter_map(|result| match result.shape {
+                Shape::Reals(count) => Some((&result.name, count, zero.as_str())),
+                Shape::Statuses(count) => Some((&result.name, count, word(Status::Input))),
+                _ => None,
+            })
+            .collect();
+        if lists.is_empty() {
+            return;
+        }
+        self.out.turn("} else {");
+        for (name, count, value) in lists {
             self.out.open(format!("if ({name} != NULL) {{"));
             self.out.open(format!("for (uint32_t i = 0U; i < {count}U; i++) {{"));
-            self.out.line(format!("{name}[i] = {zero};"));
+            self.out.line(format!("{name}[i] = {value};"));
             self.out.close("}");
             self.out.close("}");
         }

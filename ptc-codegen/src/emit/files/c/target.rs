@@ -12,7 +12,7 @@ pub(in crate::emit) const TARGET: Target = Target {
     about: "a header and a source file, C99",
     comment: ("/* ", " */"),
     is_word: |_| false,
-    refuse: |_, _, _| {},
+    refuse: |spec, _, found| super::refuse_macros(spec, found),
     print: Print::Program(|program| super::files(program, &Notes::default())),
 };
 

@@ -1,7 +1,7 @@
 //! The file around the functions.
 
 use super::super::block::{Block, WRITTEN};
-use super::super::c::assumptions;
+use super::super::c::{assumptions, once};
 use super::super::called::{calls, calls_library};
 use super::super::gives::Gives;
 use super::super::text::{Text, capital};
@@ -13,12 +13,13 @@ use crate::parameter::type_name;
 impl Cpp<'_> {
     pub(super) fn header(mut self) -> String {
         let code = self.code;
-        let (guard, kind) = (code.name.to_uppercase(), type_name(&code.name));
+        let kind = type_name(&code.name);
         self.out.line("/*");
         for line in &code.head {
             self.out.line(format!(" * {line}"));
         }
-        self.out.line(format!(" */\n#ifndef {guard}_HPP\n#define {guard}_HPP\n"));
+        self.out.line(" */");
+        let head = std::mem::take(&mut self.out).text();
         self.out.line("#include <array>");
         for (header, needed) in [
             ("cfloat", true),
@@ -57,8 +58,8 @@ impl Cpp<'_> {
             self.gains(&kind);
         }
         self.class(&kind);
-        self.out.line("\n} // namespace ptc\n\n#endif");
-        self.out.text()
+        self.out.line("\n} // namespace ptc");
+        once(code, &head, &self.out.text(), "HPP")
     }
 
     fn member(&mut self, variable: &Variable, suffix: &str, comment: &str) {

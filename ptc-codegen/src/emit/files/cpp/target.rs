@@ -1,5 +1,6 @@
 //! C++17: one header.
 
+use super::super::c::refuse_macros;
 use super::super::{Language, Print, Target, refuse_class};
 
 pub(in crate::emit) const TARGET: Target = Target {
@@ -8,7 +9,10 @@ pub(in crate::emit) const TARGET: Target = Target {
     about: "one header, C++17 and constexpr",
     comment: ("/* ", " */"),
     is_word: |word| WORDS.split_whitespace().any(|one| one == word),
-    refuse: |spec, _, found| refuse_class(spec, &CLASSES, found),
+    refuse: |spec, _, found| {
+        refuse_class(spec, &CLASSES, found);
+        refuse_macros(spec, found);
+    },
     print: Print::Program(|program| vec![super::file(program)]),
 };
 

@@ -8,7 +8,7 @@ mod variables;
 use askama::Template;
 
 use super::apart::apart;
-use super::c::{Notes, domain, files as c};
+use super::c::{Notes, domain, files as c, refuse_macros};
 use super::example::Example;
 use super::outline::Outline;
 use super::{File, Language, Print, Target, literal, stands_alone, text_of, tidy};
@@ -89,6 +89,7 @@ pub(super) const TARGET_3: Target = Target {
 };
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
+    refuse_macros(spec, found);
     stands_alone(spec, "an FMU", found);
     let inputs: Vec<_> = (0..spec.references()).map(|order| format!("r{order}")).collect();
     for parameter in spec.parameters().into_iter().filter(|p| inputs.contains(&p.spelling())) {

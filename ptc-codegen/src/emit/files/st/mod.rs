@@ -236,16 +236,27 @@ impl Block for StructuredText<'_> {
         ))
     }
 
+    /// A loop that may have one round is written as WHILE: MatIEC leaves out the body of a FOR whose
+    /// ends are equal.
     fn each(&self, each: &For) -> [String; 2] {
         let index = self.local(&each.index);
         let (from, last) = (self.end(&each.from, 0), self.end(&each.to, -1));
+        if each.down {
+            fault(format!("the loop over {index} counts down"));
+        }
+        let known = each.from.terms.is_empty() && each.to.terms.is_empty();
+        let rounds = i64::from(each.to.constant) - i64::from(each.from.constant);
+        if !known || rounds <= i64::from(each.step) {
+            let step = self.whole(each.step);
+            return [
+                format!("{index} := {from};\nWHILE {index} <= {last} DO"),
+                format!("    {index} := {index} + {step};\nEND_WHILE;"),
+            ];
+        }
         let by = match each.step {
             1 => String::new(),
             step => format!(" BY {}", self.whole(step)),
         };
-        if each.down {
-            fault(format!("the loop over {index} counts down"));
-        }
         [format!("FOR {index} := {from} TO {last}{by} DO"), "END_FOR;".to_owned()]
     }
 

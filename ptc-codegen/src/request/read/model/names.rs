@@ -3,7 +3,7 @@
 use super::super::{Reader, items, shown, suggestion};
 use crate::diagnostic::{counted, near_miss, shorten};
 use crate::expression::Function;
-use crate::limits::STATES;
+use crate::limits::{INPUTS, STATES};
 use crate::parameter::Name;
 use crate::syntax::{Argument, Node, Value};
 
@@ -15,15 +15,10 @@ impl Reader<'_> {
         (key, inputs): (&'static str, &[Node]),
     ) -> Option<(Vec<Name>, Vec<Name>)> {
         let given = items(states);
-        let several = if inputs.len() > 1 { inputs.len() } else { 0 };
-        if !given.is_empty() && several > 0 && !STATES.admits(given.len() + several) {
-            let message = format!(
-                "{} and {} of a model",
-                counted(&given.len(), "state"),
-                counted(&several, "input")
-            );
-            let help = format!("give at most {} of both; {}", STATES.most, STATES.fix);
-            self.wrong("states", Some(states.place), message, help);
+        if !INPUTS.admits(inputs.len()) {
+            let message = format!("{} of a model", counted(&inputs.len(), "input"));
+            let help = format!("give at most {} inputs; {}", INPUTS.most, INPUTS.fix);
+            self.wrong(key, inputs.first().map(|node| node.place), message, help);
             return None;
         }
         if given.is_empty() || !STATES.admits(given.len()) {
