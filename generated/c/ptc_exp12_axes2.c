@@ -432,6 +432,11 @@ ptc_status ptc_exp12_axes2_step(
                 u[i] = 0.0;
             }
         }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
+            }
+        }
     }
     return status;
 }

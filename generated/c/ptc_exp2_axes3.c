@@ -244,6 +244,11 @@ ptc_status ptc_exp2_axes3_step(
                 u[i] = 0.0;
             }
         }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                axes[i] = PTC_E_INPUT;
+            }
+        }
     }
     return status;
 }

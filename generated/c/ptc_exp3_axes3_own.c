@@ -282,6 +282,11 @@ ptc_status ptc_exp3_axes3_own_step(
                 u[i] = 0.0;
             }
         }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                axes[i] = PTC_E_INPUT;
+            }
+        }
     }
     return status;
 }

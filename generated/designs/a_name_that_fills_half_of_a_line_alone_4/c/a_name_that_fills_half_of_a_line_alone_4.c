@@ -1,9 +1,37 @@
 /* Prescribed-time controller a_name_that_fills_half_of_a_line_alone_4: see a_name_that_fills_half_of_a_line_alone_4.h. DO NOT EDIT. */
 #include "a_name_that_fills_half_of_a_line_alone_4.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
     a_name_that_fills_half_of_a_line_alone_4 *self,
@@ -16,9 +44,9 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
             && (0.0f < params->u_max)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const float phi1_2 = params->h;
@@ -40,21 +68,21 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
             const float b_1 = -(1.0f / (params->h * params->h));
             const float b_2 = (-1.5f) * (1.0f / params->h);
             const float u_max = params->u_max;
-            if ((isfinite(phi1_3) != 0)
-                && (isfinite(q2_1) != 0)
-                && (isfinite(q2_2) != 0)
-                && (isfinite(e2_2) != 0)
-                && (isfinite(e2_3) != 0)
-                && (isfinite(e1_2) != 0)
-                && (isfinite(e1_3) != 0)
-                && (isfinite(e0_2) != 0)
-                && (isfinite(e0_3) != 0)
-                && (isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(b_1) != 0)
-                && (isfinite(b_2) != 0)
+            if (PTC_FINITE_F32(phi1_3)
+                && PTC_FINITE_F32(q2_1)
+                && PTC_FINITE_F32(q2_2)
+                && PTC_FINITE_F32(e2_2)
+                && PTC_FINITE_F32(e2_3)
+                && PTC_FINITE_F32(e1_2)
+                && PTC_FINITE_F32(e1_3)
+                && PTC_FINITE_F32(e0_2)
+                && PTC_FINITE_F32(e0_3)
+                && PTC_FINITE_F32(deadbeat)
+                && PTC_FINITE_F32(w1_1)
+                && PTC_FINITE_F32(w1_2)
+                && PTC_FINITE_F32(w2_2)
+                && PTC_FINITE_F32(b_1)
+                && PTC_FINITE_F32(b_2)
                 && (1e-30f <= params->h * params->h)
                 && (1e-30f <= 1.0f / (params->h * params->h))) {
                 self->start = 0U;
@@ -113,7 +141,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_step(
         *u = 0.0f;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if (isfinite(y[0]) != 0) {
+        if (PTC_FINITE_F32(y[0])) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -174,7 +202,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_step(
                 v = ((self->b_1 * x1) + (self->b_2 * x2)) - d;
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F32(v)) {
                 float u_now;
                 if (elapsed < self->samples) {
                     if (self->u_max < v) {

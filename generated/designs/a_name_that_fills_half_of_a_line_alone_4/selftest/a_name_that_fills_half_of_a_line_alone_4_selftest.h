@@ -8,31 +8,31 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(phi1_3) != 0: held with each of 3048 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(phi1_3): held with each of 3048 sets of parameters that passed the tests
  *     before it.
- *   isfinite(q2_1) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(q2_1): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q2_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(q2_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e2_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e2_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e2_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e2_3): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e1_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e1_3): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e0_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e0_3): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(deadbeat) != 0: held with each of 3048 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(deadbeat): held with each of 3048 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w1_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_1) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_1): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_SELFTEST_H

@@ -1,9 +1,37 @@
 /* Prescribed-time controller barrier_arm: see barrier_arm.h. DO NOT EDIT. */
 #include "barrier_arm.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status barrier_arm_init(barrier_arm *self, const barrier_arm_params *params)
 {
@@ -12,7 +40,7 @@ ptc_status barrier_arm_init(barrier_arm *self, const barrier_arm_params *params)
 
     if ((self != NULL) && (params != NULL)) {
         const double t0 = params->t0;
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             built.t0 = 0.0;
             built.deadline = 0.0;
             built.correction = 0.0;
@@ -30,11 +58,11 @@ ptc_status barrier_arm_arm(barrier_arm *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + 20.0;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (20.0 - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -59,12 +87,12 @@ ptc_status barrier_arm_step(
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-        if ((isfinite(t) != 0)
+        if (PTC_FINITE_F64(t)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)) {
+            && PTC_FINITE_F64(x1)
+            && PTC_FINITE_F64(x2)
+            && PTC_FINITE_F64(x3)
+            && PTC_FINITE_F64(x4)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -1.0) ? past : -1.0;
             const double T_axis1 = -late;
@@ -102,7 +130,7 @@ ptc_status barrier_arm_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+            if (PTC_FINITE_F64(control1) && PTC_FINITE_F64(control2)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -131,13 +159,13 @@ ptc_status barrier_arm_step(
                 }
             } else {
                 u[0] = 0.0;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F64(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F64(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
@@ -154,6 +182,11 @@ ptc_status barrier_arm_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 2U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -90,8 +90,8 @@
  * Operations of one step, without input checks and clipping: 29 additions or comparisons, 52
  *       multiplications, 5 divisions, 4 function calls.
  */
-#ifndef BARRIER_ARM_H
-#define BARRIER_ARM_H
+#ifndef BARRIER_ARM_ADD2DD0C_H
+#define BARRIER_ARM_ADD2DD0C_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_H
-#define STAGE_H
+#ifndef STAGE_085642BF_H
+#define STAGE_085642BF_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -8,10 +8,10 @@
  * 1e-14 of the sum of the absolute values of its terms.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   (isfinite(c1) != 0): the negative of a parameter that is finite.
- *   (isfinite(c3) != 0): among 3000 sets of parameters, drawn up to the ends of the range, what
+ *   PTC_FINITE_F64(c1): the negative of a parameter that is finite.
+ *   PTC_FINITE_F64(c3): among 3000 sets of parameters, drawn up to the ends of the range, what
  *     fails it fails one of the 3 before it.
- *   (isfinite(hold_from) != 0): the negative of a parameter that is finite.
+ *   PTC_FINITE_F64(hold_from): the negative of a parameter that is finite.
  *   (status == PTC_OK): arm takes every start time that init takes.
  */
 #ifndef PTC_EXP3_SELFTEST_H

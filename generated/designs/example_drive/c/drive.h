@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_H
-#define DRIVE_H
+#ifndef DRIVE_6310D466_H
+#define DRIVE_6310D466_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,9 +1,37 @@
 /* Prescribed-time controller gantry: see gantry.h. DO NOT EDIT. */
 #include "gantry.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status gantry_init(gantry *self, const gantry_params *params)
 {
@@ -28,11 +56,11 @@ ptc_status gantry_arm(gantry *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + 1.5;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (1.5 - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -48,7 +76,7 @@ ptc_status gantry_tick(const gantry *self, double t, gantry_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.012) ? past : -0.012;
             const double inv_T = (-1.0) / late;
@@ -91,9 +119,9 @@ ptc_status gantry_axis(const gantry_gains *gains, uint32_t axis, const double x[
             const double g = gains->input_gain[axis];
             const double v = v1 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max[axis])) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
-            } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (gains->u_max[axis] < v) {
                     *u = gains->u_max[axis];
                     status = PTC_SATURATED;
@@ -123,7 +151,7 @@ ptc_status gantry_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.012) ? past : -0.012;
             const double inv_T = (-1.0) / late;
@@ -164,7 +192,7 @@ ptc_status gantry_step(
             uint32_t outside = 0U;
             for (uint32_t axis = 0U; axis < 3U; axis++) {
                 const double v = wanted[axis];
-                if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
+                if (!(PTC_FINITE_F64(v) && (fabs(v) <= u_max[axis]))) {
                     outside = 1U;
                     break;
                 }
@@ -172,8 +200,8 @@ ptc_status gantry_step(
             if (outside == 1U) {
                 for (uint32_t axis = 0U; axis < 3U; axis++) {
                     const double v = wanted[axis];
-                    if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
-                        if ((isfinite(x[axis][0]) != 0) && (isfinite(x[axis][1]) != 0)) {
+                    if (!(PTC_FINITE_F64(v) && (fabs(v) <= u_max[axis]))) {
+                        if (PTC_FINITE_F64(x[axis][0]) && PTC_FINITE_F64(x[axis][1])) {
                             if (u_max[axis] < v) {
                                 u[axis] = u_max[axis];
                                 axes[axis] = PTC_SATURATED;
@@ -207,6 +235,11 @@ ptc_status gantry_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 3U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_H
-#define GANTRY_H
+#ifndef GANTRY_8D8389C3_H
+#define GANTRY_8D8389C3_H
 
 #include <stdint.h>
 

@@ -1,8 +1,36 @@
 /* Prescribed-time controller levitation: see levitation.h. DO NOT EDIT. */
 #include "levitation.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status levitation_init(levitation *self, const levitation_params *params)
 {
@@ -18,13 +46,13 @@ ptc_status levitation_init(levitation *self, const levitation_params *params)
         const double p_i0 = params->i0;
         const double p_z0 = params->z0;
         /*@ slevel merge; */
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (0.0 < u_max)
-            && (isfinite(p_L) != 0)
-            && (isfinite(p_R) != 0)
+            && PTC_FINITE_F64(p_L)
+            && PTC_FINITE_F64(p_R)
             && (0.1 <= p_i0)
             && (p_i0 <= 5.0)
             && (0.005 <= p_z0)
@@ -42,11 +70,11 @@ ptc_status levitation_init(levitation *self, const levitation_params *params)
             if ((1e-200 <= size_f42)
                 && (1e-200 <= size_f53)
                 && (1e-200 <= size_p_R)
-                && (isfinite(f42) != 0)
-                && (isfinite(f49) != 0)
-                && (isfinite(f53) != 0)
-                && (isfinite(f56) != 0)
-                && (isfinite(f61) != 0)) {
+                && PTC_FINITE_F64(f42)
+                && PTC_FINITE_F64(f49)
+                && PTC_FINITE_F64(f53)
+                && PTC_FINITE_F64(f56)
+                && PTC_FINITE_F64(f61)) {
                 built.tau = tau;
                 built.p_i0 = p_i0;
                 built.p_z0 = p_z0;
@@ -75,11 +103,11 @@ ptc_status levitation_arm(levitation *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -113,19 +141,19 @@ ptc_status levitation_step(const levitation *self, double t, const double x[3], 
             const double s4 = v3 / (((numerator < 0.0) || (numerator > 0.0)) ? numerator : (double)NAN);
             const double v = s4 - drift;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < -0.001)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < -0.001)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0)
-                && (isfinite(x[0]) != 0)
-                && (isfinite(x[1]) != 0)
-                && (isfinite(x[2]) != 0)) {
+            } else if (PTC_FINITE_F64(t)
+                && PTC_FINITE_F64(x[0])
+                && PTC_FINITE_F64(x[1])
+                && PTC_FINITE_F64(x[2])) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;

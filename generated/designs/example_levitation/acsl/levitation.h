@@ -85,8 +85,16 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_H
-#define LEVITATION_H
+#ifndef LEVITATION_FCE2EB08_H
+#define LEVITATION_FCE2EB08_H
+
+#ifdef L
+#error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
+#endif
+
+#ifdef R
+#error "a macro R takes the place of the parameter R: include this header before the one that defines it, or rename the parameter"
+#endif
 
 #ifdef __cplusplus
 extern "C" {

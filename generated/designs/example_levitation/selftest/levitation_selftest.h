@@ -8,12 +8,12 @@
  * 1e-14 of the sum of the absolute values of its terms.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   (isfinite(f49) != 0): among 3000 sets of parameters, drawn up to the ends of the range, what
+ *   PTC_FINITE_F64(f49): among 3000 sets of parameters, drawn up to the ends of the range, what
  *     fails it fails one of the 4 before it.
- *   (isfinite(f53) != 0): the negative of a parameter that is finite.
- *   (isfinite(f56) != 0): among 3000 sets of parameters, drawn up to the ends of the range, what
+ *   PTC_FINITE_F64(f53): the negative of a parameter that is finite.
+ *   PTC_FINITE_F64(f56): among 3000 sets of parameters, drawn up to the ends of the range, what
  *     fails it fails one of the 6 before it.
- *   (isfinite(f61) != 0): among 3000 sets of parameters, drawn up to the ends of the range, what
+ *   PTC_FINITE_F64(f61): among 3000 sets of parameters, drawn up to the ends of the range, what
  *     fails it fails one of the 7 before it.
  *   (status == PTC_OK): arm takes every start time that init takes.
  *   (fabs(p_L) <= 0.0): it holds with none of the parameters tried.

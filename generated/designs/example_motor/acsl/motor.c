@@ -1,9 +1,37 @@
 /* Prescribed-time controller motor: see motor.h. DO NOT EDIT. */
 #include "motor.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status motor_init(motor *self, const motor_params *params)
 {
@@ -47,7 +75,7 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if (isfinite(y[0]) != 0) {
+        if (PTC_FINITE_F64(y[0])) {
             const uint32_t elapsed = k - self->start;
 
             /* The estimates; at first what y shows. */
@@ -99,26 +127,20 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
             const uint32_t left = (elapsed < 400U) ? (400U - elapsed) : 0U;
             const double m0 = ((double)left < 20.0) ? 20.0 : (double)left;
             double v;
-            if (3.5 < m0) {
-                /* The exact law in samples. */
-                const double s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2);
-                const double z1 = s9 - (863.5135156573022 * x3);
-                const double z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3);
-                const double z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
-                const double s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
-                const double z4 = s10 - (16.0 * (self->u1 + d));
-                const double s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-                const double s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-                const double s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self->u1 + d)));
-                v = s13 - d;
-            } else {
-                /* Deadbeat. */
-                const double s14 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
-                const double s15 = 2.5314283505021953 * (self->u1 + d);
-                v = ((s14 - (6.801905651476086 * x3)) - s15) - d;
-            }
+
+            /* The exact law in samples. */
+            const double s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2);
+            const double z1 = s9 - (863.5135156573022 * x3);
+            const double z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3);
+            const double z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
+            const double s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
+            const double z4 = s10 - (16.0 * (self->u1 + d));
+            const double s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+            const double s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
+            const double s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self->u1 + d)));
+            v = s13 - d;
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (24.0 < v) {
                     u_now = 24.0;

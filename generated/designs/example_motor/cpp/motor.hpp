@@ -32,6 +32,8 @@
  * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
  *       lasts.
  * Guard full: what is measured is finite, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -42,12 +44,32 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef MOTOR_HPP
-#define MOTOR_HPP
+#ifndef MOTOR_05025F18_HPP
+#define MOTOR_05025F18_HPP
 
 #include <array>
+#include <cfloat>
 #include <cstdint>
 #include <limits>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
 
 namespace ptc {
 
@@ -171,24 +193,18 @@ public:
         const std::uint32_t left = (elapsed < 400U) ? (400U - elapsed) : 0U;
         const double m0 = (static_cast<double>(left) < 20.0) ? 20.0 : static_cast<double>(left);
         double v{};
-        if (3.5 < m0) {
-            // The exact law in samples.
-            const double s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2);
-            const double z1 = s9 - (863.5135156573022 * x3);
-            const double z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3);
-            const double z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
-            const double s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
-            const double z4 = s10 - (16.0 * (u1_ + d));
-            const double s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            const double s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-            const double s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (u1_ + d)));
-            v = s13 - d;
-        } else {
-            // Deadbeat.
-            const double s14 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
-            const double s15 = 2.5314283505021953 * (u1_ + d);
-            v = ((s14 - (6.801905651476086 * x3)) - s15) - d;
-        }
+
+        // The exact law in samples.
+        const double s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2);
+        const double z1 = s9 - (863.5135156573022 * x3);
+        const double z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3);
+        const double z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
+        const double s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
+        const double z4 = s10 - (16.0 * (u1_ + d));
+        const double s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+        const double s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
+        const double s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (u1_ + d)));
+        v = s13 - d;
         if (!finite(v)) {
             return {0.0, Status::Range};
         }

@@ -32,6 +32,8 @@ The estimates are exact from sample 150 after the start on where the measurement
 |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
       lasts.
 Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
@@ -175,23 +177,18 @@ class Motor:
             d_on = d + (l4 * off1)
             left = max(400 - elapsed, 0)
             m0 = max(_R(left), _R(20.0))
-            if 3.5 < m0:
-                # The exact law in samples.
-                s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2)
-                z1 = s9 - (863.5135156573022 * x3)
-                z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3)
-                z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3)
-                s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3)
-                z4 = s10 - (16.0 * (self._u1 + d))
-                s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4
-                s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3)
-                s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self._u1 + d)))
-                v = s13 - d
-            else:
-                # Deadbeat.
-                s14 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2)
-                s15 = 2.5314283505021953 * (self._u1 + d)
-                v = ((s14 - (6.801905651476086 * x3)) - s15) - d
+
+            # The exact law in samples.
+            s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2)
+            z1 = s9 - (863.5135156573022 * x3)
+            z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3)
+            z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3)
+            s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3)
+            z4 = s10 - (16.0 * (self._u1 + d))
+            s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4
+            s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3)
+            s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self._u1 + d)))
+            v = s13 - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
             if 24.0 < v:

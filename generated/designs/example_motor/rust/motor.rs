@@ -32,6 +32,8 @@
 //! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
 //!       lasts.
 //! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
@@ -247,24 +249,18 @@ impl Motor {
             left as f64
         };
         let v: f64;
-        if 3.5 < m0 {
-            // The exact law in samples.
-            let s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2);
-            let z1 = s9 - (863.5135156573022 * x3);
-            let z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3);
-            let z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
-            let s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
-            let z4 = s10 - (16.0 * (self.u1 + d));
-            let s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            let s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-            let s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self.u1 + d)));
-            v = s13 - d;
-        } else {
-            // Deadbeat.
-            let s14 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
-            let s15 = 2.5314283505021953 * (self.u1 + d);
-            v = ((s14 - (6.801905651476086 * x3)) - s15) - d;
-        }
+
+        // The exact law in samples.
+        let s9 = ((-1492552.2864994062) * x1) + (1567.1688802442739 * x2);
+        let z1 = s9 - (863.5135156573022 * x3);
+        let z2 = ((-853.121915155696) * x2) + (704.6828966771754 * x3);
+        let z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
+        let s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
+        let z4 = s10 - (16.0 * (self.u1 + d));
+        let s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+        let s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
+        let s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self.u1 + d)));
+        v = s13 - d;
         if !v.is_finite() {
             return Err(Error::Range);
         }

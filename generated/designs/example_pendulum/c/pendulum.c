@@ -1,8 +1,36 @@
 /* Prescribed-time controller pendulum: see pendulum.h. DO NOT EDIT. */
 #include "pendulum.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status pendulum_init(pendulum *self, const pendulum_params *params)
 {
@@ -11,7 +39,7 @@ ptc_status pendulum_init(pendulum *self, const pendulum_params *params)
 
     if ((self != NULL) && (params != NULL)) {
         const double t0 = params->t0;
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             built.t0 = 0.0;
             built.deadline = 0.0;
             built.correction = 0.0;
@@ -29,11 +57,11 @@ ptc_status pendulum_arm(pendulum *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + 0.8;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (0.8 - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -53,23 +81,23 @@ ptc_status pendulum_step(const pendulum *self, double t, const double x[2], doub
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
-        if ((self->t0 <= t) && (isfinite(x1) != 0)) {
+        if ((self->t0 <= t) && PTC_FINITE_F64(x1)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.006) ? past : -0.006;
             const double inv_T = (-1.0) / late;
             const double drift = ((-4.905) * sin(x1)) - (0.02 * x[1]);
             const double v = ((((-3.0) * x1 * inv_T) + ((-1.5) * x[1])) * inv_T) - drift;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= 25.0) && (late < -0.006)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= 25.0) && (late < -0.006)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0) && (isfinite(x[1]) != 0)) {
+            } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[1])) {
                 if (25.0 < v) {
                     *u = 25.0;
                     status = PTC_SATURATED;
                 } else if (v < -25.0) {
                     *u = -25.0;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;

@@ -74,8 +74,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_H
-#define PENDULUM_H
+#ifndef PENDULUM_65F0B072_H
+#define PENDULUM_65F0B072_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,9 +1,37 @@
 /* Prescribed-time controller quadrotor: see quadrotor.h. DO NOT EDIT. */
 #include "quadrotor.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status quadrotor_init(quadrotor *self, const quadrotor_params *params)
 {
@@ -28,11 +56,11 @@ ptc_status quadrotor_arm(quadrotor *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + 2.0;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (2.0 - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -48,7 +76,7 @@ ptc_status quadrotor_tick(const quadrotor *self, double t, quadrotor_gains *gain
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.02) ? past : -0.02;
             const double inv_T = (-1.0) / late;
@@ -104,13 +132,13 @@ ptc_status quadrotor_axis(
             const double g = gains->input_gain[axis];
             const double v = v1 / (((g < 0.0) || (g > 0.0)) ? g : (double)NAN);
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max[axis])) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
-            } else if ((isfinite(x[0]) != 0)
-                && (isfinite(x[1]) != 0)
-                && (isfinite(r[0]) != 0)
-                && (isfinite(r[1]) != 0)
-                && (isfinite(r[2]) != 0)) {
+            } else if (PTC_FINITE_F64(x[0])
+                && PTC_FINITE_F64(x[1])
+                && PTC_FINITE_F64(r[0])
+                && PTC_FINITE_F64(r[1])
+                && PTC_FINITE_F64(r[2])) {
                 if (gains->u_max[axis] < v) {
                     *u = gains->u_max[axis];
                     status = PTC_SATURATED;
@@ -141,7 +169,7 @@ ptc_status quadrotor_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (r != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.02) ? past : -0.02;
             const double inv_T = (-1.0) / late;
@@ -191,7 +219,7 @@ ptc_status quadrotor_step(
             uint32_t outside = 0U;
             for (uint32_t axis = 0U; axis < 4U; axis++) {
                 const double v = wanted[axis];
-                if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
+                if (!(PTC_FINITE_F64(v) && (fabs(v) <= u_max[axis]))) {
                     outside = 1U;
                     break;
                 }
@@ -199,12 +227,12 @@ ptc_status quadrotor_step(
             if (outside == 1U) {
                 for (uint32_t axis = 0U; axis < 4U; axis++) {
                     const double v = wanted[axis];
-                    if (!((isfinite(v) != 0) && (fabs(v) <= u_max[axis]))) {
-                        if ((isfinite(x[axis][0]) != 0)
-                            && (isfinite(x[axis][1]) != 0)
-                            && (isfinite(r[axis][0]) != 0)
-                            && (isfinite(r[axis][1]) != 0)
-                            && (isfinite(r[axis][2]) != 0)) {
+                    if (!(PTC_FINITE_F64(v) && (fabs(v) <= u_max[axis]))) {
+                        if (PTC_FINITE_F64(x[axis][0])
+                            && PTC_FINITE_F64(x[axis][1])
+                            && PTC_FINITE_F64(r[axis][0])
+                            && PTC_FINITE_F64(r[axis][1])
+                            && PTC_FINITE_F64(r[axis][2])) {
                             if (u_max[axis] < v) {
                                 u[axis] = u_max[axis];
                                 axes[axis] = PTC_SATURATED;
@@ -238,6 +266,11 @@ ptc_status quadrotor_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 4U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 4U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

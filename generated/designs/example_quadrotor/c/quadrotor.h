@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_H
-#define QUADROTOR_H
+#ifndef QUADROTOR_A61A7F8B_H
+#define QUADROTOR_A61A7F8B_H
 
 #include <stdint.h>
 

@@ -64,8 +64,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_H
-#define TABLE_H
+#ifndef TABLE_3448C7B4_H
+#define TABLE_3448C7B4_H
 
 #ifdef __cplusplus
 extern "C" {

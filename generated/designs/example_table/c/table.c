@@ -1,8 +1,36 @@
 /* Prescribed-time controller table: see table.h. DO NOT EDIT. */
 #include "table.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status table_init(table *self, const table_params *params)
 {
@@ -11,7 +39,7 @@ ptc_status table_init(table *self, const table_params *params)
 
     if ((self != NULL) && (params != NULL)) {
         const double t0 = params->t0;
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             built.t0 = 0.0;
             built.deadline = 0.0;
             built.correction = 0.0;
@@ -29,11 +57,11 @@ ptc_status table_arm(table *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + 1.0;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (1.0 - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -58,16 +86,16 @@ ptc_status table_step(const table *self, double t, const double x[2], double *u)
             const double inv_T = (-1.0) / late;
             const double v = (((-20.0) * x[0] * inv_T) + ((-8.0) * x[1])) * inv_T * 0.02;
             *u = v;
-            if ((isfinite(v) != 0) && (fabs(v) <= 0.5) && (late < -0.0361)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= 0.5) && (late < -0.0361)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (0.5 < v) {
                     *u = 0.5;
                     status = PTC_SATURATED;
                 } else if (v < -0.5) {
                     *u = -0.5;
                     status = PTC_SATURATED;
-                } else if (isfinite(v) != 0) {
+                } else if (PTC_FINITE_F64(v)) {
                     status = PTC_HOLD;
                 } else {
                     *u = 0.0;
@@ -87,7 +115,7 @@ ptc_status table_tick(const table *self, double t, table_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.0361) ? past : -0.0361;
             const double inv_T = (-1.0) / late;
@@ -114,9 +142,9 @@ ptc_status table_axis(const table_gains *gains, const double x[2], double *u)
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double v = ((gains->gain[0] * x[0]) + (gains->gain[1] * x[1])) * 0.02;
         *u = v;
-        if ((isfinite(v) != 0) && (fabs(v) <= 0.5)) {
+        if (PTC_FINITE_F64(v) && (fabs(v) <= 0.5)) {
             status = gains->status;
-        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (0.5 < v) {
                 *u = 0.5;
                 status = PTC_SATURATED;

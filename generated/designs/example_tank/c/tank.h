@@ -81,8 +81,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_H
-#define TANK_H
+#ifndef TANK_4F7EA934_H
+#define TANK_4F7EA934_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -70,8 +70,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_H
-#define TRACK_H
+#ifndef TRACK_04AAC557_H
+#define TRACK_04AAC557_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_H
-#define TWO_LINK_H
+#ifndef TWO_LINK_34A9B003_H
+#define TWO_LINK_34A9B003_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,9 +1,37 @@
 /* Prescribed-time controller mix: see mix.h. DO NOT EDIT. */
 #include "mix.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status mix_init(mix *self, const mix_params *params)
 {
@@ -15,15 +43,15 @@ ptc_status mix_init(mix *self, const mix_params *params)
         const double t0 = params->t0;
         const double eps = params->eps;
         const double u_max = params->u_max;
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
             && (eps < tau)) {
             const double hold_from = -eps;
-            if (isfinite(hold_from) != 0) {
+            if (PTC_FINITE_F64(hold_from)) {
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
@@ -46,11 +74,11 @@ ptc_status mix_arm(mix *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -69,11 +97,11 @@ ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], p
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-        if ((isfinite(t) != 0)
+        if (PTC_FINITE_F64(t)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)) {
+            && PTC_FINITE_F64(x1)
+            && PTC_FINITE_F64(x2)
+            && PTC_FINITE_F64(x3)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T_axis1 = (-1.0) / late;
@@ -95,7 +123,7 @@ ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], p
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+            if (PTC_FINITE_F64(control1) && PTC_FINITE_F64(control2)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -124,13 +152,13 @@ ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], p
                 }
             } else {
                 u[0] = 0.0;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F64(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F64(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
@@ -147,6 +175,11 @@ ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], p
         if (u != NULL) {
             for (uint32_t i = 0U; i < 2U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -86,8 +86,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_H
-#define MIX_H
+#ifndef MIX_FD242513_H
+#define MIX_FD242513_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -8,7 +8,7 @@
  * 1e-14 of the sum of the absolute values of its terms.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   (isfinite(hold_from) != 0): the negative of a parameter that is finite.
+ *   PTC_FINITE_F64(hold_from): the negative of a parameter that is finite.
  *   (status == PTC_OK): arm takes every start time that init takes.
  *   (isfinite(control1) != 0): it was never the first u that is no number, or never finite
  *     beside one, in 400 random calls, nor at the ends of the range.

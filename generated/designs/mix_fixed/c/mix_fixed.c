@@ -1,8 +1,36 @@
 /* Prescribed-time controller mix_fixed: see mix_fixed.h. DO NOT EDIT. */
 #include "mix_fixed.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status mix_fixed_init(mix_fixed *self, const mix_fixed_params *params)
 {
@@ -11,7 +39,7 @@ ptc_status mix_fixed_init(mix_fixed *self, const mix_fixed_params *params)
 
     if ((self != NULL) && (params != NULL)) {
         const double t0 = params->t0;
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             built.deadline = 0.0;
             built.correction = 0.0;
             status = mix_fixed_arm(&built, t0);
@@ -28,11 +56,11 @@ ptc_status mix_fixed_arm(mix_fixed *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + 1.0;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (1.0 - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->deadline = deadline;
                 self->correction = correction;
                 status = PTC_OK;
@@ -77,7 +105,7 @@ ptc_status mix_fixed_step(
     } else {
         status = PTC_HOLD;
     }
-    if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+    if (PTC_FINITE_F64(control1) && PTC_FINITE_F64(control2)) {
         u[0] = control1;
         axes[0] = status;
         u[1] = control2;
@@ -106,13 +134,13 @@ ptc_status mix_fixed_step(
         }
     } else {
         u[0] = 0.0;
-        if (isfinite(control1) != 0) {
+        if (PTC_FINITE_F64(control1)) {
             axes[0] = status;
         } else {
             axes[0] = PTC_E_RANGE;
         }
         u[1] = 0.0;
-        if (isfinite(control2) != 0) {
+        if (PTC_FINITE_F64(control2)) {
             axes[1] = status;
         } else {
             axes[1] = PTC_E_RANGE;

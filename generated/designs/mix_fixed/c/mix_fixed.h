@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_FIXED_H
-#define MIX_FIXED_H
+#ifndef MIX_FIXED_C413AB6D_H
+#define MIX_FIXED_C413AB6D_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,9 +1,37 @@
 /* Prescribed-time controller ptc_rational_inputs4: see ptc_rational_inputs4.h. DO NOT EDIT. */
 #include "ptc_rational_inputs4.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status ptc_rational_inputs4_init(
     ptc_rational_inputs4 *self,
@@ -20,17 +48,17 @@ ptc_status ptc_rational_inputs4_init(
         const double a = params->a;
         const double k1 = params->k[0];
         const double p_m = params->m;
-        if ((isfinite(tau) != 0)
+        if (PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (isfinite(t0) != 0)
+            && PTC_FINITE_F64(t0)
             && (1e-150 <= eps)
             && (0.0 < u_max)
-            && (isfinite(a) != 0)
+            && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
-            && (isfinite(k1) != 0)
-            && (isfinite(p_m) != 0)
+            && PTC_FINITE_F64(k1)
+            && PTC_FINITE_F64(p_m)
             && (eps < tau)) {
             const double rate_axis1 = a / tau;
             const double K1_axis1 = k1 / rate_axis1;
@@ -40,8 +68,8 @@ ptc_status ptc_rational_inputs4_init(
             const double size_p_m = (fabs(p_m) <= 0.0) ? 1e-200 : fabs(p_m);
             if ((1e-200 <= size_K1_axis1)
                 && (1e-200 <= size_p_m)
-                && (isfinite(c1_axis1) != 0)
-                && (isfinite(hold_from) != 0)) {
+                && PTC_FINITE_F64(c1_axis1)
+                && PTC_FINITE_F64(hold_from)) {
                 built.tau = tau;
                 built.c1_axis1 = c1_axis1;
                 built.eps = eps;
@@ -112,11 +140,11 @@ ptc_status ptc_rational_inputs4_arm(ptc_rational_inputs4 *self, double t0)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if (isfinite(t0) != 0) {
+        if (PTC_FINITE_F64(t0)) {
             const double deadline = t0 + self->tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-            if (isfinite(deadline) != 0) {
+            if (PTC_FINITE_F64(deadline)) {
                 self->t0 = t0;
                 self->deadline = deadline;
                 self->correction = correction;
@@ -141,12 +169,12 @@ ptc_status ptc_rational_inputs4_step(
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-        if ((isfinite(t) != 0)
+        if (PTC_FINITE_F64(t)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)) {
+            && PTC_FINITE_F64(x1)
+            && PTC_FINITE_F64(x2)
+            && PTC_FINITE_F64(x3)
+            && PTC_FINITE_F64(x4)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * late;
@@ -184,10 +212,10 @@ ptc_status ptc_rational_inputs4_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0)
-                && (isfinite(control2) != 0)
-                && (isfinite(control3) != 0)
-                && (isfinite(control4) != 0)) {
+            if (PTC_FINITE_F64(control1)
+                && PTC_FINITE_F64(control2)
+                && PTC_FINITE_F64(control3)
+                && PTC_FINITE_F64(control4)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -242,25 +270,25 @@ ptc_status ptc_rational_inputs4_step(
                 }
             } else {
                 u[0] = 0.0;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F64(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F64(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
                 }
                 u[2] = 0.0;
-                if (isfinite(control3) != 0) {
+                if (PTC_FINITE_F64(control3)) {
                     axes[2] = status;
                 } else {
                     axes[2] = PTC_E_RANGE;
                 }
                 u[3] = 0.0;
-                if (isfinite(control4) != 0) {
+                if (PTC_FINITE_F64(control4)) {
                     axes[3] = status;
                 } else {
                     axes[3] = PTC_E_RANGE;
@@ -277,6 +305,11 @@ ptc_status ptc_rational_inputs4_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 4U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 4U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -78,8 +78,8 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_H
-#define PTC_RATIONAL_INPUTS4_H
+#ifndef PTC_RATIONAL_INPUTS4_D80E5236_H
+#define PTC_RATIONAL_INPUTS4_D80E5236_H
 
 #ifdef __cplusplus
 extern "C" {

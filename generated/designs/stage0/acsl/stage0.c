@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage0: see stage0.h. DO NOT EDIT. */
 #include "stage0.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage0_init(stage0 *self, const stage0_params *params)
 {
@@ -15,8 +43,8 @@ ptc_status stage0_init(stage0 *self, const stage0_params *params)
             && (0.0 < params->u_max)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const double s1 = (params->k[0] / params->a) + 1.0;
@@ -25,9 +53,9 @@ ptc_status stage0_init(stage0 *self, const stage0_params *params)
             const double w1_1 = (-(params->k[0] / params->a)) * (1.0 / params->h);
             const double b_1 = -(1.0 / params->h);
             const double u_max = params->u_max;
-            if ((isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(b_1) != 0)
+            if (PTC_FINITE_F64(deadbeat)
+                && PTC_FINITE_F64(w1_1)
+                && PTC_FINITE_F64(b_1)
                 && (1e-200 <= params->h)
                 && (1e-200 <= 1.0 / params->h)) {
                 self->start = 0U;
@@ -62,7 +90,7 @@ ptc_status stage0_step(const stage0 *self, uint32_t k, const double x[1], double
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (isfinite(x[0]) != 0) {
+        if (PTC_FINITE_F64(x[0])) {
             const uint32_t elapsed = k - self->start;
             const double x1 = x[0];
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
@@ -76,7 +104,7 @@ ptc_status stage0_step(const stage0 *self, uint32_t k, const double x[1], double
                 /* Deadbeat. */
                 v = self->b_1 * x1;
             }
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;

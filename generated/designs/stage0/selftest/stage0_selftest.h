@@ -8,7 +8,7 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(b_1) != 0: held with each of 3052 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_1): held with each of 3052 sets of parameters that passed the tests before
  *     it.
  *   1e-200 <= params->h: held with each of 3052 sets of parameters that passed the tests before
  *     it.

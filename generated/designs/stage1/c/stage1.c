@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage1: see stage1.h. DO NOT EDIT. */
 #include "stage1.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage1_init(stage1 *self, const stage1_params *params)
 {
@@ -15,9 +43,9 @@ ptc_status stage1_init(stage1 *self, const stage1_params *params)
             && (0.0f < params->u_max)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
@@ -31,12 +59,12 @@ ptc_status stage1_init(stage1 *self, const stage1_params *params)
             const float b_1 = -(1.0f / (params->h * params->h));
             const float b_2 = (-1.5f) * (1.0f / params->h);
             const float u_max = params->u_max;
-            if ((isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(b_1) != 0)
-                && (isfinite(b_2) != 0)
+            if (PTC_FINITE_F32(deadbeat)
+                && PTC_FINITE_F32(w1_1)
+                && PTC_FINITE_F32(w1_2)
+                && PTC_FINITE_F32(w2_2)
+                && PTC_FINITE_F32(b_1)
+                && PTC_FINITE_F32(b_2)
                 && (1e-30f <= params->h * params->h)
                 && (1e-30f <= 1.0f / (params->h * params->h))) {
                 self->start = 0U;
@@ -74,7 +102,7 @@ ptc_status stage1_step(const stage1 *self, uint32_t k, const float x[2], float *
         *u = 0.0f;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        if (PTC_FINITE_F32(x[0]) && PTC_FINITE_F32(x[1])) {
             const uint32_t elapsed = k - self->start;
             const float x1 = x[0];
             const float x2 = x[1];
@@ -90,7 +118,7 @@ ptc_status stage1_step(const stage1 *self, uint32_t k, const float x[2], float *
                 /* Deadbeat. */
                 v = (self->b_1 * x1) + (self->b_2 * x2);
             }
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F32(v)) {
                 if (elapsed < self->samples) {
                     if (self->u_max < v) {
                         *u = self->u_max;

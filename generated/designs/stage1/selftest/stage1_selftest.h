@@ -8,11 +8,11 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(w1_2) != 0: held with each of 3060 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w1_2): held with each of 3060 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_1) != 0: held with each of 3060 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_1): held with each of 3060 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_2) != 0: held with each of 3060 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_2): held with each of 3060 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE1_SELFTEST_H

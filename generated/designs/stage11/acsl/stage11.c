@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage11: see stage11.h. DO NOT EDIT. */
 #include "stage11.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage11_init(stage11 *self, const stage11_params *params)
 {
@@ -12,11 +40,11 @@ ptc_status stage11_init(stage11 *self, const stage11_params *params)
     if ((self != NULL) && (params != NULL)) {
         if ((9U < params->samples)
             && (0.0f < params->u_max)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->k[3]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->k[2])
+            && PTC_FINITE_F32(params->k[3])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const float s1 = (params->k[3] - 9.0f) + 4.0f;
@@ -36,17 +64,17 @@ ptc_status stage11_init(stage11 *self, const stage11_params *params)
             const float w3_4 = 100.0f * ((-0.5f) * (((-7.0f) - params->k[2]) + (3.0f * params->k[3])));
             const float w4_4 = 100.0f * (6.0f - params->k[3]);
             const float u_max = params->u_max;
-            if ((isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w1_3) != 0)
-                && (isfinite(w1_4) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(w2_3) != 0)
-                && (isfinite(w2_4) != 0)
-                && (isfinite(w3_3) != 0)
-                && (isfinite(w3_4) != 0)
-                && (isfinite(w4_4) != 0)) {
+            if (PTC_FINITE_F32(deadbeat)
+                && PTC_FINITE_F32(w1_1)
+                && PTC_FINITE_F32(w1_2)
+                && PTC_FINITE_F32(w1_3)
+                && PTC_FINITE_F32(w1_4)
+                && PTC_FINITE_F32(w2_2)
+                && PTC_FINITE_F32(w2_3)
+                && PTC_FINITE_F32(w2_4)
+                && PTC_FINITE_F32(w3_3)
+                && PTC_FINITE_F32(w3_4)
+                && PTC_FINITE_F32(w4_4)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0f;
@@ -94,7 +122,7 @@ ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u)
         *u = 0.0f;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if (isfinite(y[0]) != 0) {
+        if (PTC_FINITE_F32(y[0])) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -193,7 +221,7 @@ ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u)
                 v = (s10 - (208.33333f * x4)) - d;
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F32(v)) {
                 float u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage12: see stage12.h. DO NOT EDIT. */
 #include "stage12.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage12_init(stage12 *self, const stage12_params *params)
 {
@@ -12,11 +40,11 @@ ptc_status stage12_init(stage12 *self, const stage12_params *params)
     if ((self != NULL) && (params != NULL)) {
         if ((7U < params->samples)
             && (0.0 < params->u_max)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->k[3]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->k[1])
+            && PTC_FINITE_F64(params->k[2])
+            && PTC_FINITE_F64(params->k[3])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const double s1 = (params->k[3] - 9.0) + 4.0;
@@ -37,17 +65,17 @@ ptc_status stage12_init(stage12 *self, const stage12_params *params)
             const double w4_3 = (-1.2261174651918907) * (6.0 - params->k[3]);
             const double w4_4 = 6.0 - params->k[3];
             const double u_max = params->u_max;
-            if ((isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w1_3) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(w2_3) != 0)
-                && (isfinite(w3_2) != 0)
-                && (isfinite(w3_3) != 0)
-                && (isfinite(w4_2) != 0)
-                && (isfinite(w4_3) != 0)
-                && (isfinite(w4_4) != 0)) {
+            if (PTC_FINITE_F64(deadbeat)
+                && PTC_FINITE_F64(w1_1)
+                && PTC_FINITE_F64(w1_2)
+                && PTC_FINITE_F64(w1_3)
+                && PTC_FINITE_F64(w2_2)
+                && PTC_FINITE_F64(w2_3)
+                && PTC_FINITE_F64(w3_2)
+                && PTC_FINITE_F64(w3_3)
+                && PTC_FINITE_F64(w4_2)
+                && PTC_FINITE_F64(w4_3)
+                && PTC_FINITE_F64(w4_4)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0;
@@ -99,7 +127,7 @@ ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0)) {
+        if (PTC_FINITE_F64(y[0]) && PTC_FINITE_F64(y[1])) {
             const uint32_t elapsed = k - self->start;
 
             /* The estimates; at first what y shows. */
@@ -203,7 +231,7 @@ ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
                 v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage13: see stage13.h. DO NOT EDIT. */
 #include "stage13.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage13_init(stage13 *self, const stage13_params *params)
 {
@@ -11,9 +39,9 @@ ptc_status stage13_init(stage13 *self, const stage13_params *params)
     if ((self != NULL) && (params != NULL)) {
         if ((1U < params->samples)
             && (0.0f < params->u_max)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const float s1 = (params->k[1] - 1.0f) + 2.0f;
@@ -24,11 +52,11 @@ ptc_status stage13_init(stage13 *self, const stage13_params *params)
             const float w2_1 = (-412.67474f) * (1.0f - params->k[1]);
             const float w2_2 = (-108.64294f) * (1.0f - params->k[1]);
             const float u_max = params->u_max;
-            if ((isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w2_1) != 0)
-                && (isfinite(w2_2) != 0)) {
+            if (PTC_FINITE_F32(deadbeat)
+                && PTC_FINITE_F32(w1_1)
+                && PTC_FINITE_F32(w1_2)
+                && PTC_FINITE_F32(w2_1)
+                && PTC_FINITE_F32(w2_2)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat = deadbeat;
@@ -63,7 +91,7 @@ ptc_status stage13_step(const stage13 *self, uint32_t k, const float y[2], float
         *u = 0.0f;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0)) {
+        if (PTC_FINITE_F32(y[0]) && PTC_FINITE_F32(y[1])) {
             const uint32_t elapsed = k - self->start;
             const float x1 = (0.90909094f * y[0]) + (0.45454547f * y[1]);
             const float x2 = (0.18181819f * y[0]) - (0.90909094f * y[1]);
@@ -80,7 +108,7 @@ ptc_status stage13_step(const stage13 *self, uint32_t k, const float y[2], float
                 /* Deadbeat. */
                 v = (11626.225f * x1) + (1009.77814f * x2);
             }
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F32(v)) {
                 if (elapsed < self->samples) {
                     if (self->u_max < v) {
                         *u = self->u_max;

@@ -8,11 +8,11 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(deadbeat) != 0: held with each of 3036 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(deadbeat): held with each of 3036 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_2) != 0: held with each of 3036 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w1_2): held with each of 3036 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w2_2) != 0: held with each of 3036 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w2_2): held with each of 3036 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE13_SELFTEST_H

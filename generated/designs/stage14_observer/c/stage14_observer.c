@@ -1,9 +1,37 @@
 /* Prescribed-time observer stage14_observer: see stage14_observer.h. DO NOT EDIT. */
 #include "stage14_observer.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage14_observer_init(stage14_observer *self, const stage14_observer_params *params)
 {
@@ -23,17 +51,17 @@ ptc_status stage14_observer_init(stage14_observer *self, const stage14_observer_
             const double e1_3 = (-0.16666666666666666) * (1.0 / (params->h * params->h));
             const double e0_2 = 0.4880952380952381 * (1.0 / params->h);
             const double e0_3 = 0.16666666666666666 * (1.0 / (params->h * params->h));
-            if ((isfinite(phi1_3) != 0)
-                && (isfinite(gamma1) != 0)
-                && (isfinite(q2_1) != 0)
-                && (isfinite(q2_2) != 0)
-                && (isfinite(q3_1) != 0)
-                && (isfinite(e2_2) != 0)
-                && (isfinite(e2_3) != 0)
-                && (isfinite(e1_2) != 0)
-                && (isfinite(e1_3) != 0)
-                && (isfinite(e0_2) != 0)
-                && (isfinite(e0_3) != 0)
+            if (PTC_FINITE_F64(phi1_3)
+                && PTC_FINITE_F64(gamma1)
+                && PTC_FINITE_F64(q2_1)
+                && PTC_FINITE_F64(q2_2)
+                && PTC_FINITE_F64(q3_1)
+                && PTC_FINITE_F64(e2_2)
+                && PTC_FINITE_F64(e2_3)
+                && PTC_FINITE_F64(e1_2)
+                && PTC_FINITE_F64(e1_3)
+                && PTC_FINITE_F64(e0_2)
+                && PTC_FINITE_F64(e0_3)
                 && (1e-200 <= params->h * params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h * params->h))) {
                 self->start = 0U;
@@ -76,7 +104,7 @@ ptc_status stage14_observer_update(stage14_observer *self, uint32_t k, const dou
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (y != NULL)) {
-        if ((isfinite(y[0]) != 0) && (isfinite(u) != 0)) {
+        if (PTC_FINITE_F64(y[0]) && PTC_FINITE_F64(u)) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -125,7 +153,7 @@ ptc_status stage14_observer_update(stage14_observer *self, uint32_t k, const dou
             const double x2 = p2 + (l2 * miss);
             const double x3 = p3 + (l3 * miss);
             status = PTC_E_RANGE;
-            if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(x3) != 0)) {
+            if (PTC_FINITE_F64(x1) && PTC_FINITE_F64(x2) && PTC_FINITE_F64(x3)) {
                 self->x1_hat = x1;
                 self->x2_hat = x2;
                 self->x3_hat = x3;

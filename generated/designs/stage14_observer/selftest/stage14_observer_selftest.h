@@ -8,25 +8,25 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(phi1_3) != 0: held with each of 3012 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(phi1_3): held with each of 3012 sets of parameters that passed the tests
  *     before it.
- *   isfinite(q2_1) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q2_1): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q2_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q2_2): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q3_1) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q3_1): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e2_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e2_2): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e2_3) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e2_3): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e1_2): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_3) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e1_3): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e0_2): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_3) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e0_3): held with each of 3012 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE14_OBSERVER_SELFTEST_H

@@ -1,9 +1,37 @@
 /* Prescribed-time observer stage15_observer: see stage15_observer.h. DO NOT EDIT. */
 #include "stage15_observer.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage15_observer_init(stage15_observer *self, const stage15_observer_params *params)
 {
@@ -21,15 +49,15 @@ ptc_status stage15_observer_init(stage15_observer *self, const stage15_observer_
             const float q2_1 = (-22.444445f) * (1.0f / params->h);
             const float q2_2 = 9.888889f * (1.0f / params->h);
             const float q3_1 = 3.5555556f * (1.0f / (params->h * params->h));
-            if ((isfinite(phi1_3) != 0)
-                && (isfinite(gamma1) != 0)
-                && (isfinite(late_gamma1) != 0)
-                && (isfinite(phi2_3) != 0)
-                && (isfinite(gamma2) != 0)
-                && (isfinite(hold_o) != 0)
-                && (isfinite(q2_1) != 0)
-                && (isfinite(q2_2) != 0)
-                && (isfinite(q3_1) != 0)
+            if (PTC_FINITE_F32(phi1_3)
+                && PTC_FINITE_F32(gamma1)
+                && PTC_FINITE_F32(late_gamma1)
+                && PTC_FINITE_F32(phi2_3)
+                && PTC_FINITE_F32(gamma2)
+                && PTC_FINITE_F32(hold_o)
+                && PTC_FINITE_F32(q2_1)
+                && PTC_FINITE_F32(q2_2)
+                && PTC_FINITE_F32(q3_1)
                 && (1e-30f <= params->h * params->h)
                 && (1e-30f <= 1.0f / (params->h * params->h))
                 && (3.0f <= hold_o)) {
@@ -73,7 +101,7 @@ ptc_status stage15_observer_update(stage15_observer *self, uint32_t k, const flo
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (y != NULL)) {
-        if ((isfinite(y[0]) != 0) && (isfinite(u) != 0)) {
+        if (PTC_FINITE_F32(y[0]) && PTC_FINITE_F32(u)) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -111,7 +139,7 @@ ptc_status stage15_observer_update(stage15_observer *self, uint32_t k, const flo
             const float x2 = p2 + (l2 * miss);
             const float d = p3 + (l3 * miss);
             status = PTC_E_RANGE;
-            if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(d) != 0)) {
+            if (PTC_FINITE_F32(x1) && PTC_FINITE_F32(x2) && PTC_FINITE_F32(d)) {
                 self->u2 = self->u1;
                 self->u1 = u;
                 self->x1_hat = x1;

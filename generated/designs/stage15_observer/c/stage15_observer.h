@@ -27,6 +27,8 @@
  *       gains of the observer are then held below deadbeat.
  * Guard full: what is measured and u are finite and no pointer is NULL, or the call is
  *       refused (status E_INPUT).
+ * Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -36,8 +38,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE15_OBSERVER_H
-#define STAGE15_OBSERVER_H
+#ifndef STAGE15_OBSERVER_2BA12F33_H
+#define STAGE15_OBSERVER_2BA12F33_H
 
 #include <stdint.h>
 

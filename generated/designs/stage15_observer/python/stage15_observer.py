@@ -26,6 +26,8 @@ u is the input of tick k - 1 as it was applied, after clipping: it acts from 1.5
 From sample 9 on the status is HOLD; with noise or sensor_step given, or observer_eps, the
       gains of the observer are then held below deadbeat.
 Guard full: what is measured and u are finite, or the call is refused (INPUT).
+Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.

@@ -8,25 +8,25 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(phi1_3) != 0: held with each of 3012 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(phi1_3): held with each of 3012 sets of parameters that passed the tests
  *     before it.
- *   isfinite(gamma1) != 0: held with each of 3012 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(gamma1): held with each of 3012 sets of parameters that passed the tests
  *     before it.
- *   isfinite(late_gamma1) != 0: held with each of 3012 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(late_gamma1): held with each of 3012 sets of parameters that passed the tests
  *     before it.
- *   isfinite(phi2_3) != 0: held with each of 3012 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(phi2_3): held with each of 3012 sets of parameters that passed the tests
  *     before it.
- *   isfinite(gamma2) != 0: held with each of 3012 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(gamma2): held with each of 3012 sets of parameters that passed the tests
  *     before it.
- *   isfinite(hold_o) != 0: held with each of 3012 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(hold_o): held with each of 3012 sets of parameters that passed the tests
  *     before it.
- *   isfinite(q2_1) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(q2_1): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q2_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(q2_2): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q3_1) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(q3_1): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(d) != 0: never false in 650 calls.
+ *   PTC_FINITE_F32(d): never false in 650 calls.
  */
 #ifndef STAGE15_OBSERVER_SELFTEST_H
 #define STAGE15_OBSERVER_SELFTEST_H

@@ -1,9 +1,37 @@
 /* Prescribed-time observer stage16_observer: see stage16_observer.h. DO NOT EDIT. */
 #include "stage16_observer.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage16_observer_init(stage16_observer *self, const stage16_observer_params *params)
 {
@@ -43,7 +71,7 @@ ptc_status stage16_observer_update(stage16_observer *self, uint32_t k, const dou
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (y != NULL)) {
-        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0) && (isfinite(u) != 0)) {
+        if (PTC_FINITE_F64(y[0]) && PTC_FINITE_F64(y[1]) && PTC_FINITE_F64(u)) {
             const uint32_t elapsed = k - self->start;
 
             /* The estimates; at first what y shows. */
@@ -127,14 +155,14 @@ ptc_status stage16_observer_update(stage16_observer *self, uint32_t k, const dou
             const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
             const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
             status = PTC_E_RANGE;
-            if ((isfinite(x1) != 0)
-                && (isfinite(x1_on) != 0)
-                && (isfinite(x2) != 0)
-                && (isfinite(x2_on) != 0)
-                && (isfinite(x3) != 0)
-                && (isfinite(x3_on) != 0)
-                && (isfinite(d) != 0)
-                && (isfinite(d_on) != 0)) {
+            if (PTC_FINITE_F64(x1)
+                && PTC_FINITE_F64(x1_on)
+                && PTC_FINITE_F64(x2)
+                && PTC_FINITE_F64(x2_on)
+                && PTC_FINITE_F64(x3)
+                && PTC_FINITE_F64(x3_on)
+                && PTC_FINITE_F64(d)
+                && PTC_FINITE_F64(d_on)) {
                 self->u1 = u;
                 self->x1_hat = x1;
                 self->x1_next = x1_on;

@@ -26,6 +26,8 @@
  *       after_observer.
  * Guard full: what is measured and u are finite and no pointer is NULL, or the call is
  *       refused (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -35,8 +37,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE16_OBSERVER_H
-#define STAGE16_OBSERVER_H
+#ifndef STAGE16_OBSERVER_4383E348_H
+#define STAGE16_OBSERVER_4383E348_H
 
 #include <stdint.h>
 

@@ -25,6 +25,8 @@
 //! From sample 20 on the status is HOLD; from there on the observer has the poles
 //!       after_observer.
 //! Guard full: what is measured and u are finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.

@@ -8,12 +8,12 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(x1) != 0: never false in 673 calls.
- *   isfinite(x2) != 0: never false in 673 calls.
- *   isfinite(x3) != 0: never false in 673 calls.
- *   isfinite(x3_on) != 0: never false in 673 calls.
- *   isfinite(d) != 0: never false in 673 calls.
- *   isfinite(d_on) != 0: never false in 673 calls.
+ *   PTC_FINITE_F64(x1): never false in 673 calls.
+ *   PTC_FINITE_F64(x2): never false in 673 calls.
+ *   PTC_FINITE_F64(x3): never false in 673 calls.
+ *   PTC_FINITE_F64(x3_on): never false in 673 calls.
+ *   PTC_FINITE_F64(d): never false in 673 calls.
+ *   PTC_FINITE_F64(d_on): never false in 673 calls.
  */
 #ifndef STAGE16_OBSERVER_SELFTEST_H
 #define STAGE16_OBSERVER_SELFTEST_H

@@ -1,8 +1,36 @@
 /* Prescribed-time observer stage17_observer: see stage17_observer.h. DO NOT EDIT. */
 #include "stage17_observer.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage17_observer_init(stage17_observer *self, const stage17_observer_params *params)
 {
@@ -14,9 +42,9 @@ ptc_status stage17_observer_init(stage17_observer *self, const stage17_observer_
             const double q2_1 = 12.0 * (1.0 / params->h);
             const double e1_2 = 1.0 / params->h;
             const double e0_2 = 0.3333333333333333 * (1.0 / params->h);
-            if ((isfinite(q2_1) != 0)
-                && (isfinite(e1_2) != 0)
-                && (isfinite(e0_2) != 0)
+            if (PTC_FINITE_F64(q2_1)
+                && PTC_FINITE_F64(e1_2)
+                && PTC_FINITE_F64(e0_2)
                 && (1e-200 <= params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h))) {
                 self->start = 0U;
@@ -83,7 +111,7 @@ ptc_status stage17_observer_update(stage17_observer *self, uint32_t k, const dou
     const double x2 = base + (l1 * miss);
     const double d = p2 + (l2 * miss);
     status = PTC_E_RANGE;
-    if ((isfinite(x2) != 0) && (isfinite(d) != 0)) {
+    if (PTC_FINITE_F64(x2) && PTC_FINITE_F64(d)) {
         self->x2_hat = x2;
         self->d_hat = d;
         self->seen = 1U;

@@ -25,6 +25,8 @@
  *       gains of the observer are then held below deadbeat.
  * Guard none: finite measurements and inputs and valid pointers are the responsibility of the
  *       caller.
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -34,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE17_OBSERVER_H
-#define STAGE17_OBSERVER_H
+#ifndef STAGE17_OBSERVER_6EEB3A1B_H
+#define STAGE17_OBSERVER_6EEB3A1B_H
 
 #include <stdint.h>
 

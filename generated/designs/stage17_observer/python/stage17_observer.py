@@ -24,6 +24,8 @@ u is the input of tick k - 1 as it was applied, after clipping: it acted from ti
 From sample 8 on the status is HOLD; with noise or sensor_step given, or observer_eps, the
       gains of the observer are then held below deadbeat.
 Guard none: finite measurements and inputs are the responsibility of the caller.
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.

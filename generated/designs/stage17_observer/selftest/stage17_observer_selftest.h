@@ -8,11 +8,11 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(q2_1) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q2_1): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e1_2): held with each of 3012 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_2) != 0: held with each of 3012 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e0_2): held with each of 3012 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE17_OBSERVER_SELFTEST_H

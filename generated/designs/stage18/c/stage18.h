@@ -30,6 +30,8 @@
  *       lasts.
  * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
  *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -41,8 +43,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_H
-#define STAGE18_H
+#ifndef STAGE18_5FEC0229_H
+#define STAGE18_5FEC0229_H
 
 #include <stdint.h>
 

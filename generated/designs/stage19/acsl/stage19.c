@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage19: see stage19.h. DO NOT EDIT. */
 #include "stage19.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage19_init(stage19 *self, const stage19_params *params)
 {
@@ -12,10 +40,10 @@ ptc_status stage19_init(stage19 *self, const stage19_params *params)
         if ((2U < params->samples)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->k[2])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const float s1 = (params->k[2] - 4.0f) + 3.0f;
@@ -32,16 +60,16 @@ ptc_status stage19_init(stage19 *self, const stage19_params *params)
             const float b_1 = -(1.0f / (params->h * params->h * params->h));
             const float b_2 = (-2.0f) * (1.0f / (params->h * params->h));
             const float b_3 = (-1.8333334f) * (1.0f / params->h);
-            if ((isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w1_3) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(w2_3) != 0)
-                && (isfinite(w3_3) != 0)
-                && (isfinite(b_1) != 0)
-                && (isfinite(b_2) != 0)
-                && (isfinite(b_3) != 0)
+            if (PTC_FINITE_F32(deadbeat)
+                && PTC_FINITE_F32(w1_1)
+                && PTC_FINITE_F32(w1_2)
+                && PTC_FINITE_F32(w1_3)
+                && PTC_FINITE_F32(w2_2)
+                && PTC_FINITE_F32(w2_3)
+                && PTC_FINITE_F32(w3_3)
+                && PTC_FINITE_F32(b_1)
+                && PTC_FINITE_F32(b_2)
+                && PTC_FINITE_F32(b_3)
                 && (1e-30f <= params->h * params->h * params->h)
                 && (1e-30f <= 1.0f / (params->h * params->h * params->h))) {
                 self->start = 0U;
@@ -98,7 +126,7 @@ ptc_status stage19_step(const stage19 *self, uint32_t k, const float x[3], float
     }
     const float s1 = ((-50.0f) * (x2 + (2.0f * x[2])) * v1) - (x[2] * (2.0f * x1 * x2));
     const float v = (w - ((s1 / (v1 * v1)) - (x3 * 0.25f))) * v1 * 0.02f;
-    if (isfinite(v) != 0) {
+    if (PTC_FINITE_F32(v)) {
         if (elapsed < self->samples) {
             *u = v;
             status = PTC_OK;

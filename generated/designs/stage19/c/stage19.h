@@ -29,6 +29,8 @@
  * From sample N on u = 0 (status AFTER).
  * u is not clipped.
  * Guard none: finite measurements and valid pointers are the responsibility of the caller.
+ * Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -40,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_H
-#define STAGE19_H
+#ifndef STAGE19_940B3D27_H
+#define STAGE19_940B3D27_H
 
 #include <stdint.h>
 

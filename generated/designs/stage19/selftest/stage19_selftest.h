@@ -8,19 +8,19 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(deadbeat) != 0: held with each of 3048 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(deadbeat): held with each of 3048 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w1_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w1_3): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w2_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w2_3): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_1) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_1): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_2) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_3) != 0: held with each of 3048 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_3): held with each of 3048 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE19_SELFTEST_H

@@ -26,6 +26,8 @@
  * From sample N on the last gains are held (status HOLD).
  * u is not clipped.
  * Guard none: finite measurements and valid pointers are the responsibility of the caller.
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -36,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_H
-#define STAGE2_H
+#ifndef STAGE2_B62EDF6E_H
+#define STAGE2_B62EDF6E_H
 
 #include <stdint.h>
 

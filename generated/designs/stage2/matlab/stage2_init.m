@@ -32,6 +32,8 @@ function self = stage2_init(~) %#codegen
 % From sample N on the last gains are held (status HOLD).
 % u is not clipped.
 % Guard none: finite measurements are the responsibility of the caller.
+% Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+%       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.

@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage20: see stage20.h. DO NOT EDIT. */
 #include "stage20.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage20_init(stage20 *self, const stage20_params *params)
 {
@@ -14,11 +42,11 @@ ptc_status stage20_init(stage20 *self, const stage20_params *params)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
             && (0.0 < params->u_max)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->k[3]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->k[1])
+            && PTC_FINITE_F64(params->k[2])
+            && PTC_FINITE_F64(params->k[3])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const double phi1_2 = params->h;
@@ -52,32 +80,32 @@ ptc_status stage20_init(stage20 *self, const stage20_params *params)
             const double b_1 = (-2.0) * (1.0 / (params->h * params->h));
             const double b_2 = (-5.5) * (1.0 / params->h);
             const double u_max = params->u_max;
-            if ((isfinite(phi1_3) != 0)
-                && (isfinite(gamma1) != 0)
-                && (isfinite(late_gamma1) != 0)
-                && (isfinite(phi2_3) != 0)
-                && (isfinite(gamma2) != 0)
-                && (isfinite(late_gamma2) != 0)
-                && (isfinite(q2_1) != 0)
-                && (isfinite(q2_2) != 0)
-                && (isfinite(q3_1) != 0)
-                && (isfinite(e2_2) != 0)
-                && (isfinite(e2_3) != 0)
-                && (isfinite(e1_2) != 0)
-                && (isfinite(e1_3) != 0)
-                && (isfinite(e0_2) != 0)
-                && (isfinite(e0_3) != 0)
-                && (isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w1_4) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(w2_4) != 0)
-                && (isfinite(w3_4) != 0)
-                && (isfinite(w4_3) != 0)
-                && (isfinite(w4_4) != 0)
-                && (isfinite(b_1) != 0)
-                && (isfinite(b_2) != 0)
+            if (PTC_FINITE_F64(phi1_3)
+                && PTC_FINITE_F64(gamma1)
+                && PTC_FINITE_F64(late_gamma1)
+                && PTC_FINITE_F64(phi2_3)
+                && PTC_FINITE_F64(gamma2)
+                && PTC_FINITE_F64(late_gamma2)
+                && PTC_FINITE_F64(q2_1)
+                && PTC_FINITE_F64(q2_2)
+                && PTC_FINITE_F64(q3_1)
+                && PTC_FINITE_F64(e2_2)
+                && PTC_FINITE_F64(e2_3)
+                && PTC_FINITE_F64(e1_2)
+                && PTC_FINITE_F64(e1_3)
+                && PTC_FINITE_F64(e0_2)
+                && PTC_FINITE_F64(e0_3)
+                && PTC_FINITE_F64(deadbeat)
+                && PTC_FINITE_F64(w1_1)
+                && PTC_FINITE_F64(w1_2)
+                && PTC_FINITE_F64(w1_4)
+                && PTC_FINITE_F64(w2_2)
+                && PTC_FINITE_F64(w2_4)
+                && PTC_FINITE_F64(w3_4)
+                && PTC_FINITE_F64(w4_3)
+                && PTC_FINITE_F64(w4_4)
+                && PTC_FINITE_F64(b_1)
+                && PTC_FINITE_F64(b_2)
                 && (1e-200 <= params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h))) {
                 self->start = 0U;
@@ -145,10 +173,10 @@ ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const doub
         *u = 0.0;
     }
     if ((self != NULL) && (y != NULL) && (r != NULL) && (u != NULL)) {
-        if ((isfinite(y[0]) != 0)
-            && (isfinite(r[0]) != 0)
-            && (isfinite(r[1]) != 0)
-            && (isfinite(r[2]) != 0)) {
+        if (PTC_FINITE_F64(y[0])
+            && PTC_FINITE_F64(r[0])
+            && PTC_FINITE_F64(r[1])
+            && PTC_FINITE_F64(r[2])) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -227,7 +255,7 @@ ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const doub
                 v = s14 + (2.0 * r[2]);
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

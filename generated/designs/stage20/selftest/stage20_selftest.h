@@ -8,51 +8,51 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(phi1_3) != 0: held with each of 3064 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(phi1_3): held with each of 3064 sets of parameters that passed the tests
  *     before it.
- *   isfinite(gamma1) != 0: held with each of 3064 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(gamma1): held with each of 3064 sets of parameters that passed the tests
  *     before it.
- *   isfinite(late_gamma1) != 0: held with each of 3064 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(late_gamma1): held with each of 3064 sets of parameters that passed the tests
  *     before it.
- *   isfinite(phi2_3) != 0: held with each of 3064 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(phi2_3): held with each of 3064 sets of parameters that passed the tests
  *     before it.
- *   isfinite(gamma2) != 0: held with each of 3064 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(gamma2): held with each of 3064 sets of parameters that passed the tests
  *     before it.
- *   isfinite(late_gamma2) != 0: held with each of 3064 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(late_gamma2): held with each of 3064 sets of parameters that passed the tests
  *     before it.
- *   isfinite(q2_1) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q2_1): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q2_2) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q2_2): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q3_1) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q3_1): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e2_2) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e2_2): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e2_3) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e2_3): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_2) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e1_2): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_3) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e1_3): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_2) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e0_2): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_3) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(e0_3): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(deadbeat) != 0: held with each of 3064 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(deadbeat): held with each of 3064 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_2) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_2): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_4) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_4): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w2_4) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w2_4): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w4_3) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w4_3): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w4_4) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w4_4): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_1) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_1): held with each of 3064 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_2) != 0: held with each of 3064 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_2): held with each of 3064 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE20_SELFTEST_H

@@ -42,6 +42,8 @@
  *       lasts.
  * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
  *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -52,8 +54,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE21_H
-#define STAGE21_H
+#ifndef STAGE21_C7AC1C76_H
+#define STAGE21_C7AC1C76_H
 
 #include <stdint.h>
 

@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage21: see stage21.h. DO NOT EDIT. */
 #include "stage21.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage21_init(stage21 *self, const stage21_params *params)
 {
@@ -13,13 +41,13 @@ ptc_status stage21_init(stage21 *self, const stage21_params *params)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
             && (0.0 < params->u_max)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->k[3]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->k[1])
+            && PTC_FINITE_F64(params->k[2])
+            && PTC_FINITE_F64(params->k[3])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)
-            && (isfinite(params->size) != 0)) {
+            && PTC_FINITE_F64(params->size)) {
             const uint32_t samples = params->samples;
             const double h = params->h;
             const double p_size = params->size;
@@ -48,24 +76,24 @@ ptc_status stage21_init(stage21 *self, const stage21_params *params)
             const double b_2 = (-1.125) * (1.0 / (params->h * params->h));
             const double b_3 = (-1.1822916666666667) * (1.0 / params->h);
             const double u_max = params->u_max;
-            if ((isfinite(c_r3) != 0)
-                && (isfinite(c_r5) != 0)
-                && (isfinite(c_r6) != 0)
-                && (isfinite(c_r12) != 0)
-                && (isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w1_3) != 0)
-                && (isfinite(w1_4) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(w2_3) != 0)
-                && (isfinite(w2_4) != 0)
-                && (isfinite(w3_3) != 0)
-                && (isfinite(w3_4) != 0)
-                && (isfinite(w4_4) != 0)
-                && (isfinite(b_1) != 0)
-                && (isfinite(b_2) != 0)
-                && (isfinite(b_3) != 0)
+            if (PTC_FINITE_F64(c_r3)
+                && PTC_FINITE_F64(c_r5)
+                && PTC_FINITE_F64(c_r6)
+                && PTC_FINITE_F64(c_r12)
+                && PTC_FINITE_F64(deadbeat)
+                && PTC_FINITE_F64(w1_1)
+                && PTC_FINITE_F64(w1_2)
+                && PTC_FINITE_F64(w1_3)
+                && PTC_FINITE_F64(w1_4)
+                && PTC_FINITE_F64(w2_2)
+                && PTC_FINITE_F64(w2_3)
+                && PTC_FINITE_F64(w2_4)
+                && PTC_FINITE_F64(w3_3)
+                && PTC_FINITE_F64(w3_4)
+                && PTC_FINITE_F64(w4_4)
+                && PTC_FINITE_F64(b_1)
+                && PTC_FINITE_F64(b_2)
+                && PTC_FINITE_F64(b_3)
                 && (1e-200 <= params->h * params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h * params->h))) {
                 self->start = 0U;
@@ -118,7 +146,7 @@ ptc_status stage21_step(stage21 *self, uint32_t k, const double x[3], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0) && (isfinite(x[2]) != 0)) {
+        if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             const uint32_t elapsed = k - self->start;
             const double x1 = x[0];
             const double x2 = x[1];
@@ -172,7 +200,7 @@ ptc_status stage21_step(stage21 *self, uint32_t k, const double x[3], double *u)
                 v = (s9 - (0.5234375 * (self->u1 - (0.5 * rho1)))) + (0.5 * rho0);
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

@@ -8,33 +8,33 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(c_r5) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(c_r5): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(c_r6) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(c_r6): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(c_r12) != 0: held with each of 3072 sets of parameters that passed the tests before
- *     it.
- *   isfinite(deadbeat) != 0: held with each of 3072 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(c_r12): held with each of 3072 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_2) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(deadbeat): held with each of 3072 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(w1_2): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_3) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_3): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_4): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w2_3) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w2_3): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w2_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w2_4): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w3_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w3_4): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w4_4) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w4_4): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_1) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_1): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_2) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_2): held with each of 3072 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_3) != 0: held with each of 3072 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_3): held with each of 3072 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE21_SELFTEST_H

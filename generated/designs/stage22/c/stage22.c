@@ -1,15 +1,43 @@
 /* Prescribed-time controller stage22: see stage22.h. DO NOT EDIT. */
 #include "stage22.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage22_init(stage22 *self, const stage22_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0.0 < params->u_max) && (isfinite(params->k) != 0)) {
+        if ((0.0 < params->u_max) && PTC_FINITE_F64(params->k)) {
             const double p_k = params->k;
             const double u_max = params->u_max;
             self->start = 0U;
@@ -45,11 +73,11 @@ ptc_status stage22_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (r != NULL) && (u != NULL)) {
-        if ((isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(r[0]) != 0)
-            && (isfinite(r[1]) != 0)
-            && (isfinite(r[2]) != 0)) {
+        if (PTC_FINITE_F64(x[0])
+            && PTC_FINITE_F64(x[1])
+            && PTC_FINITE_F64(r[0])
+            && PTC_FINITE_F64(r[1])
+            && PTC_FINITE_F64(r[2])) {
             const uint32_t elapsed = k - self->start;
 
             /* The chain of the output. */
@@ -75,7 +103,7 @@ ptc_status stage22_step(
             }
             const double s1 = (-((self->p_k * v2) + (3.0 * x[1]))) * v3;
             const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;

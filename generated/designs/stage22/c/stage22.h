@@ -36,6 +36,8 @@
  *       lasts.
  * Guard full: what is measured and the reference are finite and no pointer is NULL, or the
  *       call is refused (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -47,8 +49,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE22_H
-#define STAGE22_H
+#ifndef STAGE22_2EAFABF3_H
+#define STAGE22_2EAFABF3_H
 
 #include <stdint.h>
 

@@ -35,6 +35,8 @@
 //! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
 //!       lasts.
 //! Guard full: what is measured and the reference are finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.

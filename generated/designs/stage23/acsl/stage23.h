@@ -44,6 +44,8 @@
  *       lasts.
  * Guard full: what is measured and the reference are finite and no pointer is NULL, or the
  *       call is refused (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -54,8 +56,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_H
-#define STAGE23_H
+#ifndef STAGE23_8CFAA3F3_H
+#define STAGE23_8CFAA3F3_H
 
 #include <stdint.h>
 

@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage23: see stage23.h. DO NOT EDIT. */
 #include "stage23.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage23_init(stage23 *self, const stage23_params *params)
 {
@@ -49,11 +77,11 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
         *u = 0.0;
     }
     if ((self != NULL) && (y != NULL) && (r != NULL) && (u != NULL)) {
-        if ((isfinite(y[0]) != 0)
-            && (isfinite(r[0]) != 0)
-            && (isfinite(r[1]) != 0)
-            && (isfinite(r[2]) != 0)
-            && (isfinite(r[3]) != 0)) {
+        if (PTC_FINITE_F64(y[0])
+            && PTC_FINITE_F64(r[0])
+            && PTC_FINITE_F64(r[1])
+            && PTC_FINITE_F64(r[2])
+            && PTC_FINITE_F64(r[3])) {
             const uint32_t elapsed = k - self->start;
 
             /* The estimates; at first what y shows. */
@@ -133,7 +161,7 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
                 v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

@@ -1,19 +1,47 @@
 /* Prescribed-time controller stage24: see stage24.h. DO NOT EDIT. */
 #include "stage24.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage24_init(stage24 *self, const stage24_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0.0f < params->u_max) && (isfinite(params->size) != 0)) {
+        if ((0.0f < params->u_max) && PTC_FINITE_F32(params->size)) {
             const float p_size = params->size;
             const float c_r4 = 2.0f * p_size;
             const float u_max = params->u_max;
-            if (isfinite(c_r4) != 0) {
+            if (PTC_FINITE_F32(c_r4)) {
                 self->start = 0U;
                 self->p_size = p_size;
                 self->c_r4 = c_r4;
@@ -44,7 +72,7 @@ ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float
         *u = 0.0f;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        if (PTC_FINITE_F32(x[0]) && PTC_FINITE_F32(x[1])) {
             const uint32_t elapsed = k - self->start;
             const float x1 = x[0];
             const float x2 = x[1];
@@ -79,7 +107,7 @@ ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float
                 /* Deadbeat. */
                 v = ((-6519.427f) * e1) + (3185.2085f * e2) + u_r0;
             }
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F32(v)) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;

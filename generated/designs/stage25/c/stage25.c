@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage25: see stage25.h. DO NOT EDIT. */
 #include "stage25.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage25_init(stage25 *self, const stage25_params *params)
 {
@@ -38,7 +66,7 @@ ptc_status stage25_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0) && (isfinite(x[2]) != 0)) {
+        if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             const uint32_t elapsed = k - self->start;
 
             /* The chain of each output. */
@@ -50,24 +78,14 @@ ptc_status stage25_step(
             const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
             const double m0 = ((double)left < 4.0) ? 4.0 : (double)left;
             double law_1;
+
+            /* The exact law in samples. */
+            const double z1_1 = (-400.0) * x1_1;
+            law_1 = z1_1 / m0;
             double law_2;
-            if (0.5 < m0) {
-                /* The exact law in samples. */
-                const double z1_1 = (-400.0) * x1_1;
-                law_1 = z1_1 / m0;
-            } else {
-                /* Deadbeat. */
-                law_1 = (-100.0) * x1_1;
-            }
-            if (1.5 < m0) {
-                /* The exact law in samples. */
-                const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-                const double z2_2 = (-650.0) * x2_2;
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
-            } else {
-                /* Deadbeat. */
-                law_2 = ((-10000.0) * x1_2) - (150.0 * x2_2);
-            }
+            const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+            const double z2_2 = (-650.0) * x2_2;
+            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
 
             /* The inputs that give all of them. */
             const double v3 = (-x1_1) * 0.1;
@@ -81,7 +99,7 @@ ptc_status stage25_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+            if (PTC_FINITE_F64(control1) && PTC_FINITE_F64(control2)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -110,13 +128,13 @@ ptc_status stage25_step(
                 }
             } else {
                 u[0] = 0.0;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F64(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F64(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
@@ -133,6 +151,11 @@ ptc_status stage25_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 2U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

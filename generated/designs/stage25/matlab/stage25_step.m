@@ -36,23 +36,13 @@ v2 = 1.0 + x1_1;
 x2_2 = v1 * v2;
 left = uint32(30) - elapsed;
 m0 = pick(double(left) < 4.0, 4.0, double(left));
-if 0.5 < m0
-    % The exact law in samples.
-    z1_1 = (-400.0) * x1_1;
-    law_1 = z1_1 / m0;
-else
-    % Deadbeat.
-    law_1 = (-100.0) * x1_1;
-end
-if 1.5 < m0
-    % The exact law in samples.
-    z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-    z2_2 = (-650.0) * x2_2;
-    law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
-else
-    % Deadbeat.
-    law_2 = ((-10000.0) * x1_2) - (150.0 * x2_2);
-end
+
+% The exact law in samples.
+z1_1 = (-400.0) * x1_1;
+law_1 = z1_1 / m0;
+z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+z2_2 = (-650.0) * x2_2;
+law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
 
 % The inputs that give all of them.
 v3 = (-x1_1) * 0.1;

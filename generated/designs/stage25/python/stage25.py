@@ -40,6 +40,8 @@ From sample N on the last gains are held (status HOLD).
 |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
       lasts.
 Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
@@ -157,21 +159,13 @@ class Stage25:
             x2_2 = v1 * v2
             left = max(30 - elapsed, 0)
             m0 = max(_R(left), _R(4.0))
-            if 0.5 < m0:
-                # The exact law in samples.
-                z1_1 = (-400.0) * x1_1
-                law_1 = z1_1 / m0
-            else:
-                # Deadbeat.
-                law_1 = (-100.0) * x1_1
-            if 1.5 < m0:
-                # The exact law in samples.
-                z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2)
-                z2_2 = (-650.0) * x2_2
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
-            else:
-                # Deadbeat.
-                law_2 = ((-10000.0) * x1_2) - (150.0 * x2_2)
+
+            # The exact law in samples.
+            z1_1 = (-400.0) * x1_1
+            law_1 = z1_1 / m0
+            z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2)
+            z2_2 = (-650.0) * x2_2
+            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
 
             # The inputs that give all of them.
             v3 = (-x1_1) * 0.1

@@ -40,6 +40,8 @@
 //! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
 //!       lasts.
 //! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
@@ -197,24 +199,14 @@ impl Stage25 {
             left as f64
         };
         let law_1: f64;
+
+        // The exact law in samples.
+        let z1_1 = (-400.0) * x1_1;
+        law_1 = z1_1 / m0;
         let law_2: f64;
-        if 0.5 < m0 {
-            // The exact law in samples.
-            let z1_1 = (-400.0) * x1_1;
-            law_1 = z1_1 / m0;
-        } else {
-            // Deadbeat.
-            law_1 = (-100.0) * x1_1;
-        }
-        if 1.5 < m0 {
-            // The exact law in samples.
-            let z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-            let z2_2 = (-650.0) * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
-        } else {
-            // Deadbeat.
-            law_2 = ((-10000.0) * x1_2) - (150.0 * x2_2);
-        }
+        let z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+        let z2_2 = (-650.0) * x2_2;
+        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
 
         // The inputs that give all of them.
         let v3 = (-x1_1) * 0.1;

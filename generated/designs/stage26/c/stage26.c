@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage26: see stage26.h. DO NOT EDIT. */
 #include "stage26.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage26_init(stage26 *self, const stage26_params *params)
 {
@@ -15,11 +43,11 @@ ptc_status stage26_init(stage26 *self, const stage26_params *params)
             && (0.0f < params->u_max)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)
-            && (isfinite(params->m) != 0)) {
+            && PTC_FINITE_F32(params->m)) {
             const uint32_t samples = params->samples;
             const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
             const float s2 = (s1 < 4.0f) ? 4.0f : s1;
@@ -33,12 +61,12 @@ ptc_status stage26_init(stage26 *self, const stage26_params *params)
             const float b_2_1 = (-1.5f) * (1.0f / params->h);
             const float p_m = params->m;
             const float u_max = params->u_max;
-            if ((isfinite(deadbeat_1) != 0)
-                && (isfinite(w1_1_1) != 0)
-                && (isfinite(w1_2_1) != 0)
-                && (isfinite(w2_2_1) != 0)
-                && (isfinite(b_1_1) != 0)
-                && (isfinite(b_2_1) != 0)
+            if (PTC_FINITE_F32(deadbeat_1)
+                && PTC_FINITE_F32(w1_1_1)
+                && PTC_FINITE_F32(w1_2_1)
+                && PTC_FINITE_F32(w2_2_1)
+                && PTC_FINITE_F32(b_1_1)
+                && PTC_FINITE_F32(b_2_1)
                 && (1e-30f <= params->h * params->h)
                 && (1e-30f <= 1.0f / (params->h * params->h))) {
                 self->start = 0U;
@@ -110,7 +138,7 @@ ptc_status stage26_step(
     } else {
         status = PTC_HOLD;
     }
-    if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+    if (PTC_FINITE_F32(control1) && PTC_FINITE_F32(control2)) {
         u[0] = control1;
         axes[0] = status;
         u[1] = control2;
@@ -139,13 +167,13 @@ ptc_status stage26_step(
         }
     } else {
         u[0] = 0.0f;
-        if (isfinite(control1) != 0) {
+        if (PTC_FINITE_F32(control1)) {
             axes[0] = status;
         } else {
             axes[0] = PTC_E_RANGE;
         }
         u[1] = 0.0f;
-        if (isfinite(control2) != 0) {
+        if (PTC_FINITE_F32(control2)) {
             axes[1] = status;
         } else {
             axes[1] = PTC_E_RANGE;

@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage27: see stage27.h. DO NOT EDIT. */
 #include "stage27.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage27_init(stage27 *self, const stage27_params *params)
 {
@@ -23,17 +51,17 @@ ptc_status stage27_init(stage27 *self, const stage27_params *params)
             const double w1_1_4 = (-23.4375) * (1.0 / (params->h * params->h));
             const double w1_2_4 = 11.71875 * (1.0 / params->h);
             const double w2_2_4 = (-9.625) * (1.0 / params->h);
-            if ((isfinite(w1_1_1) != 0)
-                && (isfinite(b_1_1) != 0)
-                && (isfinite(w1_1_2) != 0)
-                && (isfinite(w1_2_2) != 0)
-                && (isfinite(w2_2_2) != 0)
-                && (isfinite(b_1_2) != 0)
-                && (isfinite(b_2_2) != 0)
-                && (isfinite(w1_1_3) != 0)
-                && (isfinite(w1_1_4) != 0)
-                && (isfinite(w1_2_4) != 0)
-                && (isfinite(w2_2_4) != 0)
+            if (PTC_FINITE_F64(w1_1_1)
+                && PTC_FINITE_F64(b_1_1)
+                && PTC_FINITE_F64(w1_1_2)
+                && PTC_FINITE_F64(w1_2_2)
+                && PTC_FINITE_F64(w2_2_2)
+                && PTC_FINITE_F64(b_1_2)
+                && PTC_FINITE_F64(b_2_2)
+                && PTC_FINITE_F64(w1_1_3)
+                && PTC_FINITE_F64(w1_1_4)
+                && PTC_FINITE_F64(w1_2_4)
+                && PTC_FINITE_F64(w2_2_4)
                 && (1e-200 <= params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h))) {
                 self->start = 0U;
@@ -123,12 +151,12 @@ ptc_status stage27_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)
-            && (isfinite(x[3]) != 0)
-            && (isfinite(x[4]) != 0)
-            && (isfinite(x[5]) != 0)) {
+        if (PTC_FINITE_F64(x[0])
+            && PTC_FINITE_F64(x[1])
+            && PTC_FINITE_F64(x[2])
+            && PTC_FINITE_F64(x[3])
+            && PTC_FINITE_F64(x[4])
+            && PTC_FINITE_F64(x[5])) {
             const uint32_t elapsed = k - self->start;
 
             /* The chain of each output. */
@@ -214,10 +242,10 @@ ptc_status stage27_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0)
-                && (isfinite(control2) != 0)
-                && (isfinite(control3) != 0)
-                && (isfinite(control4) != 0)) {
+            if (PTC_FINITE_F64(control1)
+                && PTC_FINITE_F64(control2)
+                && PTC_FINITE_F64(control3)
+                && PTC_FINITE_F64(control4)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -228,25 +256,25 @@ ptc_status stage27_step(
                 axes[3] = status;
             } else {
                 u[0] = 0.0;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F64(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F64(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
                 }
                 u[2] = 0.0;
-                if (isfinite(control3) != 0) {
+                if (PTC_FINITE_F64(control3)) {
                     axes[2] = status;
                 } else {
                     axes[2] = PTC_E_RANGE;
                 }
                 u[3] = 0.0;
-                if (isfinite(control4) != 0) {
+                if (PTC_FINITE_F64(control4)) {
                     axes[3] = status;
                 } else {
                     axes[3] = PTC_E_RANGE;
@@ -263,6 +291,11 @@ ptc_status stage27_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 4U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 4U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

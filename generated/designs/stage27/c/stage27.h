@@ -50,6 +50,8 @@
  * u is not clipped.
  * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
  *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -64,8 +66,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_H
-#define STAGE27_H
+#ifndef STAGE27_D7AE8314_H
+#define STAGE27_D7AE8314_H
 
 #include <stdint.h>
 

@@ -49,6 +49,8 @@ k counts samples and may wrap; arm again within 2^32 - N samples.
 From sample N on the last gains are held (status HOLD).
 u is not clipped.
 Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.

@@ -8,32 +8,32 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(w1_1_1) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w1_1_1): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(b_1_1) != 0: held with each of 3016 sets of parameters that passed the tests before
- *     it.
- *   isfinite(w1_1_2) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(b_1_1): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_2_2) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w1_1_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w2_2_2) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w1_2_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(b_1_2) != 0: held with each of 3016 sets of parameters that passed the tests before
- *     it.
- *   isfinite(b_2_2) != 0: held with each of 3016 sets of parameters that passed the tests before
- *     it.
- *   isfinite(w1_1_3) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w2_2_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_1_4) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(b_1_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_2_4) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(b_2_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w2_2_4) != 0: held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w1_1_3): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   isfinite(control2) != 0: never false in 1141 calls.
- *   isfinite(control3) != 0: never false in 1141 calls.
- *   isfinite(control4) != 0: never false in 1141 calls.
- *   isfinite(control1) != 0: never true in 1141 calls.
+ *   PTC_FINITE_F64(w1_1_4): held with each of 3016 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(w1_2_4): held with each of 3016 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(w2_2_4): held with each of 3016 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(control2): never false in 1141 calls.
+ *   PTC_FINITE_F64(control3): never false in 1141 calls.
+ *   PTC_FINITE_F64(control4): never false in 1141 calls.
+ *   PTC_FINITE_F64(control1): never true in 1141 calls.
  */
 #ifndef STAGE27_SELFTEST_H
 #define STAGE27_SELFTEST_H

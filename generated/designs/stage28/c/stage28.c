@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage28: see stage28.h. DO NOT EDIT. */
 #include "stage28.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage28_init(stage28 *self, const stage28_params *params)
 {
@@ -14,7 +42,7 @@ ptc_status stage28_init(stage28 *self, const stage28_params *params)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
             && (0.0 < params->u_max)
-            && (isfinite(params->k) != 0)) {
+            && PTC_FINITE_F64(params->k)) {
             const uint32_t samples = params->samples;
             const double w1_1_1 = (-3.0) * (1.0 / params->h);
             const double b_1_1 = -(1.0 / params->h);
@@ -22,10 +50,10 @@ ptc_status stage28_init(stage28 *self, const stage28_params *params)
             const double p_k = params->k;
             const double c1 = -p_k;
             const double u_max = params->u_max;
-            if ((isfinite(w1_1_1) != 0)
-                && (isfinite(b_1_1) != 0)
-                && (isfinite(w1_1_2) != 0)
-                && (isfinite(c1) != 0)
+            if (PTC_FINITE_F64(w1_1_1)
+                && PTC_FINITE_F64(b_1_1)
+                && PTC_FINITE_F64(w1_1_2)
+                && PTC_FINITE_F64(c1)
                 && (1e-200 <= params->h)
                 && (1e-200 <= 1.0 / params->h)) {
                 self->start = 0U;
@@ -64,7 +92,7 @@ ptc_status stage28_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             const uint32_t elapsed = k - self->start;
 
             /* The chain of each output. */
@@ -96,7 +124,7 @@ ptc_status stage28_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+            if (PTC_FINITE_F64(control1) && PTC_FINITE_F64(control2)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -125,13 +153,13 @@ ptc_status stage28_step(
                 }
             } else {
                 u[0] = 0.0;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F64(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F64(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
@@ -148,6 +176,11 @@ ptc_status stage28_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 2U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

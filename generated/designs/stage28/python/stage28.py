@@ -40,6 +40,8 @@ From sample N on the last gains are held (status HOLD).
 |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
       lasts.
 Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.

@@ -8,18 +8,19 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(w1_1_1) != 0: held with each of 3032 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w1_1_1): held with each of 3032 sets of parameters that passed the tests
  *     before it.
- *   isfinite(b_1_1) != 0: held with each of 3032 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_1_1): held with each of 3032 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(w1_1_2): held with each of 3032 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(c1): held with each of 3032 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_1_2) != 0: held with each of 3032 sets of parameters that passed the tests
- *     before it.
- *   isfinite(c1) != 0: held with each of 3032 sets of parameters that passed the tests before it.
  *   1e-200 <= params->h: held with each of 3032 sets of parameters that passed the tests before
  *     it.
  *   1e-200 <= 1.0 / params->h: held with each of 3032 sets of parameters that passed the tests
  *     before it.
- *   isfinite(control2) != 0: never true in 2175 calls.
+ *   PTC_FINITE_F64(control2): never true in 2175 calls.
  */
 #ifndef STAGE28_SELFTEST_H
 #define STAGE28_SELFTEST_H

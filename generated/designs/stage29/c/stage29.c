@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage29: see stage29.h. DO NOT EDIT. */
 #include "stage29.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage29_init(stage29 *self, const stage29_params *params)
 {
@@ -38,12 +66,12 @@ ptc_status stage29_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0][0]) != 0)
-            && (isfinite(x[0][1]) != 0)
-            && (isfinite(x[1][0]) != 0)
-            && (isfinite(x[1][1]) != 0)
-            && (isfinite(x[2][0]) != 0)
-            && (isfinite(x[2][1]) != 0)) {
+        if (PTC_FINITE_F64(x[0][0])
+            && PTC_FINITE_F64(x[0][1])
+            && PTC_FINITE_F64(x[1][0])
+            && PTC_FINITE_F64(x[1][1])
+            && PTC_FINITE_F64(x[2][0])
+            && PTC_FINITE_F64(x[2][1])) {
             const uint32_t elapsed = k - self->start;
             const double x1_1 = x[0][0];
             const double x2_1 = x[0][1];
@@ -89,7 +117,7 @@ ptc_status stage29_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(law_1) != 0) && (isfinite(law_2) != 0) && (isfinite(law_3) != 0)) {
+            if (PTC_FINITE_F64(law_1) && PTC_FINITE_F64(law_2) && PTC_FINITE_F64(law_3)) {
                 u[0] = law_1;
                 axes[0] = status;
                 u[1] = law_2;
@@ -131,19 +159,19 @@ ptc_status stage29_step(
                 }
             } else {
                 u[0] = 0.0;
-                if (isfinite(law_1) != 0) {
+                if (PTC_FINITE_F64(law_1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(law_2) != 0) {
+                if (PTC_FINITE_F64(law_2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
                 }
                 u[2] = 0.0;
-                if (isfinite(law_3) != 0) {
+                if (PTC_FINITE_F64(law_3)) {
                     axes[2] = status;
                 } else {
                     axes[2] = PTC_E_RANGE;
@@ -160,6 +188,11 @@ ptc_status stage29_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 3U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage3: see stage3.h. DO NOT EDIT. */
 #include "stage3.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage3_init(stage3 *self, const stage3_params *params)
 {
@@ -45,7 +73,7 @@ ptc_status stage3_step(stage3 *self, uint32_t k, const double y[1], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if (isfinite(y[0]) != 0) {
+        if (PTC_FINITE_F64(y[0])) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -106,7 +134,7 @@ ptc_status stage3_step(stage3 *self, uint32_t k, const double y[1], double *u)
                 v = ((((-1000000.0) * x1) - (2500.0 * x2)) - (2.0 * (self->u1 + d))) - d;
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage30: see stage30.h. DO NOT EDIT. */
 #include "stage30.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage30_init(stage30 *self, const stage30_params *params)
 {
@@ -16,10 +44,10 @@ ptc_status stage30_init(stage30 *self, const stage30_params *params)
             && (0.0f < params->u_max)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->k[2])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const float hold = 0.02f / params->h;
@@ -41,16 +69,16 @@ ptc_status stage30_init(stage30 *self, const stage30_params *params)
             const float b_2_1 = (-0.6666667f) * (1.0f / (params->h * params->h));
             const float b_3_1 = (-0.6111111f) * (1.0f / params->h);
             const float u_max = params->u_max;
-            if ((isfinite(hold) != 0)
-                && (isfinite(w1_1_1) != 0)
-                && (isfinite(w1_2_1) != 0)
-                && (isfinite(w1_3_1) != 0)
-                && (isfinite(w2_2_1) != 0)
-                && (isfinite(w2_3_1) != 0)
-                && (isfinite(w3_3_1) != 0)
-                && (isfinite(b_1_1) != 0)
-                && (isfinite(b_2_1) != 0)
-                && (isfinite(b_3_1) != 0)
+            if (PTC_FINITE_F32(hold)
+                && PTC_FINITE_F32(w1_1_1)
+                && PTC_FINITE_F32(w1_2_1)
+                && PTC_FINITE_F32(w1_3_1)
+                && PTC_FINITE_F32(w2_2_1)
+                && PTC_FINITE_F32(w2_3_1)
+                && PTC_FINITE_F32(w3_3_1)
+                && PTC_FINITE_F32(b_1_1)
+                && PTC_FINITE_F32(b_2_1)
+                && PTC_FINITE_F32(b_3_1)
                 && (1e-30f <= params->h * params->h * params->h)
                 && (1e-30f <= 1.0f / (params->h * params->h * params->h))) {
                 self->start = 0U;
@@ -94,12 +122,12 @@ ptc_status stage30_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0][0]) != 0)
-            && (isfinite(x[0][1]) != 0)
-            && (isfinite(x[0][2]) != 0)
-            && (isfinite(x[1][0]) != 0)
-            && (isfinite(x[1][1]) != 0)
-            && (isfinite(x[1][2]) != 0)) {
+        if (PTC_FINITE_F32(x[0][0])
+            && PTC_FINITE_F32(x[0][1])
+            && PTC_FINITE_F32(x[0][2])
+            && PTC_FINITE_F32(x[1][0])
+            && PTC_FINITE_F32(x[1][1])
+            && PTC_FINITE_F32(x[1][2])) {
             const uint32_t elapsed = k - self->start;
             const float x1_1 = x[0][0];
             const float x2_1 = x[0][1];
@@ -135,7 +163,7 @@ ptc_status stage30_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(law_1) != 0) && (isfinite(law_2) != 0)) {
+            if (PTC_FINITE_F32(law_1) && PTC_FINITE_F32(law_2)) {
                 u[0] = law_1;
                 axes[0] = status;
                 u[1] = law_2;
@@ -164,13 +192,13 @@ ptc_status stage30_step(
                 }
             } else {
                 u[0] = 0.0f;
-                if (isfinite(law_1) != 0) {
+                if (PTC_FINITE_F32(law_1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0f;
-                if (isfinite(law_2) != 0) {
+                if (PTC_FINITE_F32(law_2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
@@ -187,6 +215,11 @@ ptc_status stage30_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 2U; i++) {
                 u[i] = 0.0f;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -31,6 +31,8 @@
  *       lasts.
  * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
  *       (status E_INPUT).
+ * Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -41,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE30_H
-#define STAGE30_H
+#ifndef STAGE30_46389BD4_H
+#define STAGE30_46389BD4_H
 
 #include <stdint.h>
 

@@ -8,20 +8,20 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(hold) != 0: held with each of 3068 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(hold): held with each of 3068 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_2_1) != 0: held with each of 3068 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(w1_2_1): held with each of 3068 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_3_1) != 0: held with each of 3068 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(w1_3_1): held with each of 3068 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w2_3_1) != 0: held with each of 3068 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(w2_3_1): held with each of 3068 sets of parameters that passed the tests
  *     before it.
- *   isfinite(b_1_1) != 0: held with each of 3068 sets of parameters that passed the tests before
- *     it.
- *   isfinite(b_2_1) != 0: held with each of 3068 sets of parameters that passed the tests before
- *     it.
- *   isfinite(b_3_1) != 0: held with each of 3068 sets of parameters that passed the tests before
- *     it.
+ *   PTC_FINITE_F32(b_1_1): held with each of 3068 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F32(b_2_1): held with each of 3068 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F32(b_3_1): held with each of 3068 sets of parameters that passed the tests
+ *     before it.
  */
 #ifndef STAGE30_SELFTEST_H
 #define STAGE30_SELFTEST_H

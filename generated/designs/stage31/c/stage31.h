@@ -48,6 +48,8 @@
  *       lasts.
  * Guard full: what is measured and the reference are finite and no pointer is NULL, or the
  *       call is refused (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -61,8 +63,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_H
-#define STAGE31_H
+#ifndef STAGE31_9CE2BAC3_H
+#define STAGE31_9CE2BAC3_H
 
 #include <stdint.h>
 

@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage32: see stage32.h. DO NOT EDIT. */
 #include "stage32.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage32_init(stage32 *self, const stage32_params *params)
 {
@@ -13,12 +41,12 @@ ptc_status stage32_init(stage32 *self, const stage32_params *params)
         if ((0.0 < params->u_max)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->k[1])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)
-            && (isfinite(params->m) != 0)
-            && (isfinite(params->size) != 0)) {
+            && PTC_FINITE_F64(params->m)
+            && PTC_FINITE_F64(params->size)) {
             const double p_size = params->size;
             const double c_r3 = 2.0 * p_size;
             const double w1_1_1 = 10000.0 * (-(params->k[0] / (params->a * params->a)));
@@ -26,10 +54,10 @@ ptc_status stage32_init(stage32 *self, const stage32_params *params)
             const double w2_2_1 = 100.0 * (1.0 - (params->k[1] / params->a));
             const double p_m = params->m;
             const double u_max = params->u_max;
-            if ((isfinite(c_r3) != 0)
-                && (isfinite(w1_1_1) != 0)
-                && (isfinite(w1_2_1) != 0)
-                && (isfinite(w2_2_1) != 0)) {
+            if (PTC_FINITE_F64(c_r3)
+                && PTC_FINITE_F64(w1_1_1)
+                && PTC_FINITE_F64(w1_2_1)
+                && PTC_FINITE_F64(w2_2_1)) {
                 self->start = 0U;
                 self->p_size = p_size;
                 self->c_r3 = c_r3;
@@ -66,10 +94,10 @@ ptc_status stage32_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)
-            && (isfinite(x[3]) != 0)) {
+        if (PTC_FINITE_F64(x[0])
+            && PTC_FINITE_F64(x[1])
+            && PTC_FINITE_F64(x[2])
+            && PTC_FINITE_F64(x[3])) {
             const uint32_t elapsed = k - self->start;
 
             /* The chain of each output. */
@@ -97,20 +125,15 @@ ptc_status stage32_step(
             const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
             const double m0 = ((double)left < 4.0) ? 4.0 : (double)left;
             double law_1;
+
+            /* The exact law in samples. */
+            const double z1_1 = (self->w1_1_1 * e1_1) + (self->w1_2_1 * e2_1);
+            const double z2_1 = self->w2_2_1 * e2_1;
+            law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
             double law_2;
-            if (1.5 < m0) {
-                /* The exact law in samples. */
-                const double z1_1 = (self->w1_1_1 * e1_1) + (self->w1_2_1 * e2_1);
-                const double z2_1 = self->w2_2_1 * e2_1;
-                law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
-                const double z1_2 = (self->w1_1_1 * e1_2) + (self->w1_2_1 * e2_2);
-                const double z2_2 = self->w2_2_1 * e2_2;
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
-            } else {
-                /* Deadbeat. */
-                law_1 = (((-10000.0) * e1_1) - (150.0 * e2_1)) + rho0_1;
-                law_2 = ((-10000.0) * e1_2) - (150.0 * e2_2);
-            }
+            const double z1_2 = (self->w1_1_1 * e1_2) + (self->w1_2_1 * e2_2);
+            const double z2_2 = self->w2_2_1 * e2_2;
+            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
 
             /* The inputs that give all of them. */
             const double s2 = ((self->p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);
@@ -121,7 +144,7 @@ ptc_status stage32_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+            if (PTC_FINITE_F64(control1) && PTC_FINITE_F64(control2)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -150,13 +173,13 @@ ptc_status stage32_step(
                 }
             } else {
                 u[0] = 0.0;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F64(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F64(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
@@ -173,6 +196,11 @@ ptc_status stage32_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 2U; i++) {
                 u[i] = 0.0;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -51,6 +51,8 @@
  * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
  *       lasts.
  * Guard full: what is measured is finite, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -64,13 +66,33 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE32_HPP
-#define STAGE32_HPP
+#ifndef STAGE32_388BD3F4_HPP
+#define STAGE32_388BD3F4_HPP
 
 #include <array>
+#include <cfloat>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
 
 namespace ptc {
 
@@ -206,20 +228,15 @@ public:
         const std::uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
         const double m0 = (static_cast<double>(left) < 4.0) ? 4.0 : static_cast<double>(left);
         double law_1{};
+
+        // The exact law in samples.
+        const double z1_1 = (w1_1_1_ * e1_1) + (w1_2_1_ * e2_1);
+        const double z2_1 = w2_2_1_ * e2_1;
+        law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
         double law_2{};
-        if (1.5 < m0) {
-            // The exact law in samples.
-            const double z1_1 = (w1_1_1_ * e1_1) + (w1_2_1_ * e2_1);
-            const double z2_1 = w2_2_1_ * e2_1;
-            law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
-            const double z1_2 = (w1_1_1_ * e1_2) + (w1_2_1_ * e2_2);
-            const double z2_2 = w2_2_1_ * e2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
-        } else {
-            // Deadbeat.
-            law_1 = (((-10000.0) * e1_1) - (150.0 * e2_1)) + rho0_1;
-            law_2 = ((-10000.0) * e1_2) - (150.0 * e2_2);
-        }
+        const double z1_2 = (w1_1_1_ * e1_2) + (w1_2_1_ * e2_2);
+        const double z2_2 = w2_2_1_ * e2_2;
+        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
 
         // The inputs that give all of them.
         const double s2 = ((p_m_ + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);

@@ -51,6 +51,8 @@ From sample N on the last gains are held (status HOLD).
 |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
       lasts.
 Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
@@ -248,18 +250,14 @@ class Stage32:
             e2_2 = x2_2
             left = max(30 - elapsed, 0)
             m0 = max(_R(left), _R(4.0))
-            if 1.5 < m0:
-                # The exact law in samples.
-                z1_1 = (self._w1_1_1 * e1_1) + (self._w1_2_1 * e2_1)
-                z2_1 = self._w2_2_1 * e2_1
-                law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1
-                z1_2 = (self._w1_1_1 * e1_2) + (self._w1_2_1 * e2_2)
-                z2_2 = self._w2_2_1 * e2_2
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
-            else:
-                # Deadbeat.
-                law_1 = (((-10000.0) * e1_1) - (150.0 * e2_1)) + rho0_1
-                law_2 = ((-10000.0) * e1_2) - (150.0 * e2_2)
+
+            # The exact law in samples.
+            z1_1 = (self._w1_1_1 * e1_1) + (self._w1_2_1 * e2_1)
+            z2_1 = self._w2_2_1 * e2_1
+            law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1
+            z1_2 = (self._w1_1_1 * e1_2) + (self._w1_2_1 * e2_2)
+            z2_2 = self._w2_2_1 * e2_2
+            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
 
             # The inputs that give all of them.
             s2 = ((self._p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2)

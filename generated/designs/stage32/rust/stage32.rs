@@ -51,6 +51,8 @@
 //! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
 //!       lasts.
 //! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
@@ -283,20 +285,15 @@ impl Stage32 {
             left as f64
         };
         let law_1: f64;
+
+        // The exact law in samples.
+        let z1_1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
+        let z2_1 = self.w2_2_1 * e2_1;
+        law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
         let law_2: f64;
-        if 1.5 < m0 {
-            // The exact law in samples.
-            let z1_1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
-            let z2_1 = self.w2_2_1 * e2_1;
-            law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
-            let z1_2 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
-            let z2_2 = self.w2_2_1 * e2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
-        } else {
-            // Deadbeat.
-            law_1 = (((-10000.0) * e1_1) - (150.0 * e2_1)) + rho0_1;
-            law_2 = ((-10000.0) * e1_2) - (150.0 * e2_2);
-        }
+        let z1_2 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
+        let z2_2 = self.w2_2_1 * e2_2;
+        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
 
         // The inputs that give all of them.
         let s2 = ((self.p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);

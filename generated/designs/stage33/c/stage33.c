@@ -1,19 +1,47 @@
 /* Prescribed-time controller stage33: see stage33.h. DO NOT EDIT. */
 #include "stage33.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage33_init(stage33 *self, const stage33_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if (isfinite(params->size) != 0) {
+        if (PTC_FINITE_F32(params->size)) {
             const float p_size = params->size;
             const float c_r10 = 2.0f * p_size;
-            if (isfinite(c_r10) != 0) {
+            if (PTC_FINITE_F32(c_r10)) {
                 self->start = 0U;
                 self->p_size = p_size;
                 self->c_r10 = c_r10;
@@ -45,12 +73,12 @@ ptc_status stage33_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0][0]) != 0)
-            && (isfinite(x[0][1]) != 0)
-            && (isfinite(x[1][0]) != 0)
-            && (isfinite(x[1][1]) != 0)
-            && (isfinite(x[2][0]) != 0)
-            && (isfinite(x[2][1]) != 0)) {
+        if (PTC_FINITE_F32(x[0][0])
+            && PTC_FINITE_F32(x[0][1])
+            && PTC_FINITE_F32(x[1][0])
+            && PTC_FINITE_F32(x[1][1])
+            && PTC_FINITE_F32(x[2][0])
+            && PTC_FINITE_F32(x[2][1])) {
             const uint32_t elapsed = k - self->start;
             const float x1_1 = x[0][0];
             const float x2_1 = x[0][1];
@@ -124,7 +152,7 @@ ptc_status stage33_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(law_1) != 0) && (isfinite(law_2) != 0) && (isfinite(law_3) != 0)) {
+            if (PTC_FINITE_F32(law_1) && PTC_FINITE_F32(law_2) && PTC_FINITE_F32(law_3)) {
                 u[0] = law_1;
                 axes[0] = status;
                 u[1] = law_2;
@@ -166,19 +194,19 @@ ptc_status stage33_step(
                 }
             } else {
                 u[0] = 0.0f;
-                if (isfinite(law_1) != 0) {
+                if (PTC_FINITE_F32(law_1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0f;
-                if (isfinite(law_2) != 0) {
+                if (PTC_FINITE_F32(law_2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
                 }
                 u[2] = 0.0f;
-                if (isfinite(law_3) != 0) {
+                if (PTC_FINITE_F32(law_3)) {
                     axes[2] = status;
                 } else {
                     axes[2] = PTC_E_RANGE;
@@ -195,6 +223,11 @@ ptc_status stage33_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 3U; i++) {
                 u[i] = 0.0f;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 3U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

@@ -41,6 +41,8 @@
  *       lasts.
  * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
  *       (status E_INPUT).
+ * Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -51,8 +53,8 @@
  *   loop: not checked: axis 1: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE33_H
-#define STAGE33_H
+#ifndef STAGE33_11253BCD_H
+#define STAGE33_11253BCD_H
 
 #include <stdint.h>
 

@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage34: see stage34.h. DO NOT EDIT. */
 #include "stage34.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage34_init(stage34 *self, const stage34_params *params)
 {
@@ -15,10 +43,10 @@ ptc_status stage34_init(stage34 *self, const stage34_params *params)
             && (0.0 < params->u_max)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->k[1])
+            && PTC_FINITE_F64(params->k[2])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const double s1 = ((params->k[2] / params->a) - 4.0) + 3.0;
@@ -44,16 +72,16 @@ ptc_status stage34_init(stage34 *self, const stage34_params *params)
             const double b_2_1 = (-0.6666666666666666) * (1.0 / (params->h * params->h));
             const double b_3_1 = (-0.6111111111111112) * (1.0 / params->h);
             const double u_max = params->u_max;
-            if ((isfinite(deadbeat_1) != 0)
-                && (isfinite(w1_1_1) != 0)
-                && (isfinite(w1_2_1) != 0)
-                && (isfinite(w1_3_1) != 0)
-                && (isfinite(w2_2_1) != 0)
-                && (isfinite(w2_3_1) != 0)
-                && (isfinite(w3_3_1) != 0)
-                && (isfinite(b_1_1) != 0)
-                && (isfinite(b_2_1) != 0)
-                && (isfinite(b_3_1) != 0)
+            if (PTC_FINITE_F64(deadbeat_1)
+                && PTC_FINITE_F64(w1_1_1)
+                && PTC_FINITE_F64(w1_2_1)
+                && PTC_FINITE_F64(w1_3_1)
+                && PTC_FINITE_F64(w2_2_1)
+                && PTC_FINITE_F64(w2_3_1)
+                && PTC_FINITE_F64(w3_3_1)
+                && PTC_FINITE_F64(b_1_1)
+                && PTC_FINITE_F64(b_2_1)
+                && PTC_FINITE_F64(b_3_1)
                 && (1e-200 <= params->h * params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h * params->h))) {
                 self->start = 0U;
@@ -140,7 +168,7 @@ ptc_status stage34_step(
     } else {
         status = PTC_HOLD;
     }
-    if ((isfinite(law_1) != 0) && (isfinite(law_2) != 0)) {
+    if (PTC_FINITE_F64(law_1) && PTC_FINITE_F64(law_2)) {
         u[0] = law_1;
         axes[0] = status;
         u[1] = law_2;
@@ -169,13 +197,13 @@ ptc_status stage34_step(
         }
     } else {
         u[0] = 0.0;
-        if (isfinite(law_1) != 0) {
+        if (PTC_FINITE_F64(law_1)) {
             axes[0] = status;
         } else {
             axes[0] = PTC_E_RANGE;
         }
         u[1] = 0.0;
-        if (isfinite(law_2) != 0) {
+        if (PTC_FINITE_F64(law_2)) {
             axes[1] = status;
         } else {
             axes[1] = PTC_E_RANGE;

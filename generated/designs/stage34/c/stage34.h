@@ -37,6 +37,8 @@
  *       lasts.
  * Guard none: finite measurements and references and valid pointers are the responsibility of
  *       the caller.
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -47,8 +49,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE34_H
-#define STAGE34_H
+#ifndef STAGE34_23E52ABB_H
+#define STAGE34_23E52ABB_H
 
 #include <stdint.h>
 

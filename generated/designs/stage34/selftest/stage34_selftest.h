@@ -8,18 +8,18 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(w1_2_1) != 0: held with each of 3068 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w1_2_1): held with each of 3068 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w1_3_1) != 0: held with each of 3068 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w1_3_1): held with each of 3068 sets of parameters that passed the tests
  *     before it.
- *   isfinite(w2_3_1) != 0: held with each of 3068 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(w2_3_1): held with each of 3068 sets of parameters that passed the tests
  *     before it.
- *   isfinite(b_1_1) != 0: held with each of 3068 sets of parameters that passed the tests before
- *     it.
- *   isfinite(b_2_1) != 0: held with each of 3068 sets of parameters that passed the tests before
- *     it.
- *   isfinite(b_3_1) != 0: held with each of 3068 sets of parameters that passed the tests before
- *     it.
+ *   PTC_FINITE_F64(b_1_1): held with each of 3068 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(b_2_1): held with each of 3068 sets of parameters that passed the tests
+ *     before it.
+ *   PTC_FINITE_F64(b_3_1): held with each of 3068 sets of parameters that passed the tests
+ *     before it.
  */
 #ifndef STAGE34_SELFTEST_H
 #define STAGE34_SELFTEST_H

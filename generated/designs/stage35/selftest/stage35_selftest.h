@@ -8,9 +8,9 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(control2) != 0: never false in 1084 calls.
- *   isfinite(control1) != 0: never true in 1084 calls.
- *   isfinite(control2) != 0: never true in 1084 calls.
+ *   PTC_FINITE_F64(control2): never false in 1084 calls.
+ *   PTC_FINITE_F64(control1): never true in 1084 calls.
+ *   PTC_FINITE_F64(control2): never true in 1084 calls.
  */
 #ifndef STAGE35_SELFTEST_H
 #define STAGE35_SELFTEST_H

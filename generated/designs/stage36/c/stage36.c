@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage36: see stage36.h. DO NOT EDIT. */
 #include "stage36.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage36_init(stage36 *self, const stage36_params *params)
 {
@@ -14,9 +42,9 @@ ptc_status stage36_init(stage36 *self, const stage36_params *params)
             && (0.0f < params->u_max)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F32(params->k[0])
+            && PTC_FINITE_F32(params->k[1])
+            && PTC_FINITE_F32(params->deadbeat)
             && (0.0f <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
@@ -26,10 +54,10 @@ ptc_status stage36_init(stage36 *self, const stage36_params *params)
             const float w1_2_1 = 50.0f * ((-0.5f) * (-(params->k[0] / (params->a * params->a))));
             const float w2_2_1 = 50.0f * (1.0f - (params->k[1] / params->a));
             const float u_max = params->u_max;
-            if ((isfinite(deadbeat_1) != 0)
-                && (isfinite(w1_1_1) != 0)
-                && (isfinite(w1_2_1) != 0)
-                && (isfinite(w2_2_1) != 0)) {
+            if (PTC_FINITE_F32(deadbeat_1)
+                && PTC_FINITE_F32(w1_1_1)
+                && PTC_FINITE_F32(w1_2_1)
+                && PTC_FINITE_F32(w2_2_1)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat_1 = deadbeat_1;
@@ -65,10 +93,10 @@ ptc_status stage36_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if ((isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)
-            && (isfinite(x[3]) != 0)) {
+        if (PTC_FINITE_F32(x[0])
+            && PTC_FINITE_F32(x[1])
+            && PTC_FINITE_F32(x[2])
+            && PTC_FINITE_F32(x[3])) {
             const uint32_t elapsed = k - self->start;
 
             /* The chain of each output as it is sampled. */
@@ -106,7 +134,7 @@ ptc_status stage36_step(
             } else {
                 status = PTC_HOLD;
             }
-            if ((isfinite(control1) != 0) && (isfinite(control2) != 0)) {
+            if (PTC_FINITE_F32(control1) && PTC_FINITE_F32(control2)) {
                 u[0] = control1;
                 axes[0] = status;
                 u[1] = control2;
@@ -135,13 +163,13 @@ ptc_status stage36_step(
                 }
             } else {
                 u[0] = 0.0f;
-                if (isfinite(control1) != 0) {
+                if (PTC_FINITE_F32(control1)) {
                     axes[0] = status;
                 } else {
                     axes[0] = PTC_E_RANGE;
                 }
                 u[1] = 0.0f;
-                if (isfinite(control2) != 0) {
+                if (PTC_FINITE_F32(control2)) {
                     axes[1] = status;
                 } else {
                     axes[1] = PTC_E_RANGE;
@@ -158,6 +186,11 @@ ptc_status stage36_step(
         if (u != NULL) {
             for (uint32_t i = 0U; i < 2U; i++) {
                 u[i] = 0.0f;
+            }
+        }
+        if (axes != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                axes[i] = PTC_E_INPUT;
             }
         }
     }

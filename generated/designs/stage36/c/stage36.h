@@ -44,6 +44,8 @@
  *       lasts.
  * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
  *       (status E_INPUT).
+ * Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -55,8 +57,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE36_H
-#define STAGE36_H
+#ifndef STAGE36_99BBC0DE_H
+#define STAGE36_99BBC0DE_H
 
 #include <stdint.h>
 

@@ -8,11 +8,11 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(w1_2_1) != 0: held with each of 3048 sets of parameters that passed the tests
+ *   PTC_FINITE_F32(w1_2_1): held with each of 3048 sets of parameters that passed the tests
  *     before it.
- *   isfinite(control2) != 0: never false in 5365 calls.
- *   isfinite(control1) != 0: never true in 5365 calls.
- *   isfinite(control2) != 0: never true in 5365 calls.
+ *   PTC_FINITE_F32(control2): never false in 5365 calls.
+ *   PTC_FINITE_F32(control1): never true in 5365 calls.
+ *   PTC_FINITE_F32(control2): never true in 5365 calls.
  */
 #ifndef STAGE36_SELFTEST_H
 #define STAGE36_SELFTEST_H

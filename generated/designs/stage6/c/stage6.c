@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage6: see stage6.h. DO NOT EDIT. */
 #include "stage6.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage6_init(stage6 *self, const stage6_params *params)
 {
@@ -12,10 +40,10 @@ ptc_status stage6_init(stage6 *self, const stage6_params *params)
     if ((self != NULL) && (params != NULL)) {
         if ((5U < params->samples)
             && (0.0 < params->u_max)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->k[1])
+            && PTC_FINITE_F64(params->k[2])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const double s1 = ((params->k[2] / 0.7) - 4.0) + 3.0;
@@ -30,13 +58,13 @@ ptc_status stage6_init(stage6 *self, const stage6_params *params)
             const double w2_3 = 500.0 * s4;
             const double w3_3 = 500.0 * (0.5 * (3.0 - (params->k[2] / 0.7)));
             const double u_max = params->u_max;
-            if ((isfinite(deadbeat) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w1_3) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(w2_3) != 0)
-                && (isfinite(w3_3) != 0)) {
+            if (PTC_FINITE_F64(deadbeat)
+                && PTC_FINITE_F64(w1_1)
+                && PTC_FINITE_F64(w1_2)
+                && PTC_FINITE_F64(w1_3)
+                && PTC_FINITE_F64(w2_2)
+                && PTC_FINITE_F64(w2_3)
+                && PTC_FINITE_F64(w3_3)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0;
@@ -77,7 +105,7 @@ ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if ((isfinite(y[0]) != 0) && (isfinite(y[1]) != 0)) {
+        if (PTC_FINITE_F64(y[0]) && PTC_FINITE_F64(y[1])) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -129,7 +157,7 @@ ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u)
                 v = s2 - 0.25;
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

@@ -8,13 +8,13 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(w1_2) != 0: held with each of 3044 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_2): held with each of 3044 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_3) != 0: held with each of 3044 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_3): held with each of 3044 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w2_3) != 0: held with each of 3044 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w2_3): held with each of 3044 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w3_3) != 0: held with each of 3044 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w3_3): held with each of 3044 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE6_SELFTEST_H

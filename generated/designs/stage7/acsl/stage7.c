@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage7: see stage7.h. DO NOT EDIT. */
 #include "stage7.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
 
 ptc_status stage7_init(stage7 *self, const stage7_params *params)
 {
@@ -21,11 +49,11 @@ ptc_status stage7_init(stage7 *self, const stage7_params *params)
             const float w1_1 = (-3.0f) * (1.0f / params->h);
             const float b_1 = -(1.0f / params->h);
             const float u_max = params->u_max;
-            if ((isfinite(q2_1) != 0)
-                && (isfinite(e1_2) != 0)
-                && (isfinite(e0_2) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(b_1) != 0)
+            if (PTC_FINITE_F32(q2_1)
+                && PTC_FINITE_F32(e1_2)
+                && PTC_FINITE_F32(e0_2)
+                && PTC_FINITE_F32(w1_1)
+                && PTC_FINITE_F32(b_1)
                 && (1e-30f <= params->h)
                 && (1e-30f <= 1.0f / params->h)) {
                 self->start = 0U;
@@ -109,7 +137,7 @@ ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u)
         v = (self->b_1 * x1) - d;
     }
     status = PTC_E_RANGE;
-    if (isfinite(v) != 0) {
+    if (PTC_FINITE_F32(v)) {
         float u_now;
         if (self->u_max < v) {
             u_now = self->u_max;

@@ -28,6 +28,8 @@
  * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
  *       lasts.
  * Guard none: finite measurements and valid pointers are the responsibility of the caller.
+ * Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -38,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_H
-#define STAGE7_H
+#ifndef STAGE7_9A29097A_H
+#define STAGE7_9A29097A_H
 
 #include <stdint.h>
 

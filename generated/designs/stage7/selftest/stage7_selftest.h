@@ -8,15 +8,15 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(q2_1) != 0: held with each of 3024 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(q2_1): held with each of 3024 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e1_2) != 0: held with each of 3024 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e1_2): held with each of 3024 sets of parameters that passed the tests before
  *     it.
- *   isfinite(e0_2) != 0: held with each of 3024 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(e0_2): held with each of 3024 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_1) != 0: held with each of 3024 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(w1_1): held with each of 3024 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_1) != 0: held with each of 3024 sets of parameters that passed the tests before
+ *   PTC_FINITE_F32(b_1): held with each of 3024 sets of parameters that passed the tests before
  *     it.
  *   1e-30f <= params->h: held with each of 3024 sets of parameters that passed the tests before
  *     it.

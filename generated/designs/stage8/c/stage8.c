@@ -1,8 +1,36 @@
 /* Prescribed-time controller stage8: see stage8.h. DO NOT EDIT. */
 #include "stage8.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage8_init(stage8 *self, const stage8_params *params)
 {
@@ -35,23 +63,19 @@ ptc_status stage8_step(const stage8 *self, uint32_t k, const double x[2], double
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+        if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             const uint32_t elapsed = k - self->start;
             const double x1 = x[0];
             const double x2 = x[1];
             const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
             const double m0 = ((double)left < 5.0) ? 5.0 : (double)left;
             double v;
-            if (1.5 < m0) {
-                /* The exact law in samples. */
-                const double z1 = ((-20000000.0) * x1) + (10000.0 * x2);
-                const double z2 = (-8000.0) * x2;
-                v = ((z1 / m0) + z2) / (m0 - 1.0);
-            } else {
-                /* Deadbeat. */
-                v = ((-1000000.0) * x1) - (1500.0 * x2);
-            }
-            if (isfinite(v) != 0) {
+
+            /* The exact law in samples. */
+            const double z1 = ((-20000000.0) * x1) + (10000.0 * x2);
+            const double z2 = (-8000.0) * x2;
+            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            if (PTC_FINITE_F64(v)) {
                 if (elapsed < 30U) {
                     if (3.0 < v) {
                         *u = 3.0;

@@ -28,15 +28,11 @@ x1 = x(1);
 x2 = x(2);
 left = uint32(30) - elapsed;
 m0 = pick(double(left) < 5.0, 5.0, double(left));
-if 1.5 < m0
-    % The exact law in samples.
-    z1 = ((-20000000.0) * x1) + (10000.0 * x2);
-    z2 = (-8000.0) * x2;
-    v = ((z1 / m0) + z2) / (m0 - 1.0);
-else
-    % Deadbeat.
-    v = ((-1000000.0) * x1) - (1500.0 * x2);
-end
+
+% The exact law in samples.
+z1 = ((-20000000.0) * x1) + (10000.0 * x2);
+z2 = (-8000.0) * x2;
+v = ((z1 / m0) + z2) / (m0 - 1.0);
 if isfinite(v)
     if elapsed < uint32(30)
         if 3.0 < v

@@ -26,6 +26,8 @@ From sample N on u = 0 (status AFTER).
 |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
       lasts.
 Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
@@ -117,14 +119,11 @@ class Stage8:
             x2 = x[1]
             left = max(30 - elapsed, 0)
             m0 = max(_R(left), _R(5.0))
-            if 1.5 < m0:
-                # The exact law in samples.
-                z1 = ((-20000000.0) * x1) + (10000.0 * x2)
-                z2 = (-8000.0) * x2
-                v = ((z1 / m0) + z2) / (m0 - 1.0)
-            else:
-                # Deadbeat.
-                v = ((-1000000.0) * x1) - (1500.0 * x2)
+
+            # The exact law in samples.
+            z1 = ((-20000000.0) * x1) + (10000.0 * x2)
+            z2 = (-8000.0) * x2
+            v = ((z1 / m0) + z2) / (m0 - 1.0)
             if np.isfinite(v):
                 if elapsed < 30:
                     if 3.0 < v:

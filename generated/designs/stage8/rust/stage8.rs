@@ -26,6 +26,8 @@
 //! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
 //!       lasts.
 //! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
@@ -156,15 +158,11 @@ impl Stage8 {
             left as f64
         };
         let v: f64;
-        if 1.5 < m0 {
-            // The exact law in samples.
-            let z1 = ((-20000000.0) * x1) + (10000.0 * x2);
-            let z2 = (-8000.0) * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
-        } else {
-            // Deadbeat.
-            v = ((-1000000.0) * x1) - (1500.0 * x2);
-        }
+
+        // The exact law in samples.
+        let z1 = ((-20000000.0) * x1) + (10000.0 * x2);
+        let z2 = (-8000.0) * x2;
+        v = ((z1 / m0) + z2) / (m0 - 1.0);
         let (u, status) = if v.is_finite() {
             if elapsed < 30 {
                 if 3.0 < v {

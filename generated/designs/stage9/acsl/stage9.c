@@ -1,9 +1,37 @@
 /* Prescribed-time controller stage9: see stage9.h. DO NOT EDIT. */
 #include "stage9.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F64)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F64(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F64(x) (fabs(x) <= DBL_MAX)
+#endif
+#endif
 
 ptc_status stage9_init(stage9 *self, const stage9_params *params)
 {
@@ -13,11 +41,11 @@ ptc_status stage9_init(stage9 *self, const stage9_params *params)
         if ((7U < params->samples)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (isfinite(params->k[0]) != 0)
-            && (isfinite(params->k[1]) != 0)
-            && (isfinite(params->k[2]) != 0)
-            && (isfinite(params->k[3]) != 0)
-            && (isfinite(params->deadbeat) != 0)
+            && PTC_FINITE_F64(params->k[0])
+            && PTC_FINITE_F64(params->k[1])
+            && PTC_FINITE_F64(params->k[2])
+            && PTC_FINITE_F64(params->k[3])
+            && PTC_FINITE_F64(params->deadbeat)
             && (0.0 <= params->deadbeat)) {
             const uint32_t samples = params->samples;
             const double phi1_2 = params->h;
@@ -40,23 +68,23 @@ ptc_status stage9_init(stage9 *self, const stage9_params *params)
             const double b_1 = -(1.0 / (params->h * params->h * params->h));
             const double b_2 = (-3.0) * (1.0 / (params->h * params->h));
             const double b_3 = (-4.333333333333333) * (1.0 / params->h);
-            if ((isfinite(phi1_3) != 0)
-                && (isfinite(gamma1) != 0)
-                && (isfinite(hold_o) != 0)
-                && (isfinite(q2_1) != 0)
-                && (isfinite(q2_2) != 0)
-                && (isfinite(q3_1) != 0)
-                && (isfinite(hold) != 0)
-                && (isfinite(w1_1) != 0)
-                && (isfinite(w1_2) != 0)
-                && (isfinite(w1_3) != 0)
-                && (isfinite(w2_2) != 0)
-                && (isfinite(w2_3) != 0)
-                && (isfinite(w3_3) != 0)
-                && (isfinite(w4_4) != 0)
-                && (isfinite(b_1) != 0)
-                && (isfinite(b_2) != 0)
-                && (isfinite(b_3) != 0)
+            if (PTC_FINITE_F64(phi1_3)
+                && PTC_FINITE_F64(gamma1)
+                && PTC_FINITE_F64(hold_o)
+                && PTC_FINITE_F64(q2_1)
+                && PTC_FINITE_F64(q2_2)
+                && PTC_FINITE_F64(q3_1)
+                && PTC_FINITE_F64(hold)
+                && PTC_FINITE_F64(w1_1)
+                && PTC_FINITE_F64(w1_2)
+                && PTC_FINITE_F64(w1_3)
+                && PTC_FINITE_F64(w2_2)
+                && PTC_FINITE_F64(w2_3)
+                && PTC_FINITE_F64(w3_3)
+                && PTC_FINITE_F64(w4_4)
+                && PTC_FINITE_F64(b_1)
+                && PTC_FINITE_F64(b_2)
+                && PTC_FINITE_F64(b_3)
                 && (1e-200 <= params->h * params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h * params->h))
                 && (3.0 <= hold_o)) {
@@ -112,7 +140,7 @@ ptc_status stage9_step(stage9 *self, uint32_t k, const double y[1], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (y != NULL) && (u != NULL)) {
-        if (isfinite(y[0]) != 0) {
+        if (PTC_FINITE_F64(y[0])) {
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
@@ -163,7 +191,7 @@ ptc_status stage9_step(stage9 *self, uint32_t k, const double y[1], double *u)
                 v = s4 - (3.0 * self->u1);
             }
             status = PTC_E_RANGE;
-            if (isfinite(v) != 0) {
+            if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (1000.0 < v) {
                     u_now = 1000.0;

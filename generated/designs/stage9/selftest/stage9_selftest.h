@@ -8,31 +8,31 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(phi1_3) != 0: held with each of 3056 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(phi1_3): held with each of 3056 sets of parameters that passed the tests
  *     before it.
- *   isfinite(hold_o) != 0: held with each of 3056 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(hold_o): held with each of 3056 sets of parameters that passed the tests
  *     before it.
- *   isfinite(q2_1) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q2_1): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q2_2) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q2_2): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(q3_1) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(q3_1): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(hold) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(hold): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_2) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_2): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w1_3) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w1_3): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w2_3) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w2_3): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(w4_4) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(w4_4): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_1) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_1): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_2) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_2): held with each of 3056 sets of parameters that passed the tests before
  *     it.
- *   isfinite(b_3) != 0: held with each of 3056 sets of parameters that passed the tests before
+ *   PTC_FINITE_F64(b_3): held with each of 3056 sets of parameters that passed the tests before
  *     it.
  */
 #ifndef STAGE9_SELFTEST_H

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ed37a101-41b0-9d53-5e5e-c454f61472b3}"
+#define TOKEN "{ca901e30-8dad-e416-92ea-fc0853ae4b92}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -41,7 +41,8 @@ typedef struct State {
     int status;
     double time;
     int armed; /* the controller has the parameters in params */
-    int fresh; /* the outputs are those of time, x and params */
+    int fresh; /* the outputs are those of sample, x and params, or held */
+    int held; /* the outputs are those of the sample that the last step ended */
     enum phase phase;
 } State;
 
@@ -164,8 +165,8 @@ static int arm(Instance *instance)
     return 1;
 }
 
-/* Brings the outputs to sample, measurement and parameters as they are. A step may change the
- * controller, which counts once the sample is over. */
+/* Brings the outputs to sample, measurement and parameters as they are. The controller is changed
+ * by advance alone, which ends the sample. */
 static int evaluate(Instance *instance)
 {
     State *state = &instance->state;
@@ -188,6 +189,7 @@ static int evaluate(Instance *instance)
     state->time_to_go = 0.01f * (float)((state->k < samples) ? samples - state->k : 0u);
     state->status = (int)status;
     state->fresh = 1;
+    state->held = 0;
     return 1;
 }
 
@@ -196,11 +198,14 @@ static int end_initialization(Instance *instance)
     instance->state.phase = STEPPING;
     instance->state.armed = 0;
     instance->state.fresh = 0;
+    instance->state.held = 0;
     instance->state.k = 0u;
     return evaluate(instance);
 }
 
-/* Ends the sample whose u the importer may have read, and begins the next. */
+/* Ends the sample, with the u that the importer has read or else computes now, and begins the next.
+ * The outputs are held until an input is set: an importer that reads u after the step reads the u
+ * of the sample that has ended, which the controller remembers. */
 static int advance(Instance *instance, double from, double by)
 {
     State *state = &instance->state;
@@ -214,13 +219,16 @@ static int advance(Instance *instance, double from, double by)
         tell(instance, "a step of %g s from time %g s on is not legal: the sample period, %g s", by, from, period);
         return 0;
     }
+    if (state->held) {
+        state->fresh = 0; /* no input was set since the last step */
+    }
     if (!evaluate(instance)) {
         return 0;
     }
     state->controller = state->next;
     state->k++;
     state->time = from + by;
-    state->fresh = 0;
+    state->held = 1;
     return 1;
 }
 
