@@ -117,6 +117,16 @@ class Design:
         """The flags with which ``ptc-codegen emit`` makes the same controller."""
         return self._own.command
 
+    @property
+    def fingerprint(self) -> str:
+        """Fingerprint of the resolved design, as in the head of its emitted files."""
+        return self._own.fingerprint()
+
+    @property
+    def chosen(self) -> dict[str, tuple[str, str]]:
+        """Values that the design leaves open and the checks choose, each with the reason."""
+        return {key: (value, reason) for key, value, reason in self._own.chosen()}
+
     def __repr__(self) -> str:
         return f"<ptc.Design {self.name}: {self.flags}>"
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use ptc_codegen::Accepted;
 use ptc_codegen::check::examine::examine;
+use ptc_codegen::check::resolved::{Choice, Resolved};
 use ptc_codegen::design::{self, UNREADABLE, canonical, load, overrides};
 use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place};
 use ptc_codegen::emit::Language;
@@ -70,6 +71,19 @@ impl Design {
     #[getter]
     fn command(&self) -> String {
         self.spec.command()
+    }
+
+    /// The fingerprint of the resolved design.
+    fn fingerprint(&self, py: Python<'_>) -> PyResult<String> {
+        let resolved = py.detach(|| guarded(|| Resolved::of(&self.spec)));
+        Ok(resolved.map_err(|fault| internal(&fault))?.spec.fingerprint())
+    }
+
+    /// The values that were open and are chosen, as (key, value, reason).
+    fn chosen(&self, py: Python<'_>) -> PyResult<Vec<(&'static str, String, String)>> {
+        let resolved = py.detach(|| guarded(|| Resolved::of(&self.spec)));
+        let choices = resolved.map_err(|fault| internal(&fault))?.choices;
+        Ok(choices.into_iter().map(|Choice { key, value, reason }| (key, value, reason)).collect())
     }
 
     /// The names of the states of the plant.

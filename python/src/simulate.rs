@@ -1,6 +1,7 @@
 //! One closed loop of a design with its plant.
 
-use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::check::examine::{Report, examine_resolved};
+use ptc_codegen::check::resolved::Resolved;
 use ptc_codegen::internal::guarded;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::{self, Plant};
@@ -98,23 +99,27 @@ pub(crate) fn simulate<'py>(
     let spec = &design.spec;
     let knows = spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
     knows.map_err(|found| design.wrong(py, found))?;
-    let (spec, plant) = plant::as_one(spec.clone(), design.plant.clone());
+    // The emitted controller, with what the checks choose where the design leaves it open.
+    let resolved = py.detach(|| guarded(|| Resolved::of(spec))).map_err(|fault| internal(&fault))?;
+    let (spec, plant) = plant::as_one(resolved.spec.clone(), design.plant.clone());
     let spec = &spec;
     let plant = plant.unwrap_or_else(|| Plant::own(spec));
     let wrong = |message: String, help: &str| mistake(py, "bad-value", message, help.to_owned());
-    let around = around((design, spec), (seed, until, arm_at), &wrong)?;
+    let between = at.is_some() && !design.gives("sample_time");
+    let around = around((spec, between), (seed, until, arm_at), &wrong)?;
     if let (Some(_), Some(_)) = (&at, &around) {
         let help = "the sampled loop reports every sample: leave `at` out";
         return Err(wrong("`at` gives instants between the samples".to_owned(), help));
     }
     let asked = asked(spec, (x0, at.as_deref()), &wrong)?;
-    // The checks of the emitted controller set eps where a sample period or an error is promised.
     let emitted = around.is_some() || spec.has_model();
     let report = match emitted {
-        true => Some(py.detach(|| guarded(|| examine(spec))).map_err(|fault| internal(&fault))?),
+        true => {
+            let report = py.detach(|| guarded(|| examine_resolved(resolved, None)));
+            Some(report.map_err(|fault| internal(&fault))?)
+        }
         false => None,
     };
-    let spec = report.as_ref().map_or(spec, |report| &report.spec);
     let values = Values::of(spec, &plant);
     let missing = values.missing(spec, &plant, emitted);
     if !missing.is_empty() {
@@ -146,11 +151,11 @@ pub(crate) fn simulate<'py>(
 
 /// The sampled loop, if a run of the design is one.
 fn around(
-    (design, spec): (&Design, &Spec),
+    (spec, between): (&Spec, bool),
     (seed, until, arm_at): (u64, Option<f64>, Vec<f64>),
     wrong: &dyn Fn(String, &str) -> PyErr,
 ) -> PyResult<Option<Loop>> {
-    let Some(asked) = Loop::asked(spec, design.gives("sample_time")) else {
+    let Some(asked) = Loop::asked(spec, between) else {
         if until.is_some() || !arm_at.is_empty() {
             let help = "give `Design` a sample_time, or a clock in samples: the law itself ends at the deadline, where its gains are infinite";
             return Err(wrong("`until` and `arm_at` need the sampled loop".to_owned(), help));

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::accepted::Accepted;
 use crate::check::Outcome;
 use crate::check::examine::{Report, examine_expanded};
+use crate::check::resolved::Choice;
 use crate::check::sampled::{Bound, Margins, Worst, margins};
 use clap::Args;
 use serde_json::json;
@@ -18,7 +19,10 @@ pub(crate) const EXAMPLES: &str = "\
 Checks with missing values are skipped, and the report names these values. An undecided check that
 --allow does not name does not refuse the design, but the exit code is 3.
 
-JSON: {\"name\":\"...\",\"command\":\"...\",\"accepted\":true,\"undecided\":[],
+The fingerprint names the design with all that was chosen; verdicts, reports and emitted files of one
+controller show the same.
+
+JSON: {\"name\":\"...\",\"command\":\"...\",\"fingerprint\":\"...\",\"chosen\":[...],\"accepted\":true,\"undecided\":[],
 \"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",\"verdict\":\"sound\",\"summary\":\"...\",
 \"details\":[...],\"fix\":null},...]}; a verdict is sound, unsound, refuted, undecided or not checked.
 
@@ -78,6 +82,10 @@ fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
         None => format!("order n = {}", spec.n),
     };
     let mut out = format!("{}: {order}, {}\n", spec.name(), spec.command());
+    let _ = writeln!(out, "\ndesign      {}", spec.fingerprint());
+    for choice in &report.choices {
+        let _ = writeln!(out, "            - {choice}");
+    }
     for outcome in &report.outcomes {
         let verdict = outcome.verdict.text();
         let _ = writeln!(out, "\n{:<11} {verdict}: {}", outcome.name, outcome.summary);
@@ -140,6 +148,11 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
     })
 }
 
+/// A value that was chosen.
+pub(crate) fn chosen(choice: &Choice) -> serde_json::Value {
+    json!({ "key": choice.key, "value": choice.value, "reason": choice.reason })
+}
+
 fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> String {
     let checks: Vec<_> = report
         .outcomes
@@ -161,6 +174,8 @@ fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
     let mut design = json!({
         "name": report.spec.name(),
         "command": report.spec.command(),
+        "fingerprint": report.spec.fingerprint(),
+        "chosen": report.choices.iter().map(chosen).collect::<Vec<_>>(),
         "accepted": !refused,
         "undecided": report.undecided().map(|outcome| outcome.name).collect::<Vec<_>>(),
         "not_looked_at": report.unseen(),

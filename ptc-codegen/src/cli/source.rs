@@ -95,8 +95,22 @@ impl Source {
         self.given.push(Flag { key, name: flag.to_owned(), text: text.to_owned(), value });
     }
 
+    /// The design file with what the flags give in it, and `more` beside.
+    pub(crate) fn completed(&self, more: Vec<design::Line>) -> String {
+        let flag = |flag: &Flag| design::Line {
+            key: flag.key.clone(),
+            // A switch has no value.
+            value: Some(&flag.text[flag.value..])
+                .filter(|text| !text.is_empty())
+                .unwrap_or("true")
+                .to_owned(),
+            comment: "from the command line".to_owned(),
+        };
+        let lines: Vec<_> = self.given.iter().map(flag).chain(more).collect();
+        design::completed(self.text().unwrap_or_default(), &lines)
+    }
+
     /// The text of the design file, if there is one.
-    #[cfg(feature = "lab")]
     pub(crate) fn text(&self) -> Option<&str> {
         self.file.as_ref().map(|(_, text)| text.as_str())
     }

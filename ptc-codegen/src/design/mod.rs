@@ -12,6 +12,7 @@
 //! An entry's key is the dotted key of TOML: `gains`, `envelope.x_max`. Numbers keep the digits
 //! of the file; text is what it would be on the command line.
 
+mod completed;
 mod file;
 mod mistakes;
 mod over;
@@ -21,6 +22,7 @@ mod statement;
 mod template;
 mod value;
 
+pub use completed::{Line, completed};
 pub use file::load;
 pub use mistakes::{explains_missing, mistakes, root};
 pub use over::overrides;

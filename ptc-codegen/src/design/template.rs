@@ -52,6 +52,19 @@ fn entry(info: &KeyInfo, name: Option<&str>) -> String {
     format!("\n# {meaning}\n# legal: {legal}\n{comment}{key} = {value}\n")
 }
 
+/// A value on the command line as TOML writes it: a text in quotes means what it means there.
+pub(super) fn literal(info: Option<&KeyInfo>, text: &str) -> String {
+    match info {
+        Some(info) if !text.starts_with(['[', '{']) => value(info, text),
+        _ if number(text).is_some() => text.to_owned(),
+        _ => quoted(text),
+    }
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
 /// A value of a key on the command line as TOML writes it.
 pub(super) fn value(info: &KeyInfo, text: &str) -> String {
     let is_number = |text: &str| text == "inf" || number(text).is_some();
@@ -65,5 +78,5 @@ pub(super) fn value(info: &KeyInfo, text: &str) -> String {
     if items.len() > 1 && items.iter().all(|item| is_number(item)) {
         return format!("[{}]", items.join(", "));
     }
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+    quoted(text)
 }

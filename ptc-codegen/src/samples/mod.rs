@@ -16,6 +16,8 @@ mod estimates;
 mod feedback;
 mod inputs;
 mod model;
+#[cfg(feature = "files")]
+mod numbers;
 mod observer;
 mod predicted;
 mod reference;
@@ -24,3 +26,5 @@ mod staged;
 mod start;
 
 pub use controller::controller;
+#[cfg(feature = "files")]
+pub use numbers::Numbers;

@@ -9,10 +9,11 @@ use crate::request::Spec;
 
 impl Loop {
     /// The key for which a run of a design is that of the sampled loop; `None` where the law acts at
-    /// every instant. `sampled`: whether a sample period is given for the run itself: one in the
-    /// design alone is that of the checks.
-    pub fn asked(spec: &Spec, sampled: bool) -> Option<&'static str> {
+    /// every instant. `between`: whether instants between the samples are asked for, and no period for the run
+    /// itself: one in the design alone is then that of the checks.
+    pub fn asked(spec: &Spec, between: bool) -> Option<&'static str> {
         let promises = &spec.promises;
+        let sampled = promises.sample_time.is_some() && !between;
         let disturbed = [
             (!promises.noise.is_empty(), "noise"),
             (!promises.noise_rms.is_empty(), "noise_rms"),

@@ -5,7 +5,7 @@ use super::method::State;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
 use super::{Controller, Failure, Sample, Values};
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::plant::Plant;
 use crate::request::Spec;
 
@@ -16,6 +16,8 @@ use crate::request::Spec;
 #[derive(Clone, Debug)]
 pub struct Direct {
     controller: Controller,
+    /// The program that is emitted in f32: integrated in f64, it has to accept every instant that is looked at.
+    emitted: Option<Controller>,
     motion: Motion,
 }
 
@@ -28,15 +30,21 @@ impl Direct {
         // No run comes near a bound that is infinite.
         let mut spec = spec.clone();
         spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
+        let emitted = (spec.precision == Precision::F32).then(|| Controller::new(&spec));
+        let emitted = emitted.transpose()?;
+        spec.precision = Precision::F64;
         let controller = Controller::new(&spec)?;
-        Ok(Run::of(Self { controller, motion: Motion::new(&spec, plant) }))
+        Ok(Run::of(Self { controller, emitted, motion: Motion::new(&spec, plant) }))
     }
 }
 
 impl Run<Direct> {
     /// The same for many scenarios at once, where the loop is smooth and u within its bound.
     pub fn in_lanes(&self) -> Option<DirectLanes> {
-        let Direct { controller, motion } = self.side();
+        let Direct { controller, motion, emitted } = self.side();
+        if emitted.is_some() {
+            return None;
+        }
         DirectLanes::of(controller, controller.program(), motion.program())
     }
 }
@@ -44,6 +52,9 @@ impl Run<Direct> {
 impl Side for Direct {
     fn start(&mut self, values: &Values, x0: &[f64]) -> Result<State, Failure> {
         self.controller.init(values, x0)?;
+        if let Some(emitted) = &mut self.emitted {
+            emitted.init(values, x0)?;
+        }
         self.motion.init(values, x0)?;
         let mut start = State::zeros();
         start.as_mut_slice()[..self.order()].copy_from_slice(x0);
@@ -79,7 +90,7 @@ impl Side for Direct {
 
     fn tell(&mut self, At { t, time_to_go }: At, x: &State, visit: &mut dyn FnMut(Sample<'_>)) {
         let x = &x.as_slice()[..self.order()];
-        let (_, status) = self.controller.step(t, x);
+        let (_, status) = self.emitted.as_mut().unwrap_or(&mut self.controller).step(t, x);
         let u = self.controller.held(t, x);
         let (stretched, integrals) = (f64::NAN, &[][..]);
         visit(Sample { t, time_to_go, stretched, x, measured: x, u, integrals, status });

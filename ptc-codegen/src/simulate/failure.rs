@@ -48,6 +48,13 @@ impl Failure {
         Self::of(Cause::Range, message, help)
     }
 
+    /// A call that the emitted program refuses.
+    pub(crate) fn refused(status: &str, t: f64) -> Self {
+        let message = format!("step returns {status} and u = 0, at t = {t} s");
+        let help = "a number on the way to u leaves the range of the precision: take f64, smaller gains or other units";
+        Self { at: Some(t), ..Self::of(Cause::Range, message, help) }
+    }
+
     /// A start at which `arm` computes a number out of range.
     pub(super) fn not_armed(start: f64) -> Self {
         Self::input(

@@ -3,10 +3,11 @@
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::{
-    Accuracy, Cause, Continuous, Direct, Failure, Loop, Run, Sample, Sampled, Side, Values, grid,
+    Accuracy, Cause, Continuous, Controller, Direct, Failure, Loop, Run, Sample, Sampled, Side,
+    Values, grid,
 };
 use crate::algebra::BigRational;
-use crate::parameter::Parameter;
+use crate::parameter::{Parameter, Precision};
 use crate::plant::Plant;
 use crate::reference::Status;
 use crate::request::Spec;
@@ -82,10 +83,25 @@ pub fn continuous(
     take: &mut dyn FnMut(Row),
 ) -> Result<(), Failure> {
     if spec.has_model() {
-        along(Direct::of(spec, plant), values, asked, take)
-    } else {
-        along(Continuous::of(spec, plant), values, asked, take)
+        return along(Direct::of(spec, plant), values, asked, take);
     }
+    let run = Continuous::of(spec, plant);
+    let [eps, tau, t0] =
+        [Parameter::Eps, Parameter::Tau, Parameter::StartTime].map(|p| values.get(p));
+    if spec.precision == Precision::F64 || !eps.is_finite() {
+        return along(run, values, asked, take);
+    }
+    // Up to where it holds its gains the emitted program says what u is, and whether it accepts the state.
+    let mut controller = Controller::new(spec)?;
+    controller.init(values, &asked.x0)?;
+    along(run, values, asked, &mut |mut row| {
+        if t0 + tau - row.t > eps {
+            let (u, status) = controller.step(row.t, &row.x);
+            row.u.copy_from_slice(u);
+            row.status = status;
+        }
+        take(row);
+    })
 }
 
 /// A run in which the control acts at every instant.

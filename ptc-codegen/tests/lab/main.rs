@@ -22,6 +22,7 @@ mod loop_of_several;
 mod looped;
 mod margins;
 mod models;
+mod one_design;
 mod references;
 mod report;
 mod reproductions;

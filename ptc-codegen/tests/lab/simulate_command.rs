@@ -17,8 +17,12 @@ fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     support::told(&mut simulate(folder, arguments))
 }
 
+/// The CSV of a run that succeeds, and prints at most what was chosen for it.
 fn stdout(folder: &Path, arguments: &[&str]) -> String {
-    support::stdout(&mut simulate(folder, arguments))
+    let (code, out, told) = run(folder, arguments);
+    let chosen = |line: &str| line.starts_with("note: design ") && line.contains(", chosen: ");
+    assert!(code == Some(0) && told.lines().all(chosen), "{arguments:?}: {told}");
+    out
 }
 
 /// A folder of a test's own that holds `stage.toml`.
@@ -334,7 +338,7 @@ fn without_a_plant_it_is_the_chain_of_integrators() {
     assert_eq!(out, stdout(&folder, &[&["stage.toml"], &asked[..]].concat()));
     let single = [&["stage.toml", "--precision=f32"], &asked[..]].concat();
     let (_, same, told) = run(&folder, &single);
-    assert!(told.contains("is computed in f64") && same == out, "{told}");
+    assert!(told.contains("is integrated in f64") && same == out, "{told}");
     let (_, _, told) = run(&folder, &[&single[..], &["--sample-time=0.01"]].concat());
     assert!(!told.contains("f64"), "{told}");
 }

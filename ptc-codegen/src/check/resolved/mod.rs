@@ -9,6 +9,8 @@ mod in_time;
 
 pub(super) use axes::alone;
 
+use std::fmt;
+
 use super::Outcome;
 use super::examine::Numbers;
 use super::sampled::{Loop, Worst};
@@ -25,6 +27,19 @@ pub struct Choice {
     pub value: String,
     /// Why it is chosen.
     pub reason: String,
+}
+
+impl Choice {
+    /// The value with its reason.
+    pub fn told(&self) -> String {
+        format!("{} = {}: {}", self.key, self.value, self.reason)
+    }
+}
+
+impl fmt::Display for Choice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "chosen: {}", self.told())
+    }
 }
 
 /// A design with every value that the checks choose.
@@ -94,6 +109,5 @@ fn best_eps(spec: &Spec, expanded: Option<&Expanded>) -> Result<(Fixed, String),
     }
     let best = Loop::new(spec, expanded)?.best_eps(&Numbers::new(spec, expanded));
     let eps = best.ok_or_else(|| "the loop has no bound with any of them".to_owned())?;
-    let of = if spec.promises.error.is_empty() { "" } else { ", relative to `error`," };
-    Ok((eps, format!("the worst |x| at the deadline{of} is smallest with it")))
+    Ok((eps, "the worst |x| at the deadline is smallest with it".to_owned()))
 }

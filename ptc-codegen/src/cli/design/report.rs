@@ -16,6 +16,7 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
     } else {
         format!("{name}: {}, after {}\n", probe.choice, counted(&tries, "try"))
     };
+    text.push_str(&format!("design {}\n", campaign.design.spec.fingerprint()));
     let all = campaign.objectives.iter().zip(&found.worst).zip(&found.verdicts);
     let mut draws = None;
     for (number, ((objective, (excess, _)), verdict)) in (1..).zip(all) {

@@ -70,6 +70,10 @@ pub(crate) struct Emit {
     /// State the cost of one step in the head of the files, from a table of `cargo assure cost`
     #[arg(long, value_name = "FILE", conflicts_with_all = ["dump", "acsl"])]
     pub(crate) cost: Option<PathBuf>,
+    /// Also write the resolved design: the design file with what flags give and what the checks chose, which
+    /// emits the same files
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["dump", "check", "engine"])]
+    pub(crate) resolved: Option<PathBuf>,
     /// Print the program after PASS instead of any source (lower: before the first)
     #[arg(long, value_name = "PASS", value_parser = pass_names())]
     pub(crate) dump: Option<String>,

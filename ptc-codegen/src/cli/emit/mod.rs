@@ -5,11 +5,15 @@ mod args;
 use std::path::Path;
 
 use crate::accepted::Accepted;
-use crate::check::examine::examine_expanded;
+use crate::check::examine::examine_resolved;
+use crate::check::resolved::{Choice, Resolved};
 use crate::controller::measured::Measured;
-use crate::diagnostic::Diagnostic;
+use crate::design::{self, Line};
+use crate::diagnostic::{Diagnostic, Place};
 use crate::emit::{File, Language, Project};
 use crate::expansion::Expanded;
+use crate::internal::fault;
+use crate::plant;
 use crate::request::Spec;
 
 pub(crate) use args::{EXAMPLES, Emit};
@@ -21,6 +25,7 @@ use super::progress::checking;
 use super::project as folder;
 use super::read;
 use super::report::Failure;
+use super::source::Source;
 use super::write;
 
 /// Runs `emit`.
@@ -35,6 +40,8 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         // What can be no folder is found before the work.
         outputs.folder("--out", out)?;
     }
+    let to =
+        request.resolved.as_deref().map(|path| outputs.file("--resolved", path)).transpose()?;
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let mut spec = given.read()?;
@@ -43,20 +50,45 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     if let Some(program) = request.dump.as_deref().and_then(dump) {
         return write::to_stdout(&program);
     }
+    let design = checking(|| Resolved::expanded(&spec, expanded.as_ref()));
+    let text = to.is_some().then(|| resolved(&source, &design)).transpose()?;
     match request.project {
-        Some(kind) => match project(&spec, expanded, kind) {
+        Some(kind) => match project(design, expanded, kind) {
             Ok(files) => make(request, &mut outputs, &spec.name(), &files),
             Err(found) => given.finish(None, found),
         },
         None => {
             // The grammar requires one of the two.
             let language = request.lang.unwrap_or(Language::C);
-            let measured = measured(request.cost.as_deref(), &spec)?;
-            match sources(request, (&spec, expanded), language, &measured) {
+            let measured = measured(request.cost.as_deref(), &design.spec)?;
+            match sources(request, (design, expanded), language, &measured) {
                 Ok(files) => place(request, &mut outputs, (&spec.name(), language), &files),
                 Err(found) => given.finish(None, found),
             }
         }
+    }?;
+    if let (Some(to), Some(text)) = (to, text) {
+        write::to_stdout(&output::write(&[(to, text.as_bytes())])?)?;
+    }
+    Ok(())
+}
+
+/// The design file of a resolved design.
+fn resolved(source: &Source, design: &Resolved) -> Result<String, Failure> {
+    let fingerprint = design.spec.fingerprint();
+    let line = |choice: &Choice| Line {
+        key: choice.key.to_owned(),
+        value: choice.value.clone(),
+        comment: format!("chosen: {}", choice.reason),
+    };
+    let text = source.completed(design.choices.iter().map(line).collect());
+    let (entries, found) = design::read(&text, &mut |_| Place(usize::MAX));
+    let again = plant::read_design(&entries).ok().filter(|_| found.is_empty());
+    match again.map(|(spec, _)| Resolved::of(&spec)) {
+        Some(again) if again.choices.is_empty() && again.spec.fingerprint() == fingerprint => {
+            Ok(text)
+        }
+        _ => fault("the resolved design is not read back"),
     }
 }
 
@@ -83,23 +115,23 @@ fn beside_c(request: &Emit) -> Result<(), Failure> {
 
 /// The files of a project.
 fn project(
-    spec: &Spec,
+    design: Resolved,
     expanded: Option<Expanded>,
     kind: Project,
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
     // What cannot stand alone is not checked first.
-    kind.accepts(spec)?;
-    Accepted::of(checking(|| examine_expanded(spec, expanded)))?.project(kind)
+    kind.accepts(&design.spec)?;
+    Accepted::of(checking(|| examine_resolved(design, expanded)))?.project(kind)
 }
 
 /// The files of a language, and what goes with them by flags.
 fn sources(
     request: &Emit,
-    (spec, expanded): (&Spec, Option<Expanded>),
+    (design, expanded): (Resolved, Option<Expanded>),
     language: Language,
     measured: &[Measured],
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let accepted = Accepted::of(checking(|| examine_expanded(spec, expanded)))?;
+    let accepted = Accepted::of(checking(|| examine_resolved(design, expanded)))?;
     let mut files = match request.acsl {
         true => accepted.files_with_proof()?,
         false => accepted.files(language, measured)?,

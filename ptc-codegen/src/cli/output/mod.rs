@@ -67,7 +67,6 @@ impl Outputs {
     ///
     /// # Errors
     /// It cannot be written, is read by the command, or another output goes there.
-    #[cfg(feature = "lab")]
     pub(crate) fn file(&mut self, name: &str, path: &Path) -> Result<Place, Failure> {
         let place = self.claim(name, path)?;
         match place.kind {

@@ -1,5 +1,6 @@
 //! What a design is, in tables, and the command that runs it again.
 
+use crate::check::examine::Report;
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
@@ -22,7 +23,8 @@ pub(super) struct Known {
 }
 
 /// The design in a few lines.
-pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
+pub(super) fn facts(report: &Report) -> Vec<Fact> {
+    let spec = &report.spec;
     let law = match &spec.feedback {
         Feedback::Linear => "pi0 = -(k1*xi1 + ... + kn*xin)".to_owned(),
         Feedback::Expression(_) => {
@@ -51,7 +53,8 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         None => e.to_string(),
     };
     let gain = spec.input_gain.as_ref().map_or("1".to_owned(), of_plant);
-    let mut facts = vec![fact("name", spec.name())];
+    let mut facts = vec![fact("name", spec.name()), fact("fingerprint", spec.fingerprint())];
+    facts.extend(report.choices.iter().map(|choice| fact("chosen", choice.told())));
     match &spec.coupled {
         Some(coupled) => facts.extend([
             fact("plant", coupled.order_text()),

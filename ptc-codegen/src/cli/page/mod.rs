@@ -151,11 +151,11 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
     };
     let page = Page {
         title: format!("{}: {}", spec.name(), section.title.to_lowercase()),
-        facts: design::facts(&report.spec),
+        facts: design::facts(report),
         known: design::known(&report.spec, plant),
         command,
         design: source.text().map(|text| (design::file(spec), text)),
-        groups: formulas::groups(&report.spec, plant)?,
+        groups: formulas::groups(report, plant)?,
         refusals: report.refusals().map(|outcome| outcome.name).collect(),
         budget: budget::bars(report),
         worst: worst::drawn(report)?,

@@ -62,10 +62,10 @@ fn instants(at: &List<'_>) -> Result<Vec<(f64, f64)>, Failure> {
     at.items.iter().map(share).collect()
 }
 
-/// The sampled loop, if any of its flags is given.
+/// The sampled loop, if the design or a flag gives what it needs.
 fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
-    let given = request.spec.0.gives("sample_time");
-    let Some(asked) = Loop::asked(spec, given) else { return Ok(None) };
+    let between = request.at.is_some() && !request.spec.0.gives("sample_time");
+    let Some(asked) = Loop::asked(spec, between) else { return Ok(None) };
     let Some(around) = Loop::of(spec) else {
         return Err(Failure::because(
             format!("`{asked}` needs the sampled loop, which has no sample period"),

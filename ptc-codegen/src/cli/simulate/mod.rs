@@ -9,15 +9,18 @@ mod page;
 mod picture;
 mod run;
 
+use crate::check::resolved::{Choice, Resolved};
 use crate::parameter::Precision;
 use crate::plant::{self, Plant};
 pub(crate) use args::{EXAMPLES, Simulate};
 use csv::Csv;
+use page::Drawn;
 use picture::Kind;
 use run::{Run, continuous, sampled};
 
 use super::output::{self, Content, Outputs};
 use super::page as html;
+use super::progress::checking;
 use super::report::{Failure, note};
 use super::source::Source;
 use super::write;
@@ -65,7 +68,9 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         if let Err(found) = knows {
             return given.finish(None, found);
         }
-        let (spec, plant) = plant::as_one(spec, plant);
+        let resolved = checking(|| Resolved::of(&spec));
+        let requested = spec;
+        let (spec, plant) = plant::as_one(resolved.spec.clone(), plant);
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
             let plant = match (spec.has_model(), &spec.drift) {
@@ -82,12 +87,13 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         let (asked, around) = input::read(request, x0, &spec)?;
         if around.is_none() && spec.precision == Precision::F32 && runs.is_empty() {
             note(
-                "the law at every instant is computed in f64; --sample-time runs the emitted program, in f32",
+                "the loop at every instant is integrated in f64; the emitted program, in f32, gives u and its status up to eps, if eps is known; --sample-time runs it in the loop",
             );
         }
+        let emitted = around.is_some() || spec.has_model();
         let mut run = match &around {
-            None => continuous(&spec, &plant, &asked, &mut csv)?,
-            Some(around) => sampled(&spec, &plant, &asked, around, &mut csv)?,
+            None => continuous((&resolved, &spec), &plant, &asked, &mut csv)?,
+            Some(around) => sampled((&resolved, &spec), &plant, &asked, around, &mut csv)?,
         };
         if mappings.len() > 1 {
             let text = source.flags().find_map(|(name, text)| (name == "--mu").then_some(text));
@@ -109,16 +115,21 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         if let Some(told) = run.tracking() {
             note(&told);
         }
+        if emitted && runs.is_empty() {
+            chosen(&resolved);
+        }
         runs.push(run);
-        drawn = Some((spec, plant));
+        drawn = Some(Drawn { requested, resolved, spec, plant });
     }
     let mut files = vec![csv.finish()?];
     let picture = match (kind, &drawn) {
-        (Some(kind), Some((spec, _))) => kind.file(&picture::figure(spec, &runs, request.log))?,
+        (Some(kind), Some(drawn)) => {
+            kind.file(&picture::figure(&drawn.spec, &runs, request.log))?
+        }
         _ => Vec::new(),
     };
     let told = match (&report, &drawn) {
-        (Some(_), Some((spec, plant))) => page::text(request, &source, (spec, plant), &runs)?,
+        (Some(_), Some(drawn)) => page::text(request, &source, drawn, &runs)?,
         _ => String::new(),
     };
     files.extend(report.map(|place| (place, Content::Bytes(told.as_bytes()))));
@@ -127,6 +138,14 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     let printed = files.iter().any(|(place, _)| place.is_standard_output());
     let told = output::write_all(files)?;
     if printed { Ok(()) } else { write::to_stdout(&told) }
+}
+
+/// Prints what was chosen for the controller that runs.
+fn chosen(resolved: &Resolved) {
+    let all: Vec<_> = resolved.choices.iter().map(Choice::told).collect();
+    if !all.is_empty() {
+        note(&format!("design {}, chosen: {}", resolved.spec.fingerprint(), all.join("; ")));
+    }
 }
 
 /// Whether tau does not tell the runs apart.

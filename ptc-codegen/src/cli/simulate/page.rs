@@ -1,8 +1,9 @@
 //! The report of the runs.
 
-use crate::check::examine::examine;
+use crate::check::examine::{Report, examine_resolved};
+use crate::check::resolved::Resolved;
 use crate::parameter::{Fixed, Parameter};
-use crate::plant::Plant;
+use crate::plant::{self, Plant};
 use crate::request::Spec;
 use crate::simulate::record::Row;
 
@@ -18,35 +19,53 @@ use crate::cli::source::Source;
 /// Instants of a run that are shown by default.
 const SHOWN: usize = 12;
 
+/// The design of the last run, which draws all of them.
+pub(super) struct Drawn {
+    /// The request, before anything was chosen.
+    pub(super) requested: Spec,
+    pub(super) resolved: Resolved,
+    /// The resolved design as it runs, with several axes as one plant.
+    pub(super) spec: Spec,
+    pub(super) plant: Plant,
+}
+
 /// The page.
 pub(super) fn text(
     request: &Simulate,
     source: &Source,
-    (spec, plant): (&Spec, &Plant),
+    drawn: &Drawn,
     runs: &[Run],
 ) -> Result<String, Failure> {
-    let mut spec = spec.clone();
+    let Drawn { requested, resolved, spec, plant } = drawn;
+    let of_design = |resolved: Resolved, joined: &dyn Fn(&Spec) -> Spec| {
+        let report = checking(|| examine_resolved(resolved, None));
+        Report { spec: joined(&report.spec), ..report }
+    };
+    let differ = runs.windows(2).any(|pair| pair[0].tau.to_bits() != pair[1].tau.to_bits());
     let report = match runs {
         [Run { report: Some(report), .. }] => report.clone(),
-        [_] => checking(|| examine(&spec)),
-        _ => {
-            if runs.windows(2).any(|pair| pair[0].tau.to_bits() != pair[1].tau.to_bits()) {
-                // One controller made all of them: the one that takes tau at run time.
-                spec.fixed.remove(&Parameter::Tau);
-            }
-            checking(|| examine(&spec))
+        _ if differ => {
+            // One controller made all of them: the one that takes tau at run time.
+            let mut open = requested.clone();
+            open.fixed.remove(&Parameter::Tau);
+            let resolved = checking(|| Resolved::of(&open));
+            of_design(resolved, &|own| plant::as_one(own.clone(), None).0)
         }
+        _ => of_design(resolved.clone(), &|_| spec.clone()),
     };
+    let spec = &report.spec;
     let seed = (request.seed != 0).then(|| request.seed.to_string());
     let mut flags: Vec<_> = request.x0.iter().map(|x0| ("--x0", Some(x0.clone()))).collect();
     flags.extend([("--at", request.at.clone()), ("--seed", seed)]);
+    flags.extend([("--until", request.until.clone()), ("--arm-at", request.arm_at.clone())]);
+    flags.push(("--log", request.log.then(String::new)));
     let content = Content {
-        spec: &spec,
+        spec,
         report: &report,
         plant,
         source,
-        command: reporting(&command("simulate", &spec, source, &flags), &spec),
-        section: section(request, &spec, runs)?,
+        command: reporting(&command("simulate", spec, source, &flags), spec),
+        section: section(request, spec, runs)?,
     };
     page::html(&content)
 }

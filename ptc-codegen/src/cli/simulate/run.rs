@@ -1,6 +1,7 @@
 //! One run for one tau, written to the CSV and kept for the picture.
 
-use crate::check::examine::{Report, examine};
+use crate::check::examine::{Report, examine_resolved};
+use crate::check::resolved::Resolved;
 use crate::diagnostic::digits;
 use crate::parameter::Parameter;
 use crate::plant::Plant;
@@ -93,33 +94,29 @@ impl<'a> Taken<'a> {
 /// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a
 /// model.
 pub(super) fn continuous(
-    spec: &Spec,
+    (resolved, spec): (&Resolved, &Spec),
     plant: &Plant,
     asked: &Asked,
     csv: &mut Csv,
 ) -> Result<Run, Failure> {
-    let report = spec.has_model().then(|| examined(spec));
-    let spec = report.as_ref().map_or(spec, |report| &report.spec);
+    let report = spec.has_model().then(|| examined(resolved, spec));
     let values = complete(spec, plant, report.is_some())?;
     let mut taken = Taken::new(csv, spec, &values, false);
     record::continuous((spec, plant), &values, asked, &mut |row| taken.take(row))
         .map_err(|failure| ended(failure, taken.tau))?;
-    if report.is_some() {
-        refused(spec, &taken.kept, taken.tau);
-    }
+    refused(spec, &taken.kept, taken.tau);
     Run::new((spec, &values), (report.clone(), false), taken.kept, 0.0)
 }
 
 /// The emitted controller at each sample.
 pub(super) fn sampled(
-    spec: &Spec,
+    (resolved, spec): (&Resolved, &Spec),
     plant: &Plant,
     asked: &Asked,
     around: &Loop,
     csv: &mut Csv,
 ) -> Result<Run, Failure> {
-    let report = examined(spec);
-    let spec = &report.spec;
+    let report = examined(resolved, spec);
     let values = complete(spec, plant, true)?;
     let mut taken = Taken::new(csv, spec, &values, true);
     let bar = progress("simulating", around.samples(taken.tau));
@@ -141,10 +138,10 @@ pub(super) fn sampled(
     Run::new((spec, &values), (Some(report.clone()), true), taken.kept, armed)
 }
 
-/// The checks of the emitted controller, which set eps where a sample period or an error is promised;
-/// warns of what they refuse.
-fn examined(spec: &Spec) -> Report {
-    let report = checking(|| examine(spec));
+/// The checks of the emitted controller, whose design runs as `spec`; warns of what they refuse.
+fn examined(resolved: &Resolved, spec: &Spec) -> Report {
+    let report = checking(|| examine_resolved(resolved.clone(), None));
+    let report = Report { spec: spec.clone(), ..report };
     let warned: Vec<_> = report
         .refusals()
         .map(|outcome| Notice {

@@ -259,6 +259,11 @@ pub fn sampled_formulas(report: &Report) -> Vec<String> {
     head::formulas_in_samples(report)
 }
 
+/// The plant, the law and the observer of a controller in samples, as the head of its files has them.
+pub(crate) fn sampled_law(report: &Report) -> Vec<String> {
+    head::law_in_samples(report)
+}
+
 /// The text of a template.
 pub(super) fn text_of(rendered: askama::Result<String>) -> String {
     rendered.unwrap_or_else(|error| fault(format!("a template could not be filled: {error}")))

@@ -27,11 +27,14 @@ struct Project<'a> {
 }
 
 fn files(report: &Report, code: &Code) -> Vec<File> {
-    let command = report.spec.command();
+    let (command, design) = (report.spec.command(), report.spec.fingerprint());
     let project = Project {
         name: &code.name,
         version: env!("CARGO_PKG_VERSION"),
-        description: &format!("Made by: ptc-codegen emit --lang {} {command}", TARGET.name),
+        description: &format!(
+            "Design {design}. Made by: ptc-codegen emit --lang {} {command}",
+            TARGET.name
+        ),
         library: &st_library(code),
     };
     vec![File { name: format!("{}.xml", code.name), text: tidy(&text_of(project.render())) }]

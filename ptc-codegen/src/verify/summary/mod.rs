@@ -170,7 +170,7 @@ fn extent(campaign: &Campaign) -> String {
     let Some(around) = &campaign.around else {
         let emitted = if campaign.has_sides() { "" } else { "with the emitted controller, " };
         let precision = match campaign.spec.precision {
-            Precision::F32 => ", in f64, not in f32",
+            Precision::F32 => ", integrated in f64, called in f32",
             Precision::F64 => "",
         };
         return format!("{emitted}T/tau from 1 to {:?}{precision}", campaign.until);

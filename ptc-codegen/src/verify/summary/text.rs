@@ -49,7 +49,12 @@ impl Summary {
     /// As it is printed.
     pub fn text(&self, campaign: &Campaign) -> String {
         let mut text = format!("{}: {}\n", campaign.spec.name(), self.run);
-        text.push_str(&format!("draws: {}\n\n", self.distribution));
+        text.push_str(&format!("draws: {}\n", self.distribution));
+        text.push_str(&format!("design {}\n", campaign.design.spec.fingerprint()));
+        for choice in &campaign.design.choices {
+            text.push_str(&format!("  {choice}\n"));
+        }
+        text.push('\n');
         let judged = campaign.objectives.iter().zip(&self.objectives);
         for (number, (objective, judged)) in (1..).zip(judged) {
             text.push_str(&format!("objective {number}, {objective}: {}\n", judged.verdict()));

@@ -25,8 +25,12 @@ pub(super) fn both(
     let (mut first, mut second) = (track(), track());
     let watched = (&mut *observer, objectives);
     let infinite = along(infinite, watched, how, &mut |instant| first.take(&instant));
-    let direct = along(direct, (observer, objectives), how, &mut |i| second.take(&i));
-    compared((&first, &infinite), (&second, direct))
+    let infinite = infinite.map(|_| ());
+    match along(direct, (observer, objectives), how, &mut |i| second.take(&i)) {
+        // The law means nothing where its program gives no u.
+        Ok(Some(refused)) => compared((&first, &Err(refused.clone())), (&second, Err(refused))),
+        direct => compared((&first, &infinite), (&second, direct.map(|_| ()))),
+    }
 }
 
 /// A difference of a component that accuracy does not explain: a thousand times the default tolerance.

@@ -5,25 +5,31 @@ use super::super::observer::{Here, Observer};
 use super::super::samples::of_sample;
 use super::Instant;
 use crate::parameter::Parameter;
+use crate::reference::Status;
 use crate::simulate::{Accuracy, Changes, Failure, Run, Sample, Sampled, Side};
 
-/// One side with its objectives, instant by instant.
+/// One side with its objectives, instant by instant: the first call that the emitted program refuses, if it does.
 pub(super) fn along<S: Side>(
     run: &mut Run<S>,
     (observer, objectives): (&mut Observer, usize),
     (setting, accuracy): (&Setting, Accuracy),
     visit: &mut dyn FnMut(Instant),
-) -> Result<(), Failure> {
+) -> Result<Option<Failure>, Failure> {
     run.start(&setting.values, &setting.x0)?;
     let mut watch = Watch::new(observer, setting, objectives)?;
     let mut left: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
+    let mut refused = None;
     setting.pieces.iter().try_for_each(|(shares, values)| {
         let seen = &mut |sample: Sample<'_>| {
             left -= 1;
+            if matches!(sample.status, Status::Range | Status::Input) {
+                refused.get_or_insert(Failure::refused(sample.status.c_name(), sample.t));
+            }
             visit(watch.instant(sample, left == 0));
         };
         run.advance(values, shares, accuracy, seen)
-    })
+    })?;
+    Ok(refused)
 }
 
 /// The loop that runs with its objectives, instant by instant. A signal jumps at the first sample after

@@ -179,7 +179,11 @@ fn runs_say_that_they_are_not_in_single_precision() {
         let folder = folder("precision", text);
         let (_, told, wrong) = run(&folder, &["stage.toml"]);
         assert!(told.contains("draws of seed"), "{precision}: {wrong}");
-        assert_eq!(told.contains(", in f64, not in f32\n"), says, "{precision}: {told}");
+        assert_eq!(
+            told.contains(", integrated in f64, called in f32\n"),
+            says,
+            "{precision}: {told}"
+        );
     }
 }
 

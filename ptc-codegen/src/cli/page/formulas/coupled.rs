@@ -4,7 +4,7 @@ use crate::expression::Expression;
 use crate::model::{Coupled, Inverse};
 use crate::parameter::Name;
 use crate::plant::Plant;
-use crate::request::{Clock, Feedback, Spec};
+use crate::request::{Feedback, Spec};
 
 use super::closed::{mapping, matrix, r};
 use super::group::Group;
@@ -19,12 +19,7 @@ pub(super) fn groups(
     (spec, coupled): (&Spec, &Coupled),
     plant: &Plant,
 ) -> Result<Vec<Group>, Failure> {
-    // The formulas are those of continuous time.
-    let mut continuous = spec.clone();
-    if let Clock::Samples(sampled) = &mut continuous.clock {
-        sampled.exact = None;
-    }
-    let designs = continuous.designs();
+    let designs = spec.designs();
     let highest = designs.iter().max_by_key(|design| design.n).unwrap_or(spec);
     let mut groups = vec![group((spec, coupled), plant), mapping(spec), r(highest)?];
     groups.push(matrix(highest)?);
@@ -50,7 +45,7 @@ pub(super) fn groups(
 }
 
 /// The plant with several inputs, and how these follow from what the laws want.
-fn group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group {
+pub(super) fn group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group {
     let of = |e: &Expression| of_expression(&coupled.named(e));
     let named_rows = |symbol: &str, rows: &[Vec<Expression>]| -> Vec<Math> {
         let entry = |i: usize, j: usize, e: &Expression| {

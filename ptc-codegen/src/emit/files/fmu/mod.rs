@@ -199,9 +199,10 @@ fn with_token(
     let single = spec.precision == Precision::F32;
     let lang = if version == Version::Two { Language::Fmu2 } else { Language::Fmu3 };
     let description = format!(
-        "Prescribed-time controller of order {}, mapping {}. Made by: ptc-codegen emit --lang {} {}",
+        "Prescribed-time controller of order {}, mapping {}. Design {}. Made by: ptc-codegen emit --lang {} {}",
         spec.n,
         spec.mapping_name(),
+        spec.fingerprint(),
         lang.name(),
         spec.command()
     );

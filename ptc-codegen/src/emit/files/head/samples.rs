@@ -1,5 +1,6 @@
 //! The head of the files of a controller in samples.
 
+use super::time::version;
 use super::{Language, axes, coupled, followed, observed, plant, precision, time};
 use crate::algebra::integer;
 use crate::check::examine::Report;
@@ -15,6 +16,16 @@ pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
         Some(sampled) if spec.what != What::Observer => purpose(spec, sampled),
         _ => Vec::new(),
     }
+}
+
+/// The plant, the law and the observer of a controller, as they are in the head of its files.
+pub(in crate::emit) fn law(report: &Report) -> Vec<String> {
+    let spec = &report.spec;
+    let Some(sampled) = spec.sampled() else { return Vec::new() };
+    let mut lines = vec![plant_line(spec, sampled)];
+    lines.extend(purpose(spec, sampled));
+    lines.extend(sampled.observer.as_ref().map(estimates));
+    lines
 }
 
 /// Lines of the head, without comment signs.
@@ -38,27 +49,8 @@ pub(in crate::emit) fn lines(
         "DO NOT EDIT. Made by:".to_owned(),
         format!("  ptc-codegen emit --lang {} {}", language.name(), spec.command()),
     ];
-    let mut rest = vec![format!("Version {}.", env!("CARGO_PKG_VERSION")), String::new()];
-    let late = match sampled.delay.to_string().as_str() {
-        "0" => "u held from sample to sample".to_owned(),
-        "1" => "u held from sample to sample, one sample late".to_owned(),
-        d => format!("u held from sample to sample, {d} samples late"),
-    };
-    let late = match &sampled.linear {
-        Some(plant) if !plant.measures_states() => format!("{late}, y = C x"),
-        _ => late,
-    };
-    let plant = match (&spec.coupled, spec.model_in_samples()) {
-        (Some(coupled), _) => {
-            let inputs = Name::listed(&coupled.inputs);
-            format!("the inputs {inputs}: {}", coupled.lines().join(", "))
-        }
-        (None, Some(model)) => format!("the input {}: {}", model.input, model.lines().join(", ")),
-        (None, None) => plant::in_samples(spec, sampled),
-    };
-    let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
-    let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
-    rest.push(format!("Plant: {plant}{disturbance}{given}; {late}."));
+    let mut rest = vec![version(spec), String::new()];
+    rest.push(plant_line(spec, sampled));
     rest.extend(spec.units.as_ref().map(|_| {
         let input = if sampled.gain == integer(1) { "u" } else { "g u" };
         plant::units(spec, input)
@@ -86,6 +78,30 @@ pub(in crate::emit) fn lines(
     rest.extend(time::checks(report));
     lines.extend(rest.iter().flat_map(|line| time::wrap(line)));
     lines
+}
+
+/// The plant, and when the input acts on it.
+fn plant_line(spec: &Spec, sampled: &Sampled) -> String {
+    let late = match sampled.delay.to_string().as_str() {
+        "0" => "u held from sample to sample".to_owned(),
+        "1" => "u held from sample to sample, one sample late".to_owned(),
+        d => format!("u held from sample to sample, {d} samples late"),
+    };
+    let late = match &sampled.linear {
+        Some(plant) if !plant.measures_states() => format!("{late}, y = C x"),
+        _ => late,
+    };
+    let plant = match (&spec.coupled, spec.model_in_samples()) {
+        (Some(coupled), _) => {
+            let inputs = Name::listed(&coupled.inputs);
+            format!("the inputs {inputs}: {}", coupled.lines().join(", "))
+        }
+        (None, Some(model)) => format!("the input {}: {}", model.input, model.lines().join(", ")),
+        (None, None) => plant::in_samples(spec, sampled),
+    };
+    let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
+    let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
+    format!("Plant: {plant}{disturbance}{given}; {late}.")
 }
 
 /// What becomes of the plant, by which law, and of what with a reference.
@@ -159,12 +175,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
         .to_owned(),
     );
     if let Some(observer) = &sampled.observer {
-        let until = match observer.samples {
-            Some(samples) => format!("{samples}"),
-            None => "N/2".to_owned(),
-        };
-        let then = then(observer);
-        lines.push(format!("The estimates are exact from sample {until} after the start on where the measurement is; {then}."));
+        lines.push(estimates(observer));
     }
     lines.push(match spec.fixed.get(&Parameter::UMax) {
         Some(Fixed::Infinite) => "u is not clipped.",
@@ -176,6 +187,15 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
     };
     lines.push(guard(spec, language, given));
     lines
+}
+
+/// From when on the estimates are exact, and what follows.
+fn estimates(observer: &Observer) -> String {
+    let until = observer.samples.map_or("N/2".to_owned(), |samples| samples.to_string());
+    let then = then(observer);
+    format!(
+        "The estimates are exact from sample {until} after the start on where the measurement is; {then}."
+    )
 }
 
 /// What follows the round of an observer.

@@ -11,7 +11,7 @@ use crate::controller::measured::Measured;
 use crate::diagnostic::digits;
 use crate::parameter::Parameter;
 use crate::program::{Op, Stage, cost};
-use crate::request::{Feedback, What};
+use crate::request::{Feedback, Spec, What};
 use behaviour::behaviour;
 use purpose::purpose;
 
@@ -33,7 +33,7 @@ pub(in crate::emit) fn lines(controller: &Controller<'_>, language: Language) ->
     ];
     // A command is one line, to be copied.
     let command = format!("  ptc-codegen emit --lang {lang} {}", spec.command());
-    let mut rest = vec![format!("Version {}.", env!("CARGO_PKG_VERSION")), String::new()];
+    let mut rest = vec![version(spec), String::new()];
     if associated {
         rest.push("xi_i' = xi_(i+1), xi_n' = mu'(t - t0)^n f + pi0(xi, t), in stretched time t. x = BB_n[mu] xi is the state of the plant, and f its f(x, u, t). Use it to design and simulate pi0.".to_owned());
         rest.push(format!("  pi0 = {}", formulas::pi0(spec)));
@@ -60,6 +60,11 @@ pub(in crate::emit) fn lines(controller: &Controller<'_>, language: Language) ->
     lines.push(command);
     lines.extend(rest.into_iter().flat_map(|line| wrap(&line)));
     lines
+}
+
+/// The version of the generator, and the fingerprint of the design.
+pub(super) fn version(spec: &Spec) -> String {
+    format!("Version {}, design {}.", env!("CARGO_PKG_VERSION"), spec.fingerprint())
 }
 
 /// A design whose sample period no check has judged says so, loudly.

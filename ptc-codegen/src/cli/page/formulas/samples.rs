@@ -1,0 +1,32 @@
+//! The law in samples as it is emitted.
+
+use crate::check::examine::Report;
+use crate::emit::sampled_law;
+use crate::samples::Numbers;
+
+use super::group::Group;
+use crate::cli::mathml::{self, Math, equal, name, number, product, sub, words};
+use crate::cli::page::design::short;
+
+pub(super) fn law(report: &Report) -> Group {
+    let spec = &report.spec;
+    let mut told = sampled_law(report).join(" ");
+    let Some(numbers) = Numbers::of(spec) else {
+        return Group { title: "Law in samples", told, formulas: Vec::new() };
+    };
+    let line = |row: &Vec<f64>| row.iter().map(|entry| number(short(*entry))).collect::<Vec<_>>();
+    let s = mathml::matrix(&numbers.s.iter().map(line).collect::<Vec<_>>());
+    let mut formulas = vec![equal(name("z"), product(s, name("x")))];
+    let row = |(j, row)| equal(sub(name("row"), number(j)), number(row));
+    formulas.extend((1..).zip(&numbers.rows).map(row));
+    formulas.extend(numbers.deadbeat.map(|from| deadbeat(from)));
+    if spec.loop_order() > spec.n {
+        told.push_str(" Behind the states x holds the inputs under way, the latest first.");
+    }
+    Group { title: "Law in samples", told, formulas }
+}
+
+/// Where deadbeat takes over.
+fn deadbeat(from: u64) -> Math {
+    mathml::row([words("deadbeat with "), mathml::relation(name("M"), "\u{2264}", number(from))])
+}

@@ -1,0 +1,56 @@
+//! The law in samples in numbers, for what shows it.
+
+use num_traits::ToPrimitive;
+
+use super::rows::{deadbeat_from, rows};
+use crate::algebra::BigRational;
+use crate::code::Expr;
+use crate::linear::Pair;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
+
+/// u = sum_j row_j z_j h^(j-1)/((M-j+1)...(M-m+1)) less the drift of z, z = S x, with M samples to go.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers {
+    /// S, row by row: of the states, then of the inputs under way, the latest first.
+    pub s: Vec<Vec<f64>>,
+    /// The rows of Theorem 1 for the mapping `exp`.
+    pub rows: Vec<BigRational>,
+    /// Samples to go at which deadbeat takes over; `None` where the gains are held before.
+    pub deadbeat: Option<u64>,
+}
+
+impl Numbers {
+    /// Those of the law of a chain, a model or a linear plant with one input; `None` where a number is left to run
+    /// time.
+    pub fn of(spec: &Spec) -> Option<Self> {
+        let sampled = spec.sampled().filter(|_| spec.axes.is_none())?;
+        let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+        let h = number(Parameter::SampleTime)?;
+        let pair = match &sampled.linear {
+            Some(plant) => Pair::linear(plant, h, &sampled.delay.part())?,
+            None => Pair::chain(spec.n, &sampled.gain, &sampled.delay.part()),
+        };
+        let order = spec.loop_order();
+        let pair = pair.delayed(sampled.delay.inputs());
+        let (s, _) = pair.flat()?;
+        let h = h.to_f64()?;
+        let entry = |i: usize, j: usize| {
+            let power = i32::try_from(pair.powers[j]).unwrap_or(0);
+            s.at(i, j).to_f64().map(|value| value * h.powi(-power))
+        };
+        let row = |i: usize| (0..order).map(|j| entry(i, j)).collect::<Option<Vec<_>>>();
+        let gains: Option<Vec<_>> =
+            (1..=order).map(|i| number(Parameter::Gain(i)).cloned().map(Expr::Number)).collect();
+        let law = rows(&gains?, &Expr::Number(number(Parameter::A)?.clone()));
+        let held = number(Parameter::Eps).is_some_and(|eps| *eps != BigRational::default());
+        let given = number(Parameter::Deadbeat).and_then(ToPrimitive::to_u64);
+        let follows = sampled.greatest.as_ref().map(|greatest| deadbeat_from(order, greatest));
+        let deadbeat = given.or(follows.as_ref().and_then(ToPrimitive::to_u64));
+        Some(Self {
+            s: (0..order).map(row).collect::<Option<Vec<_>>>()?,
+            rows: law.iter().filter_map(Expr::number).cloned().collect(),
+            deadbeat: deadbeat.filter(|_| !held),
+        })
+    }
+}

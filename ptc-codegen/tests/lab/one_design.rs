@@ -1,0 +1,169 @@
+//! Every command resolves a design to the same controller and names it by the same fingerprint.
+
+use crate::support;
+
+use std::fs;
+use std::path::Path;
+
+use support::{example, folder_with, run_in};
+
+/// Designs of each kind that leave something open, with the state of a run.
+const DESIGNS: [(&str, &str, &str); 6] = [
+    (
+        "time",
+        "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nsample_time = 1e-2\nx0_max = [1, 0.5]\n\
+         [params]\ntau = 1\nt0 = 0\nu_max = 50\n[verify]\nx1 = [-0.5, 0.5]\nx2 = 0\n",
+        "0.5,0",
+    ),
+    (
+        "noise",
+        "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nsample_time = 1e-2\nnoise = [1e-4, 1e-3]\nx0_max = [1, 0.5]\n\
+         [params]\ntau = 1\nt0 = 0\nu_max = 50\n[verify]\nx1 = [-0.1, 0.1]\nx2 = 0\n",
+        "0.1,0",
+    ),
+    (
+        "samples",
+        "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -5]\nsample_time = 1e-2\nnoise = [1e-4, 1e-3]\n\
+         x0_max = [1, 0.5]\n[params]\ntau = 1\nu_max = inf\n[verify]\nx1 = [-0.1, 0.1]\nx2 = 0\n",
+        "0.1,0",
+    ),
+    (
+        "observer",
+        "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -5, -6]\ndelay = 1\nmeasured = [\"x1\"]\n\
+         observer_poles = [-4, -5]\nsample_time = 1e-2\nsensor_step = [1e-5, 0]\nx0_max = [1, 0.5]\n[params]\n\
+         tau = 1\nu_max = inf\n[verify]\nx1 = [-0.1, 0.1]\nx2 = 0\n",
+        "0.1,0",
+    ),
+    (
+        "axes",
+        "n = 2\naxes = 2\nmu = \"exp(a=1)\"\npoles = [[-4, -5], [-6, -7]]\nsample_time = 1e-2\nx0_max = [1, 0.5]\n\
+         [params]\ntau = 1\nt0 = 0\nu_max = 100\n[verify]\nx1_1 = [-0.1, 0.1]\nx2_1 = 0\nx1_2 = 0\nx2_2 = 0\n",
+        "0.1,0,0,0",
+    ),
+    (
+        "model",
+        "mu = \"exp(a=1)\"\npoles = [-4, -5]\nsample_time = 1e-2\nerror = 1e-2\nx0_max = [1, 0.5]\n[params]\ntau = 1\n\
+         t0 = 0\nu_max = 100\nJ = 2\n[model]\nstates = [\"q\", \"w\"]\ninput = \"M\"\noutput = \"q\"\n\
+         dynamics = { q = \"w\", w = \"(M - sin(q))/J\" }\n[verify]\nq = [-0.1, 0.1]\nw = 0\n",
+        "0.1,0",
+    ),
+];
+
+/// What campaigns have to show, in few runs.
+const SHORT: &str =
+    "scenarios = 4\nsearch = 0\n[[objective]]\nbound = \"attractive\"\nerror = 100\n";
+
+/// Runs a command that may refuse the design or leave it undecided.
+fn output(folder: &Path, arguments: &[&str]) -> String {
+    let (exit, stdout, stderr) = run_in(folder, arguments);
+    assert!(matches!(exit, Some(0 | 1 | 3)), "{arguments:?}: {stdout}{stderr}");
+    format!("{stdout}{stderr}")
+}
+
+/// The fingerprint and the choices of `check`.
+fn checked(folder: &Path) -> (String, serde_json::Value) {
+    let (_, json, stderr) = run_in(folder, &["check", "d.toml", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
+    let own = found["fingerprint"].as_str().expect("a fingerprint").to_owned();
+    assert!(own.len() == 12 && own.bytes().all(|b| b.is_ascii_hexdigit()), "{own}");
+    (own, found["chosen"].clone())
+}
+
+#[test]
+fn every_command_names_the_design_that_is_emitted() {
+    for (name, text, x0) in DESIGNS {
+        let text = format!("name = \"{name}\"\n{text}{SHORT}");
+        let folder = folder_with(&format!("one_{name}"), "d.toml", &text);
+        let (own, chosen) = checked(&folder);
+        let told = format!("design {own}");
+        assert!(output(&folder, &["check", "d.toml"]).contains(&own), "{name}");
+        for language in ["c", "rust", "cpp", "python", "matlab"] {
+            let code = output(&folder, &["emit", "d.toml", "--lang", language, "-o", "-"]);
+            assert!(code.contains(&told), "{name}, {language}: {code}");
+        }
+        // The box of [verify] is another one than x0_max, and chooses nothing.
+        let verified = output(&folder, &["verify", "d.toml", "--report", "v.html"]);
+        assert!(verified.contains(&told), "{name}: {verified}");
+        let x0 = format!("--x0={x0}");
+        let ran =
+            output(&folder, &["simulate", "d.toml", &x0, "-o", "r.csv", "--report", "s.html"]);
+        assert!(ran.contains(&told), "{name}: {ran}");
+        for page in ["v.html", "s.html"] {
+            let page = fs::read_to_string(folder.join(page)).expect("a report");
+            assert_eq!(page.matches(&own).count(), 3, "{name}: in its facts, header and source");
+        }
+        // What was chosen is what the code holds.
+        let eps = chosen[0]["value"].as_str().unwrap_or_else(|| panic!("{name}: {chosen}"));
+        assert_eq!(
+            (chosen[0]["key"].as_str(), chosen.as_array().map(Vec::len)),
+            (Some("eps"), Some(1))
+        );
+        let code = output(&folder, &["emit", "d.toml", "--lang", "c", "-o", "-"]);
+        assert!(code.contains(&format!("eps = {eps} [s], fixed")), "{name}: {eps}: {code}");
+        assert!(verified.contains(&format!("chosen: eps = {eps}: ")), "{name}: {verified}");
+    }
+}
+
+/// The resolved design of every example emits the same bytes and has the same fingerprint.
+#[test]
+fn resolved_designs_emit_the_same_bytes() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let files =
+        fs::read_dir(folder).expect("examples").map(|entry| entry.expect("an entry").file_name());
+    let names = files.filter_map(|name| name.into_string().ok());
+    let names: Vec<_> =
+        names.filter(|name| name.ends_with(".toml") && name != "design.toml").collect();
+    assert!(names.len() > 15, "{names:?}");
+    let examples =
+        names.iter().map(|name| (name.clone(), example(name), vec!["--param", "tau=0.75"]));
+    let own = DESIGNS.map(|(name, text, _)| {
+        (name.to_owned(), format!("{text}{SHORT}"), vec!["--name", "other"])
+    });
+    for (name, text, flags) in examples.chain(own) {
+        let folder = folder_with(&format!("resolved_{name}"), "d.toml", &text);
+        for flags in [Vec::new(), flags] {
+            let emit = |design: &str, out: &str, more: &[&str]| {
+                run_in(&folder, &[&["emit", design, "--lang", "c", "-o", out], more].concat())
+            };
+            let with = [&flags[..], &["--resolved", "r.toml"]].concat();
+            let (exit, told, wrong) = emit("d.toml", "a", &with);
+            if exit != Some(0) {
+                assert!(
+                    !flags.is_empty() && !folder.join("r.toml").is_file(),
+                    "{name}: {told}{wrong}"
+                );
+                continue;
+            }
+            let (exit, told, wrong) = emit("r.toml", "b", &[]);
+            assert_eq!(exit, Some(0), "{name}: {told}{wrong}");
+            for file in fs::read_dir(folder.join("a")).expect("files") {
+                let file = file.expect("a file").file_name();
+                let [a, b] =
+                    ["a", "b"].map(|at| fs::read(folder.join(at).join(&file)).expect("a file"));
+                assert!(a == b, "{name}: {file:?} differs");
+            }
+            for made in ["a", "b", "r.toml"] {
+                let made = folder.join(made);
+                let _ =
+                    if made.is_dir() { fs::remove_dir_all(made) } else { fs::remove_file(made) };
+            }
+        }
+    }
+}
+
+/// What `design` writes is what it verified: `verify` judges the same design.
+#[test]
+fn a_design_that_was_chosen_is_verified_as_it_is_written() {
+    let wish = DESIGNS[1].1.replace("poles = [-4, -5]\n", "").replace("x0_max = [1, 0.5]\n", "");
+    let text = format!("name = \"wish\"\n{wish}{SHORT}");
+    let folder = folder_with("one_wish", "wish.toml", &text);
+    let (exit, told, wrong) = run_in(&folder, &["design", "wish.toml", "-o", "d.toml"]);
+    assert_eq!(exit, Some(0), "{told}{wrong}");
+    let (own, chosen) = checked(&folder);
+    assert!(chosen.as_array().is_some_and(Vec::is_empty), "{chosen}: a value is still open");
+    assert!(told.contains(&format!("design {own}")), "{told}");
+    let written = fs::read_to_string(folder.join("d.toml")).expect("a design");
+    assert!(written.contains(&format!("design {own}")) && written.contains("eps = "), "{written}");
+    let verified = output(&folder, &["verify", "d.toml"]);
+    assert!(verified.contains(&format!("design {own}")), "{verified}");
+}
