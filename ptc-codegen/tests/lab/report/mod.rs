@@ -198,7 +198,11 @@ fn a_report_makes_itself_again() {
     let sampled =
         ["simulate", "stage.toml", "--x0=-1,0", "--sample-time", "0.01", "--delay=1", "--eps"];
     let noise = ["0.05", "--noise", "1e-3", "--seed", "9", "--u-step", "0.1"];
-    for arguments in [[&AT[..], &flags].concat(), [&sampled[..], &noise].concat()] {
+    let drawn = ["--until", "1.5", "--arm-at", "0.6", "--log"];
+    let sampled = [&sampled[..], &noise].concat();
+    for arguments in
+        [[&AT[..], &flags].concat(), sampled.clone(), [&sampled[..], &drawn].concat()]
+    {
         let page = report(&folder, &arguments);
         let document = parse(&page);
         let quoted: Vec<_> = named(section(&document, "design"), "pre").map(text).collect();
