@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 4 --mu algebraic
- * Version 0.1.0.
+ * Version 0.1.0, design 7c990e5a2739.
  *
  * Plant: x1' = x2, ..., x4' = f + u. Time in s, x1 in any unit U, x2 in U/s, ..., x4 in
  *       U/s^3, u in U/s^4.

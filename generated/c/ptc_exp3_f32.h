@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu exp --name ptc_exp3_f32 --precision f32
- * Version 0.1.0.
+ * Version 0.1.0, design 0d95d06872ef.
  *
  * Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
  *       in U/s^3.

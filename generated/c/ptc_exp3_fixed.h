@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name ptc_exp3_fixed --tau=2 --t0=0 --eps=1e-3 --u-max=50 --gains=120,74,15
- * Version 0.1.0.
+ * Version 0.1.0, design 378d89b0aa5f.
  *
  * Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
  *       in U/s^3.

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name ptc_own_law1_latched --pi0="-2*xi1 - xi1*xi1_0"
- * Version 0.1.0.
+ * Version 0.1.0, design fef8ca24aec8.
  *
  * Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
  * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at

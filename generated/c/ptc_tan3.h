@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu tan
- * Version 0.1.0.
+ * Version 0.1.0, design 1067b95f3933.
  *
  * Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
  *       in U/s^3.

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 5 --mu tan
- * Version 0.1.0.
+ * Version 0.1.0, design b3d0266958f3.
  *
  * Plant: x1' = x2, ..., x5' = f + u. Time in s, x1 in any unit U, x2 in U/s, ..., x5 in
  *       U/s^4, u in U/s^5.

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 1 --mu tanh
- * Version 0.1.0.
+ * Version 0.1.0, design 604357395959.
  *
  * Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
  * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at

@@ -16,7 +16,7 @@ function self = ptc_tanh3_extern_init(params) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 3 --mu tanh --name ptc_tanh3_extern --pi0 extern --after extern
-% Version 0.1.0.
+% Version 0.1.0, design 04514e738293.
 %
 % Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
 %       in U/s^3.

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 1 --mu exp
-//! Version 0.1.0.
+//! Version 0.1.0, design efcc3c341c63.
 //!
 //! Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
 //! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 12 --axes 2 --mu exp --name ptc_exp12_axes2
-//! Version 0.1.0.
+//! Version 0.1.0, design 27250cbd8a20.
 //!
 //! Plant: x1' = x2, ..., x12' = f + u. Time in s, x1 in any unit U, x2 in U/s, ..., x12 in
 //!       U/s^11, u in U/s^12.

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 3 --axes 3 --mu "exp(a=1)" --name ptc_exp3_axes3_own --limits=40,40,15 --poles="[[-4,-5,-6],[-4,-5,-6],[-6,-7,-8]]" --g="[1/m, 1/m, 2]"
-//! Version 0.1.0.
+//! Version 0.1.0, design 9566731ebf83.
 //!
 //! Plant: x1' = x2, ..., x3' = f + g u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, g
 //!       u in U/s^3.

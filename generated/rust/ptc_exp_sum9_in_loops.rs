@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 9 --mu "exp_sum(2)" --name ptc_exp_sum9_in_loops
-//! Version 0.1.0.
+//! Version 0.1.0, design 5f12a5cbef5a.
 //!
 //! Plant: x1' = x2, ..., x9' = f + u. Time in s, x1 in any unit U, x2 in U/s, ..., x9 in
 //!       U/s^8, u in U/s^9.

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 2 --kappa="tau*dt/(tau - dt) + dt" --name ptc_own_kappa2 --after zero
-//! Version 0.1.0.
+//! Version 0.1.0, design 86e351f92d84.
 //!
 //! Plant: x1' = x2, x2' = f + u. Time in s, x1 in any unit U, x2 in U/s, u in U/s^2.
 //! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 1 --mu="tau*(1 - (2/(1 + t + sqrt(1 + t^2)))^(1/10))" --name ptc_own_mu1_bisected
-//! Version 0.1.0.
+//! Version 0.1.0, design da1c67f5e703.
 //!
 //! Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
 //! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at

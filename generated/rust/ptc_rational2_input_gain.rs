@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 2 --mu rational --name ptc_rational2_input_gain --g="2 + x1*x1"
-//! Version 0.1.0.
+//! Version 0.1.0, design d89270794809.
 //!
 //! Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
 //! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 2 --mu soft
-//! Version 0.1.0.
+//! Version 0.1.0, design 47d3b15d6296.
 //!
 //! Plant: x1' = x2, x2' = f + u. Time in s, x1 in any unit U, x2 in U/s, u in U/s^2.
 //! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
