@@ -200,8 +200,7 @@ fn a_report_makes_itself_again() {
     let noise = ["0.05", "--noise", "1e-3", "--seed", "9", "--u-step", "0.1"];
     let drawn = ["--until", "1.5", "--arm-at", "0.6", "--log"];
     let sampled = [&sampled[..], &noise].concat();
-    for arguments in
-        [[&AT[..], &flags].concat(), sampled.clone(), [&sampled[..], &drawn].concat()]
+    for arguments in [[&AT[..], &flags].concat(), sampled.clone(), [&sampled[..], &drawn].concat()]
     {
         let page = report(&folder, &arguments);
         let document = parse(&page);
