@@ -130,11 +130,11 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
     json!({
         "samples": worst.samples,
         "final": each(&|bound| bound.attained()),
-        "from_x0": each(&|bound| bound.x0),
+        "from_x0": each(&|bound| bound.of_start()),
         "from_noise": each(&|bound| bound.noise.iter().sum()),
         "from_noise_of": worst.states.iter().map(|bound| &bound.noise).collect::<Vec<_>>(),
         "from_u_step": each(&|bound| bound.actuator),
-        "from_f": each(&|bound| bound.force),
+        "from_f": each(&|bound| bound.of_force()),
         "from_g": each(&|bound| bound.gain),
         "from_reference": each(&|bound| bound.reference),
         "from_jitter": each(&|bound| bound.jitter),

@@ -101,7 +101,7 @@ pub static OBJECTIVE_KEYS: [KeyInfo; 8] = [
     KeyInfo {
         key: "error",
         meaning: "of attractive: |x| <= error at the end",
-        legal: "a number > 0",
+        legal: "a number > 0, or a list of one for each state",
         example: "1e-3",
     },
     KeyInfo {

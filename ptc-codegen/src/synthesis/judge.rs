@@ -196,7 +196,8 @@ impl Assessment {
             }
             let mut starts = corners.starts(campaign, objective);
             starts.insert(0, campaign.scenario(drawn.excess[objective].index));
-            let found = search::search(campaign, trial, (objective, &starts), &|_| ());
+            let starts = (objective, &starts[..], proof.place());
+            let found = search::search(campaign, trial, starts, &|_| ());
             self.difference = self.difference.max(found.difference);
             let unfinished = found.unfinished.clone().map(|(_, ended)| ended);
             self.unfinished = self.unfinished.take().or(unfinished);

@@ -125,7 +125,8 @@ fn running<'a>(
         }
         let tau = |lane: usize| instants.jobs[lane].map_or(1.0, |job| taus[job]);
         let time_to_go = Pack::of(|lane| of_sample(instants.time_to_go.0[lane], tau(lane)));
-        let last = time_to_go.0.map(|time_to_go| time_to_go <= 0.0);
+        let is_end = |lane: usize| instants.last[lane] || time_to_go.0[lane] <= 0.0;
+        let last = std::array::from_fn(is_end);
         let at = Instants { last, time_to_go: &time_to_go, ..*instants };
         let worst = observer.worst(&at);
         for lane in (0..LANES).filter(|lane| instants.last[*lane]) {

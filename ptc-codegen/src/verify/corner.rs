@@ -78,7 +78,7 @@ impl Campaign {
                 let course = |((_, bounds, legal), upper): (&(_, _, Vec<_>), &bool)| {
                     Course::extreme((legal, *bounds), *upper)
                 };
-                Scenario { point, courses: courses.map(course).collect(), seed: 0 }
+                Scenario { point, courses: courses.map(course).collect(), seed: 0, at: None }
             };
             two_level(places.len() + self.disturbances.len()).into_iter().map(scenario).collect()
         };

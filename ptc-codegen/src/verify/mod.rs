@@ -9,6 +9,7 @@
 //! signals that `kernel` makes of a run. A [`Verdict`] is all that is known of an objective, and
 //! [`record`] keeps one row per draw.
 
+mod allowance;
 mod batch;
 pub mod bound;
 mod corner;
@@ -39,10 +40,11 @@ mod trial;
 mod verdict;
 
 pub use crate::keys::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS, PARAMETER};
+pub use allowance::{ALLOWANCE, Comparison, Level};
 pub use corner::Corners;
 pub use course::{Course, Signal};
 pub use envelope::Envelope;
-pub use objective::{Kind, Level, Objective};
+pub use objective::{Kind, Objective};
 pub use outcome::{Judgement, Other, Outcome, Status};
 pub use read::{read, read_with_plant};
 pub use run::{Done, chunks, sample, shard};
@@ -110,7 +112,7 @@ pub struct Campaign {
 
 /// What the rows of a campaign depend on beside the campaign: the version, and behind it a number that
 /// every change of the engine raises that gives a run other bits.
-pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+6");
+pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+7");
 
 impl Campaign {
     /// All that decides the rows, as text: two campaigns with the same text have the same rows from the same [`ENGINE`].

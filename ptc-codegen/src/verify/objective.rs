@@ -21,6 +21,9 @@ pub struct Objective {
     pub integrates: bool,
 }
 
+/// Operations of an h up to which its derivatives are computed beside it.
+const DIFFERENTIATED: usize = 500;
+
 /// The kinds of objectives.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
@@ -47,6 +50,11 @@ pub enum Kind {
         /// The bound.
         error: f64,
     },
+    /// The same of each coordinate of |x|, |x_i| <= error_i at the end: its index as it is printed, and its bound in its unit.
+    AttractiveEach {
+        /// The bounds.
+        errors: Vec<(String, f64)>,
+    },
     /// low <= h(x, u, t) <= high.
     Within {
         /// What is bounded.
@@ -64,7 +72,7 @@ impl Kind {
         match self {
             Self::State { .. } => "state",
             Self::Input { .. } | Self::Inputs { .. } => "input",
-            Self::Attractive { .. } => "attractive",
+            Self::Attractive { .. } | Self::AttractiveEach { .. } => "attractive",
             Self::Within { .. } => "within",
         }
     }
@@ -85,6 +93,10 @@ impl Kind {
                 each.collect::<Vec<_>>().join(", ")
             }
             Self::Attractive { error } => format!("|{x}| <= {error} at the end"),
+            Self::AttractiveEach { errors } => {
+                let each = errors.iter().map(|(index, error)| format!("|{x}{index}| <= {error}"));
+                format!("{} at the end", each.collect::<Vec<_>>().join(", "))
+            }
             Self::Within { h, low, high } => {
                 let low = low.as_ref().map(|low| format!("{low} <= ")).unwrap_or_default();
                 let high = high.as_ref().map(|high| format!(" <= {high}")).unwrap_or_default();
@@ -103,16 +115,42 @@ impl Kind {
                 let each = upsilon.iter().map(|(name, bound)| (*name, to(bound)));
                 Self::Inputs { upsilon: each.collect() }
             }
-            Self::Attractive { error } => Self::Attractive { error: *error },
+            Self::Attractive { .. } | Self::AttractiveEach { .. } => self.clone(),
             Self::Within { h, low, high } => {
                 Self::Within { h: to(h), low: low.as_ref().map(to), high: high.as_ref().map(to) }
             }
         }
     }
 
+    /// Whether it bounds x at the end of a run alone.
+    pub fn is_of_end(&self) -> bool {
+        matches!(self, Self::Attractive { .. } | Self::AttractiveEach { .. })
+    }
+
     /// The parts of its expressions that have to be something for it to have a value.
     pub(super) fn needs(&self) -> Vec<(Expression, Condition)> {
         self.expressions().into_iter().flat_map(|(_, e)| existence::needs(e)).collect()
+    }
+
+    /// The terms v dh/dv of an h over its states and inputs v, to which the accuracy of h is relative: of a single
+    /// variable none but itself, and none where they are too large to be computed.
+    pub(super) fn terms(&self) -> Vec<Expression> {
+        let Self::Within { h, .. } = self else { return Vec::new() };
+        if h.variable().is_some() || h.nodes() > DIFFERENTIATED {
+            return Vec::new();
+        }
+        let mut variables = Vec::new();
+        h.each(&mut |e| match e.variable() {
+            Some(own @ (Variable::State(_) | Variable::Control | Variable::StateAtStart(_)))
+                if !variables.contains(&own) =>
+            {
+                variables.push(own);
+            }
+            _ => {}
+        });
+        let term = |variable: Variable| h.derivative(variable).mul(variable.into());
+        let terms = variables.into_iter().map(term);
+        terms.filter(Expression::is_kept).collect()
     }
 
     /// The expressions in it with their keys, in the order of their values.
@@ -123,7 +161,7 @@ impl Kind {
             Self::Inputs { upsilon } => {
                 upsilon.iter().map(|(_, bound)| ("upsilon", bound)).collect()
             }
-            Self::Attractive { .. } => Vec::new(),
+            Self::Attractive { .. } | Self::AttractiveEach { .. } => Vec::new(),
             Self::Within { h, low, high } => {
                 let bounds = [("low", low), ("high", high)];
                 let bounds = bounds.into_iter().filter_map(|(key, e)| Some((key, e.as_ref()?)));
@@ -151,7 +189,10 @@ impl Objective {
         match &self.kind {
             Kind::State { .. } => true,
             Kind::Within { h, .. } => !h.any(&is_input),
-            Kind::Input { .. } | Kind::Inputs { .. } | Kind::Attractive { .. } => false,
+            Kind::Input { .. }
+            | Kind::Inputs { .. }
+            | Kind::Attractive { .. }
+            | Kind::AttractiveEach { .. } => false,
         }
     }
 }
@@ -159,49 +200,6 @@ impl Objective {
 impl fmt::Display for Objective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
-    }
-}
-
-/// What an objective bounds at an instant, and between what.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Level {
-    /// |x|, |u| or h; of several inputs the largest |u_k| in parts of its bound.
-    pub value: f64,
-    /// Its least legal value here, if it has one.
-    pub low: Option<f64>,
-    /// Its greatest legal value here, if it has one.
-    pub high: Option<f64>,
-}
-
-impl Level {
-    pub(super) fn below(value: f64, high: Option<f64>) -> Self {
-        Self { value, low: None, high }
-    }
-
-    #[inline]
-    pub(super) fn excess(self, kind: &Kind) -> f64 {
-        let exists = |bound: Option<f64>| bound.is_none_or(f64::is_finite);
-        // A value or a bound that does not exist holds nothing.
-        if !(self.value.is_finite() && exists(self.low) && exists(self.high)) {
-            return f64::INFINITY;
-        }
-        let excess = match kind {
-            Kind::Within { .. } => {
-                let below = self.low.map_or(f64::NEG_INFINITY, |low| low - self.value);
-                self.high.map_or(below, |high| below.max(self.value - high))
-            }
-            _ => self.high.map_or(f64::NEG_INFINITY, |high| over(self.value, high)),
-        };
-        if excess.is_nan() { f64::INFINITY } else { excess }
-    }
-}
-
-/// value/bound - 1; a bound of 0 holds what is 0.
-pub(super) fn over(value: f64, bound: f64) -> f64 {
-    match () {
-        () if value == 0.0 && bound >= 0.0 => -1.0,
-        () if bound > 0.0 => value / bound - 1.0,
-        () => f64::INFINITY,
     }
 }
 

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 pub(super) use lanes::LaneObserver;
 
-use super::objective::{Kind, Level, Objective, larger, norm, over};
+use super::allowance::{Level, over};
+use super::objective::{Kind, Objective, larger, norm};
 use crate::expression::existence::Condition;
 use crate::lower;
 use crate::parameter::{Parameter, Precision};
@@ -40,12 +41,24 @@ pub(super) struct Here<'a> {
     pub(super) integrals: &'a [f64],
 }
 
+/// What is seen of x and u at an instant.
+struct Seen<'a> {
+    /// |x|, and what it was at t0.
+    size: f64,
+    size_at_start: f64,
+    u: &'a [f64],
+    /// Coordinate i of |x|, from 0.
+    part: &'a dyn Fn(usize) -> f64,
+}
+
 /// The objectives with the values that they bound.
 #[derive(Clone, Debug)]
 struct Watched {
     kinds: Vec<Kind>,
     /// Of each kind its values.
     values: Vec<Vec<Value>>,
+    /// Of each kind the terms x_j dh/dx_j of its h.
+    terms: Vec<Vec<Value>>,
     /// What parts of each kind's expressions have to be for these to have a value.
     conditions: Vec<Vec<(Value, Condition)>>,
 }
@@ -58,7 +71,9 @@ impl Observer {
         let parts = needs.iter().flatten().map(|(part, _)| part);
         let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
         let distances = spec.distances();
-        let expressions: Vec<_> = own.chain(parts).chain(&distances).collect();
+        let terms: Vec<_> = kinds.iter().map(Kind::terms).collect();
+        let expressions = own.chain(parts).chain(terms.iter().flatten()).chain(&distances);
+        let expressions: Vec<_> = expressions.collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
         let along = Along::new(&program, &program.watched, spec.variables());
         let mut all = program.watched.iter().copied();
@@ -68,8 +83,9 @@ impl Observer {
             all.by_ref().zip(own.iter().map(|(_, condition)| *condition)).take(own.len()).collect()
         });
         let conditions = conditions.collect();
+        let terms = terms.iter().map(|own| all.by_ref().take(own.len()).collect()).collect();
         let distances = all.collect();
-        let watched = Watched { kinds, values, conditions };
+        let watched = Watched { kinds, values, terms, conditions };
         let (errors, program) = (spec.errors().len(), Arc::new(program));
         Self { along, watched, program, distances, errors, size_at_start: f64::NAN }
     }
@@ -126,19 +142,24 @@ impl Observer {
         let sizes = (self.size(x), self.size_at_start);
         for (index, kind) in self.watched.kinds.iter().enumerate() {
             let get = |value| self.along.machine.get(value);
-            visit(index, kind, self.watched.level(index, get, (sizes, u), last));
+            let part = |i: usize| match self.distances.get(i) {
+                Some(value) => self.along.machine.get(*value),
+                None => x.get(i).copied().unwrap_or(f64::NAN),
+            };
+            let seen = Seen { size: sizes.0, size_at_start: sizes.1, u, part: &part };
+            visit(index, kind, self.watched.level(index, get, &seen, last));
         }
     }
 }
 
 impl Watched {
-    /// What an objective bounds, and its bounds, of the numbers of its values and of |x| now and at t0.
+    /// What an objective bounds, and its bounds, of the numbers of its values and of what is seen of x and u.
     #[inline]
     fn level(
         &self,
         index: usize,
         get: impl Fn(Value) -> f64,
-        ((size, size_at_start), u): ((f64, f64), &[f64]),
+        &Seen { size, size_at_start, u, part }: &Seen<'_>,
         last: bool,
     ) -> Level {
         let mut values = self.values[index].iter().map(|value| get(*value));
@@ -153,11 +174,21 @@ impl Watched {
                 Level::below(parts.fold(0.0, larger), Some(1.0))
             }
             Kind::Attractive { error } => Level::below(size, last.then_some(*error)),
-            Kind::Within { low, high, .. } => Level {
-                value: next(),
-                low: low.as_ref().map(|_| next()),
-                high: high.as_ref().map(|_| next()),
-            },
+            Kind::AttractiveEach { errors } => {
+                let parts = errors.iter().enumerate();
+                let parts = parts.map(|(i, (_, error))| 1.0 + over(part(i).abs(), *error));
+                Level::below(parts.fold(0.0, larger), last.then_some(1.0))
+            }
+            Kind::Within { low, high, .. } => {
+                let value = next();
+                let size = self.terms[index].iter().map(|term| get(*term).abs()).sum::<f64>();
+                Level {
+                    value,
+                    size: if size.is_finite() { size.max(value.abs()) } else { value.abs() },
+                    low: low.as_ref().map(|_| next()),
+                    high: high.as_ref().map(|_| next()),
+                }
+            }
         };
         let holds = |(value, condition): &(Value, Condition)| condition.holds(get(*value));
         if !self.conditions[index].iter().all(holds) {

@@ -1,5 +1,6 @@
 //! What a scenario gave, and what that says of an objective.
 
+use super::allowance::Comparison;
 use crate::simulate::{Cause, Failure};
 
 /// How far a run came.
@@ -14,11 +15,13 @@ pub enum Status {
 }
 
 /// What a scenario says of an objective.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
     /// It holds as far as the run came.
     Holds,
-    /// It holds on one side of Theorem 1 and fails on the other: the bound is met within rounding.
+    /// The bound is met within the allowance.
+    Met,
+    /// It fails on one side of Theorem 1 alone.
     Open,
     /// It fails.
     Fails,
@@ -39,11 +42,12 @@ impl Judgement {
     /// Of the excess on both sides, as far as each came: where rounding takes one of them away, it
     /// may exceed anything before its integration stops, and only what both exceed fails.
     pub(super) fn of(sides: [f64; 2]) -> Self {
-        let [low, high] = [sides[0].min(sides[1]), sides[0].max(sides[1])];
-        match () {
-            () if high <= 0.0 => Self::Holds,
-            () if low > 0.0 => Self::Fails,
-            () => Self::Open,
+        let [one, other] = sides.map(Comparison::of);
+        match (one, other) {
+            (Comparison::Kept, Comparison::Kept) => Self::Holds,
+            (Comparison::Exceeded, Comparison::Exceeded) => Self::Fails,
+            (Comparison::Exceeded, _) | (_, Comparison::Exceeded) => Self::Open,
+            _ => Self::Met,
         }
     }
 }

@@ -4,6 +4,9 @@ use super::course::PIECES;
 use super::scenario::SEEDS;
 use super::{Campaign, Course, Interval, Scenario, Signal};
 
+/// What an instant is called that is looked at beside those of every run.
+const AT: &str = "T/tau";
+
 /// A number in the fewest digits that are read as it.
 fn short(value: f64) -> String {
     let text = format!("{value:?}");
@@ -20,7 +23,8 @@ impl Campaign {
             format!("{} = {}", symbol.spelling(), course.text_of(*bounds))
         });
         let seed = self.is_drawn().then(|| format!("seed = {}", scenario.seed));
-        of_point.chain(of_courses).chain(seed).collect::<Vec<_>>().join(", ")
+        let at = scenario.at.map(|share| format!("{AT} = {}", short(share)));
+        of_point.chain(of_courses).chain(seed).chain(at).collect::<Vec<_>>().join(", ")
     }
 
     /// The scenario of a text.
@@ -76,11 +80,21 @@ impl Campaign {
                 "the scenario has no seed of what its sensors and samples draw".to_owned();
             return Err((message, format!("seed = N, an integer from 0 to {}", SEEDS - 1)));
         };
+        let at = match take(AT).map(str::parse::<f64>) {
+            None => None,
+            Some(Ok(share)) if self.until < share && share < 1.0 => Some(share),
+            Some(_) => {
+                let message = format!("the scenario has no legal {AT}");
+                let help =
+                    format!("a number between {} and 1: an instant that is looked at", self.until);
+                return Err((message, help));
+            }
+        };
         match given.first() {
             Some((name, _)) => {
                 Err((format!("`{name}` is not a quantity of this scenario"), self.form()))
             }
-            None => Ok(Scenario { point, courses, seed }),
+            None => Ok(Scenario { point, courses, seed, at }),
         }
     }
 

@@ -23,6 +23,8 @@ pub struct Scenario {
     pub courses: Vec<Course>,
     /// Seed of what is drawn at each sample; 0 where nothing is.
     pub seed: u64,
+    /// T/tau of an instant that is looked at beside those of every run.
+    pub at: Option<f64>,
 }
 
 /// One scenario as it is run.
@@ -63,7 +65,7 @@ impl Campaign {
         let courses = self.disturbances.iter().map(drawn).collect();
         // Drawn last, so that sensors change nothing of the rest.
         let seed = if self.is_drawn() { bits() } else { 0 };
-        Scenario { point, courses, seed }
+        Scenario { point, courses, seed, at: None }
     }
 
     /// Whether anything is drawn at each sample of a run.

@@ -6,6 +6,7 @@
 //! The two take turns until neither finds more. All moves of a round are run at once, and the first of
 //! equals is taken, so that the number of cores decides nothing.
 
+use super::bound::Place;
 use super::kernel::{self, Rates};
 use super::scenario::SEEDS;
 use super::{Campaign, Judgement, Outcome, Scenario, Signal, Status, Trial};
@@ -34,15 +35,18 @@ const SMALLEST: f64 = 1.0 / 256.0;
 /// Turns of the two ways of going on.
 const TURNS: usize = 3;
 
+/// Runs with worst signals at the instant at which a proof fails.
+const ATTACKS: usize = 12;
+
 /// Worse by less than this is no progress.
 const PROGRESS: f64 = 1e-9;
 
 /// The worst scenario for `objective` that is found from `starts`, which is looked at closely in the
-/// end. `told` of the runs as they are taken.
+/// end. Where a proof leaves no room at a `place`, this instant is tried too. `told` of the runs as they are taken.
 pub fn search(
     campaign: &Campaign,
     trial: &Trial,
-    (objective, starts): (usize, &[Scenario]),
+    (objective, starts, place): (usize, &[Scenario], Option<Place>),
     told: &dyn Fn(usize),
 ) -> Found {
     let worst = |(_, _, legal): &(_, _, Vec<Signal>)| legal.contains(&Signal::Worst);
@@ -69,7 +73,22 @@ pub fn search(
             break;
         }
     }
+    if let Some(place) = place {
+        search.attack(place);
+    }
     search.look_closely(starts)
+}
+
+impl Found {
+    /// What both searches found.
+    fn with(self, other: Self) -> Self {
+        let judgement = self.judgement.max(other.judgement);
+        let difference = self.difference.max(other.difference);
+        let runs = self.runs + other.runs;
+        let unfinished = self.unfinished.clone().or(other.unfinished.clone());
+        let worse = if other.excess > self.excess { other } else { self };
+        Self { judgement, difference, runs, unfinished, ..worse }
+    }
 }
 
 struct Search<'a> {
@@ -117,14 +136,7 @@ impl Search<'_> {
         best.runs += 1;
         best.difference = best.difference.max(difference);
         best.unfinished = best.unfinished.take().or(unfinished);
-        let rank = |judgement| match judgement {
-            Judgement::Holds => 0,
-            Judgement::Open => 1,
-            Judgement::Fails => 2,
-        };
-        if rank(judgement) > rank(best.judgement) {
-            best.judgement = judgement;
-        }
+        best.judgement = best.judgement.max(judgement);
         let better = excess > best.excess;
         if better {
             (best.excess, best.scenario) = (excess, scenario.clone());
@@ -163,6 +175,36 @@ impl Search<'_> {
             }
             from = self.best.as_ref().map_or(from, |found| found.scenario.clone());
         }
+    }
+
+    /// Runs the corners of the box with the tau of a place, looked at there, and with the signals that are worst at that
+    /// instant. What is left of the search does not limit it.
+    fn attack(&mut self, place: Place) {
+        let (low, high) = self.campaign.tau;
+        let at = Some(place.share).filter(|share| self.campaign.until < *share && *share < 1.0);
+        let mut scenarios: Vec<Scenario> = Vec::new();
+        for mut corner in self.campaign.corners() {
+            corner.point[0] = place.tau.clamp(low, high);
+            corner.at = at;
+            if !scenarios.contains(&corner) {
+                scenarios.push(corner);
+            }
+        }
+        let left = std::mem::replace(&mut self.left, usize::MAX);
+        let (best, mut worst) = (self.best.take(), None);
+        if self.take(&scenarios) {
+            worst = self.best.as_ref().map(|found| found.scenario.clone());
+        }
+        if let Some(scenario) = worst {
+            self.left = ATTACKS;
+            self.switch(&scenario);
+        }
+        self.left = left;
+        let attack = std::mem::replace(&mut self.best, best);
+        self.best = match (self.best.take(), attack) {
+            (Some(best), Some(attack)) => Some(best.with(attack)),
+            (best, attack) => best.or(attack),
+        };
     }
 
     fn compass(&mut self) {

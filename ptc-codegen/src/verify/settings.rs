@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use super::scenario::wave;
 use super::{Campaign, Course, Scenario, Setting};
 use crate::parameter::Parameter;
-use crate::simulate::{Loop, Piece, Values};
+use crate::simulate::{Loop, Piece, SAME, Values};
 
 /// Instants of a run in samples that is looked at closely, about.
 const INSTANTS: f64 = 65536.0;
@@ -94,7 +94,7 @@ impl<'a> Settings<'a> {
                 _ => around.gain,
             },
             seed: scenario.seed,
-            until: Some(tau * (1.0 - campaign.until)),
+            until: Some(end(campaign.until, *tau, around.period)),
             parts: self.parts.min(parts_of(tau * (1.0 - campaign.until) / around.period)),
             ..around.clone()
         });
@@ -109,10 +109,10 @@ impl<'a> Settings<'a> {
         breaks.retain(|share| (until..1.0).contains(share));
         breaks.sort_by(|a, b| b.total_cmp(a));
         breaks.dedup();
-        if breaks == [until] {
+        if breaks == [until] && scenario.at.is_none() {
             return vec![(self.whole.clone(), self.within(scenario, values, tau, (1.0, until)))];
         }
-        let grid = self.divided(&breaks);
+        let grid = self.divided(&[&breaks[..], scenario.at.as_slice()].concat());
         let (mut from, mut pieces) = (1.0, Vec::with_capacity(breaks.len()));
         for to in breaks {
             let instants =
@@ -162,6 +162,15 @@ impl<'a> Settings<'a> {
             grid.sort_by(|a, b| b.total_cmp(a));
         }
         grid
+    }
+}
+
+/// When a run of the loop ends after t0: at the deadline, or at the first sample from T/tau = `until` on. What is bounded
+/// at the samples says nothing of an instant between two.
+fn end(until: f64, tau: f64, period: f64) -> f64 {
+    match until {
+        0.0 => tau,
+        until => (tau * (1.0 - until) / period * (1.0 - SAME)).ceil() * period,
     }
 }
 

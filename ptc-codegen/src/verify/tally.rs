@@ -34,6 +34,8 @@ pub struct Tally {
     pub failed: Vec<u64>,
     /// How many fail it on one side of Theorem 1 alone.
     pub open: Vec<u64>,
+    /// How many meet its bound within the allowance.
+    pub met: Vec<u64>,
     /// How many could not be finished.
     pub unfinished: u64,
     /// The least index of these.
@@ -60,6 +62,7 @@ impl Tally {
             excess: vec![Worst::NONE; objectives],
             failed: vec![0; objectives],
             open: vec![0; objectives],
+            met: vec![0; objectives],
             unfinished: 0,
             first_unfinished: None,
             difference: Worst::NONE,
@@ -95,6 +98,7 @@ impl Tally {
             let judgement = Judgement::of(sides);
             self.failed[i] += u64::from(judgement == Judgement::Fails);
             self.open[i] += u64::from(judgement == Judgement::Open);
+            self.met[i] += u64::from(judgement == Judgement::Met);
         }
         if status == Status::Unfinished.code() {
             self.unfinished += 1;
@@ -119,6 +123,7 @@ impl Tally {
             self.excess[i].take(other.excess[i]);
             self.failed[i] += other.failed[i];
             self.open[i] += other.open[i];
+            self.met[i] += other.met[i];
         }
         self
     }

@@ -14,6 +14,8 @@ pub enum Verdict {
         /// Number of draws.
         draws: u64,
     },
+    /// A run meets its bound within the allowance: it neither holds nor fails.
+    Met,
     /// Neither is known.
     Undecided(Doubt),
     /// A scenario fails it.
@@ -29,8 +31,10 @@ pub enum Doubt {
     Apart,
     /// A run could not be finished.
     Unfinished,
-    /// The bound is met within rounding: it holds on one side of Theorem 1 and fails on the other.
+    /// It holds on one side of Theorem 1 and fails on the other.
     Open,
+    /// The proof leaves no room, and no scenario is found that fails it.
+    NoRoom,
 }
 
 /// What a verdict is made of.
@@ -71,14 +75,27 @@ impl Verdict {
             found.unfinished.is_some() || tallies.iter().any(|tally| tally.unfinished > 0);
         let open = found.judgement == Judgement::Open
             || tallies.iter().any(|tally| tally.open[objective] > 0);
-        match () {
-            () if fails && proved => Self::Undecided(Doubt::Contradiction),
-            () if fails || proof.is_refuted() => Self::Fails,
-            () if proved => Self::Proved,
-            () if apart => Self::Undecided(Doubt::Apart),
-            () if unfinished => Self::Undecided(Doubt::Unfinished),
-            () if open => Self::Undecided(Doubt::Open),
-            () => Self::Sampled { draws: drawn.scenarios },
+        let met = found.judgement == Judgement::Met
+            || tallies.iter().any(|tally| tally.met[objective] > 0);
+        if fails && proved {
+            return Self::Undecided(Doubt::Contradiction);
+        }
+        if fails || proof.is_refuted() {
+            return Self::Fails;
+        }
+        if proved {
+            return Self::Proved;
+        }
+        let doubts = [(apart, Doubt::Apart), (unfinished, Doubt::Unfinished), (open, Doubt::Open)];
+        if let Some((_, doubt)) = doubts.into_iter().find(|(found, _)| *found) {
+            return Self::Undecided(doubt);
+        }
+        if met || matches!(proof, Proof::Met { .. }) {
+            return Self::Met;
+        }
+        match proof {
+            Proof::NoRoom { .. } => Self::Undecided(Doubt::NoRoom),
+            _ => Self::Sampled { draws: drawn.scenarios },
         }
     }
 
@@ -116,14 +133,18 @@ mod tests {
         let ended = crate::simulate::Controller::new(&campaign.spec)
             .and_then(|mut controller| controller.init(&failure, &[1.0]))
             .expect_err("no values");
-        for bits in 0..128_u32 {
+        for bits in 0..512_u32 {
             let is = |bit: u32| bits >> bit & 1 == 1;
             let mut tallies = [Tally::new(&campaign), Tally::new(&campaign)];
             tallies.iter_mut().for_each(|tally| tally.scenarios = 9);
             let [drawn, corners] = &mut tallies;
             drawn.failed[0] = u64::from(is(0));
             corners.failed[0] = u64::from(is(1));
-            found.judgement = if is(2) { Judgement::Fails } else { Judgement::Holds };
+            found.judgement = match (is(2), is(7)) {
+                (true, _) => Judgement::Fails,
+                (false, true) => Judgement::Met,
+                (false, false) => Judgement::Holds,
+            };
             corners.unfinished = u64::from(is(3));
             found.unfinished = is(4).then(|| (campaign.scenario(0), ended.clone()));
             drawn.apart = u64::from(is(5));
@@ -131,6 +152,7 @@ mod tests {
             for proved in [false, true] {
                 let proof = match proved {
                     true => Proof::Proved { scope: String::new() },
+                    false if is(8) => Proof::NoRoom { why: String::new(), place: None },
                     false => Proof::NotProved { why: String::new() },
                 };
                 let evidence = Evidence { drawn, corners, found: &found, proof: &proof };
@@ -141,6 +163,7 @@ mod tests {
                     (true, false) => Verdict::Fails,
                     (false, true) => Verdict::Proved,
                     (false, false) if bits == 0 => Verdict::Sampled { draws: 9 },
+                    (false, false) if bits & 0x7f == 0 && is(7) => Verdict::Met,
                     (false, false) => {
                         assert!(matches!(verdict, Verdict::Undecided(_)), "{bits}");
                         continue;

@@ -42,6 +42,7 @@ mod transcripts;
 mod verdicts;
 mod verify_command;
 mod verify_draws;
+mod verify_edges;
 mod verify_integrals;
 mod verify_lanes;
 mod verify_parameters;

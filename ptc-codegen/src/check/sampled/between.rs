@@ -2,6 +2,7 @@
 
 use super::chain::{Near, centre};
 use super::relative::upper;
+use super::span::Span;
 use super::trust::Trust;
 use super::worst::{Output, Sampled};
 use crate::algebra::BigRational;
@@ -52,40 +53,43 @@ impl Between {
 }
 
 impl Sampled {
-    /// Bounds of each |x_i| from sample `k` to the next one, at which they are `ends`. In a part of the
+    /// What each x_i is within from sample `k` to the next one, at which they are within `ends`. In a part of the
     /// sample x_i is a convex combination of its values at both ends and the inner control points, up to
     /// the rest: what the polynomial is off at the end is taken out of it, and leaves no more of it.
     pub(super) fn until_next(
         &self,
         between: &Between,
         k: usize,
-        ends: [&[f64]; 2],
+        ends: [&[Span]; 2],
         trust: Option<Trust<'_>>,
-    ) -> Vec<f64> {
+    ) -> Vec<Span> {
         let n = self.chain.n;
         let acting = || self.bound(&self.acts(), k, trust).total() + self.actuator;
         let input = if between.counts_input { self.greatest_gain() * acting() } else { 0.0 };
-        let bounds: Vec<_> = ends[0][..n].iter().copied().chain([input]).collect();
+        let start = ends[0][..n].iter().copied();
+        let bounds: Vec<_> = start.chain([Span::of_size(input)]).collect();
         let seen = |row: &Vec<Near>| {
-            let inexact = row.iter().zip(&bounds).map(|((_, error), z)| error * z).sum::<f64>();
+            let all = row.iter().zip(&bounds);
+            let inexact = all.map(|((_, error), z)| error * z.size()).sum::<f64>();
             // The gain is rounded, and may be another one.
             let off = self.chain.gain.abs() * self.of_gain(trust, k) + ROUNDED * input;
-            self.bound(&self.over(row), k, trust).total() + inexact + row[n].0.abs() * off
+            let span = self.bound(&self.over(row), k, trust).span();
+            span.wider(inexact + row[n].0.abs() * off)
         };
         let mut most = ends[1][..n].to_vec();
         for (at, part) in between.parts.iter().enumerate() {
-            let here: Vec<f64> = match at {
+            let here: Vec<Span> = match at {
                 0 => bounds.clone(),
-                _ => part.start.iter().map(seen).chain([input]).collect(),
+                _ => part.start.iter().map(seen).chain([Span::of_size(input)]).collect(),
             };
             for (i, most) in most.iter_mut().enumerate() {
-                let inner = part.inner[i].iter().map(seen).fold(here[i], f64::max);
-                let rest: f64 = between.rest[i].iter().zip(&here).map(|(r, z)| r * z).sum();
-                *most = most.max(inner + rest);
+                let inner = part.inner[i].iter().map(seen).fold(here[i], Span::hull);
+                let rest: f64 = between.rest[i].iter().zip(&here).map(|(r, z)| r * z.size()).sum();
+                *most = most.hull(inner.wider(rest));
             }
         }
         let beside = |i: usize| self.moved.as_ref().map_or(0.0, |moved| moved.between[i]);
-        let own = |(i, most): (usize, &f64)| most + self.of_switches(i, k, trust) + beside(i);
+        let own = |(i, most): (usize, &Span)| most.wider(self.of_switches(i, k, trust) + beside(i));
         most.iter().enumerate().map(own).collect()
     }
 

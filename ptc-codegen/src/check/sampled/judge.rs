@@ -32,6 +32,8 @@ pub(crate) struct Loop<'a> {
     pub(super) expanded: Option<&'a Expanded>,
     pub(super) period: Range,
     pub(super) samples: usize,
+    /// The middle of each state at the start; `x0_max` of the design bounds how far it may be from there.
+    middle: Vec<f64>,
     /// The least and the greatest input gain of the plant.
     gains: [BigRational; 2],
     /// The plant with an input gain of 1.
@@ -134,6 +136,7 @@ impl<'a> Loop<'a> {
             expanded,
             period,
             samples,
+            middle: Vec::new(),
             gains,
             plant,
             between,
@@ -141,6 +144,12 @@ impl<'a> Loop<'a> {
             followed,
             response,
         })
+    }
+
+    /// The same from a box of states around another middle.
+    #[cfg(feature = "lab")]
+    pub(super) fn around(self, middle: &[f64]) -> Self {
+        Self { middle: middle.to_vec(), ..self }
     }
 
     /// The same, to be bounded at the samples alone.
@@ -163,6 +172,7 @@ impl<'a> Loop<'a> {
         // No input has acted yet.
         let start = promises.x0_max.iter().map(double).chain([0.0]);
         sampled.x0 = start.take(self.plant.n).collect();
+        sampled.middle.iter_mut().zip(&self.middle).for_each(|(own, middle)| *own = *middle);
         if let Some((followed, own)) = self.followed.as_ref().zip(self.spec.sampled()) {
             let known = Range::from(&Interval::exact(&own.gain));
             let moved = match &self.response {

@@ -27,6 +27,7 @@ mod proved;
 mod reach;
 mod relative;
 mod rounded;
+mod span;
 mod systems;
 #[cfg(feature = "files")]
 mod trajectory;
@@ -44,6 +45,7 @@ pub use outcome::causes;
 pub(crate) use outcome::{NAME, outcome};
 #[cfg(feature = "lab")]
 pub(crate) use proved::proved;
+pub use span::Span;
 #[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};

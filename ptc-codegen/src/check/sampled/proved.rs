@@ -6,11 +6,12 @@ use super::outcome::clipping;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{PlantBounds, Spec};
 
-/// The worst case of a loop in which u is not clipped and all that disturbs it is bounded.
+/// The worst case of a loop in which u is not clipped and all that disturbs it is bounded, from a box of states
+/// around a `middle`.
 ///
 /// # Errors
 /// What the loop lacks, or why its bounds are not those of every run.
-pub(crate) fn proved(spec: &Spec) -> Result<Worst, String> {
+pub(crate) fn proved(spec: &Spec, middle: &[f64]) -> Result<Worst, String> {
     if !spec.fixed.contains_key(&Parameter::Eps) && spec.sampled().is_none() {
         return Err("`eps` is left to run time".to_owned());
     }
@@ -26,7 +27,7 @@ pub(crate) fn proved(spec: &Spec) -> Result<Worst, String> {
     if let Some(PlantBounds::Unknown(why)) = &spec.promises.plant {
         return Err(why.clone());
     }
-    let closed = Loop::new(spec, None)?;
+    let closed = Loop::new(spec, None)?.around(middle);
     let worst = closed.worst(true)?;
     match clipping(spec, &worst, &closed) {
         (Some(why), true) => Err(format!("u may be clipped: {why}")),

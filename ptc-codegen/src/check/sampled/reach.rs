@@ -1,5 +1,6 @@
 //! Where the loop is at each sample.
 
+use super::span::Span;
 use super::trust::Trust;
 use super::worst::{Output, Sampled};
 
@@ -11,6 +12,8 @@ const OPERATIONS: f64 = 2e9;
 pub(super) struct Reach {
     /// Of each state.
     pub(super) states: Vec<Vec<f64>>,
+    /// What each state is within, where more is known than its size.
+    pub(super) spans: Vec<Vec<Span>>,
     /// Of the input that acts on the plant, where something is off in proportion to the loop.
     pub(super) acting: Vec<f64>,
     /// Of its change since the sample before.
@@ -42,10 +45,14 @@ impl Sampled {
     /// Adds the samples up to `at`; `None` where the loop may leave all bounds.
     pub(super) fn extend(&self, reach: &mut Reach, at: usize) -> Option<()> {
         for k in reach.states.len()..=at {
-            let one = |i| self.bound(&self.state(i), k, Some(Trust::Reach(reach))).total();
-            let states: Vec<_> = (1..=self.size()).map(one).collect();
+            let one = |i| {
+                let bound = self.bound(&self.state(i), k, Some(Trust::Reach(reach)));
+                (bound.total(), bound.span())
+            };
+            let (states, spans): (Vec<_>, Vec<_>) = (1..=self.size()).map(one).unzip();
             states.iter().all(|x| x.is_finite()).then_some(())?;
             reach.states.push(states);
+            reach.spans.push(spans);
             if self.is_relative() {
                 let before = reach.acting.last().copied().unwrap_or(0.0);
                 // The first sample is what times are counted from.

@@ -204,7 +204,7 @@ fn a_force_within_bounds_does_what_all_its_kicks_do() {
             };
             let all = bound(force(-2.0, 0.5, 0.1));
             let expected = 2.5 * sums[i].abs() + 0.1 * sizes[i];
-            assert!((all.force / expected - 1.0).abs() < 1e-5, "n = {n}, x{}: {all:?}", i + 1);
+            assert!((all.of_force() / expected - 1.0).abs() < 1e-5, "n = {n}, x{}: {all:?}", i + 1);
             let varying = bound(force(0.0, 0.0, 1.0));
             assert!((varying.force / sizes[i] - 1.0).abs() < 1e-5, "n = {n}: {varying:?}");
             assert!(varying.rounding < 1e-7 * varying.force, "n = {n}: {varying:?}");

@@ -5,6 +5,7 @@
 
 use super::between::Between;
 use super::reach::Reach;
+use super::span::{Span, hulls, sizes};
 use super::trust::Trust;
 use super::worst::{Output, Sampled};
 
@@ -22,10 +23,14 @@ const CLOSE: f64 = 1e-3;
 pub struct Way {
     /// Of each |x_i|.
     pub x: Vec<f64>,
+    /// What each x_i is within.
+    pub within: Vec<Span>,
     /// Whether they hold between the samples too.
     pub between: bool,
-    /// Of |u|.
+    /// Of |u|, the command until the deadline.
     pub u: f64,
+    /// What the input that acts is within, as the actuator resolves it, that of the sample at the deadline included.
+    pub acts: Span,
     /// What |u| reaches at least.
     pub u_attained: f64,
     /// The greatest standard deviation of u by random noise.
@@ -41,6 +46,8 @@ pub struct Afterwards {
     pub between: bool,
     /// Of |u|.
     pub u: f64,
+    /// Of the size of the input that acts, as the actuator resolves it.
+    pub acts: f64,
 }
 
 impl Way {
@@ -48,8 +55,10 @@ impl Way {
     pub(super) fn most(self, other: &Self) -> Self {
         Self {
             x: larger(self.x, &other.x),
+            within: hulls(&self.within, &other.within),
             between: self.between && other.between,
             u: self.u.max(other.u),
+            acts: self.acts.hull(other.acts),
             u_attained: self.u_attained.max(other.u_attained),
             u_rms: self.u_rms.max(other.u_rms),
         }
@@ -63,6 +72,7 @@ impl Afterwards {
             x: larger(self.x, &other.x),
             between: self.between && other.between,
             u: self.u.max(other.u),
+            acts: self.acts.max(other.acts),
         }
     }
 }
@@ -84,18 +94,27 @@ impl Sampled {
             None => Some(self.fading(None, last)?),
         };
         let trust = reach.map(Trust::Reach).or(fading.as_ref().map(Trust::Fading));
+        let start = self.middle.iter().zip(&self.x0);
+        let start = start.map(|(middle, x0)| Span { low: *middle, high: *middle }.wider(*x0));
         let mut way = Way {
-            x: self.x0[..n].to_vec(),
+            x: Vec::new(),
+            within: start.take(n).collect(),
             between: between.is_some(),
             u: 0.0,
+            acts: Span::default(),
             u_attained: 0.0,
             u_rms: 0.0,
         };
         let control = self.control();
-        let mut before: Option<Vec<f64>> = None;
+        let mut before: Option<Vec<Span>> = None;
         for k in 0..=last {
+            let bound = self.bound(&control, k, trust);
+            // A command that is late acts after the deadline.
+            if k < last || self.acting.is_none() {
+                way.acts = way.acts.hull(bound.span());
+            }
             if k < last {
-                let mut bound = self.bound(&control, k, trust);
+                let mut bound = bound;
                 // The command, before the actuator rounds it.
                 bound.actuator -= self.actuator;
                 // What rho takes may be of the other sign.
@@ -104,18 +123,19 @@ impl Sampled {
                 way.u_attained = way.u_attained.max(bound.attained() - bound.reference - rate);
                 way.u_rms = way.u_rms.max(bound.rms);
             }
-            let here = |i| match reach {
-                Some(reach) => reach.states[k][i] + self.of_early_switch(i, k, reach),
-                None => self.bound(&self.state(i + 1), k, trust).total(),
+            let here = |i: usize| match reach {
+                Some(reach) => reach.spans[k][i].wider(self.of_early_switch(i, k, reach)),
+                None => self.bound(&self.state(i + 1), k, trust).span(),
             };
             let here: Vec<_> = (0..n).map(here).collect();
-            way.x = larger(way.x, &here);
+            way.within = hulls(&way.within, &here);
             if let Some((between, before)) = between.zip(before) {
                 let ends = [before.as_slice(), &here];
-                way.x = larger(way.x, &self.until_next(between, k - 1, ends, trust));
+                way.within = hulls(&way.within, &self.until_next(between, k - 1, ends, trust));
             }
             before = Some(here);
         }
+        way.x = sizes(&way.within);
         let finite = way.u.is_finite() && way.x.iter().all(|x| x.is_finite());
         finite.then_some(way)
     }
@@ -156,15 +176,19 @@ impl Sampled {
         let between = self.between.as_ref().filter(fits);
         let control = self.control();
         let x = rest.x0[..self.chain.moved].to_vec();
-        let mut after = Afterwards { x, between: between.is_some(), u: 0.0 };
+        let mut after = Afterwards { x, between: between.is_some(), u: 0.0, acts: 0.0 };
         let mut see = |part: &Self, reach: &Reach, k: usize| {
             let trust = Some(Trust::Reach(reach));
-            after.u = after.u.max(part.bound(&control, k, trust).total() - part.actuator);
+            let acts = part.bound(&control, k, trust).total();
+            after.u = after.u.max(acts - part.actuator);
+            after.acts = after.acts.max(acts);
             let next = reach.states.get(k + 1).unwrap_or(&rest.x0);
-            let ends = [reach.states[k].as_slice(), next];
+            let ends = [&reach.states[k], next]
+                .map(|sizes| sizes.iter().map(|size| Span::of_size(*size)).collect::<Vec<_>>());
+            let ends = ends.each_ref().map(Vec::as_slice);
             let seen = between.map(|between| part.until_next(between, k, ends, trust));
             if let Some(seen) = seen {
-                after.x = larger(std::mem::take(&mut after.x), &seen);
+                after.x = larger(std::mem::take(&mut after.x), &sizes(&seen));
             }
         };
         (from..from + length).for_each(|k| see(self, &reach, k));
@@ -186,6 +210,7 @@ impl Sampled {
         for _ in 0..ROUNDS {
             let reach = Reach {
                 states: vec![rest.x0.clone(); count],
+                spans: Vec::new(),
                 acting: vec![acting; count],
                 change: vec![change; count],
                 drift: vec![rest.drift(&rest.x0, acting); count],

@@ -122,7 +122,7 @@ fn judged((number, (objective, judged)): (usize, (&Objective, &Judged))) -> page
         what: formula(objective),
         colour: match judged.verdict {
             Verdict::Proved | Verdict::Sampled { .. } => "good",
-            Verdict::Undecided(_) => "open",
+            Verdict::Met | Verdict::Undecided(_) => "open",
             Verdict::Fails => "bad",
         },
         verdict: judged.verdict(),
@@ -164,6 +164,12 @@ fn formula(objective: &Objective) -> Math {
         }
         Kind::Attractive { error } => {
             row([below(size(name(objective.letter)), bound(*error)), words(" at the end")])
+        }
+        Kind::AttractiveEach { errors } => {
+            let each = errors.iter().map(|(index, error)| {
+                below(size(sub(name(objective.letter), name(index))), bound(*error))
+            });
+            row([listed(each), words(" at the end")])
         }
         Kind::Within { h, low, high } => {
             let mut math = of_expression(h);
@@ -221,6 +227,9 @@ fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
         Kind::State { .. } | Kind::Attractive { .. } => format!("|{}|", objective.letter),
         Kind::Input { .. } => "|u|".to_owned(),
         Kind::Inputs { .. } => "largest |u_k| in parts of its bound".to_owned(),
+        Kind::AttractiveEach { .. } => {
+            format!("largest |{}_i| in parts of its bound", objective.letter)
+        }
         Kind::Within { h, .. } => h.to_string(),
     };
     let column = |of: &dyn Fn(&Level) -> Option<f64>| -> Vec<f64> {

@@ -147,6 +147,19 @@ fn smooth(expression: &Expression, signs: &mut Iter<'_, Option<bool>>) -> Expres
 }
 
 impl Part {
+    /// Whether x and u occur in one linear part alone.
+    pub(super) fn is_of_one(&self) -> bool {
+        let is_of_one = |form: &Expression| {
+            let mut parts = Vec::new();
+            form.each(&mut |e| match e.variable() {
+                Some(Variable::Xi(k)) if !parts.contains(&k) => parts.push(k),
+                _ => {}
+            });
+            !moves(form) && parts.len() <= 1
+        };
+        is_of_one(&self.normal) || is_of_one(&self.given)
+    }
+
     fn new(expression: &Expression, values: &Values) -> Self {
         let tau = || Expression::from(Parameter::Tau);
         let share = || tau().mul(Variable::TimeToGo.into());

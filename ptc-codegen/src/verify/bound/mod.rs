@@ -26,8 +26,6 @@ mod series;
 mod square;
 mod weight;
 
-use num_traits::ToPrimitive;
-
 use aim::Aim;
 use cell::{BEYOND, Drift, Loop};
 use clock::Clock;
@@ -36,13 +34,12 @@ use emitted::Emitted;
 use flow::Flow;
 pub(super) use flow::unit_rate;
 use margin::Bounds;
-use reason::Why;
+use reason::{Gap, Why};
 pub use running::limits;
 
 use super::linear::{LinearLoop, Values, drift, values};
 use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigInt, BigRational, integer};
-use crate::diagnostic::digits;
 use crate::expression::Expression;
 use crate::expression::enclosure::{Interval, Range};
 use crate::parameter::{Fixed, Parameter};
@@ -72,11 +69,32 @@ pub enum Proof {
         /// By how much, as [`Outcome::excess`](super::Outcome::excess).
         excess: f64,
     },
-    /// Nothing is known.
+    /// Its bound is met: what may be reached and what is reached are both within the allowance of it.
+    Met {
+        /// What is reached, in one line.
+        why: String,
+    },
+    /// The bound of what may be reached leaves no room, which no scenario need attain.
+    NoRoom {
+        /// What may be reached, and its bound, in one line.
+        why: String,
+        /// Where that is; `None` in the loop that runs.
+        place: Option<Place>,
+    },
+    /// Nothing is known: the loop or the objective is none that a proof is about.
     NotProved {
         /// What stood in the way, in one line.
         why: String,
     },
+}
+
+/// An instant of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// T/tau.
+    pub share: f64,
+    /// tau in s.
+    pub tau: f64,
 }
 
 impl Proof {
@@ -88,6 +106,14 @@ impl Proof {
     /// Whether it fails.
     pub fn is_refuted(&self) -> bool {
         matches!(self, Self::Refuted { .. })
+    }
+
+    /// Where no room is left, if that is known.
+    pub fn place(&self) -> Option<Place> {
+        match self {
+            Self::NoRoom { place, .. } => *place,
+            _ => None,
+        }
     }
 }
 
@@ -134,8 +160,8 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
     // As long as |u| < u_max the loop is the linear one.
     if let Some(most) = campaign.spec.fixed.get(&Parameter::UMax).and_then(Fixed::number) {
         let unclipped = Kind::Input { upsilon: Expression::from(most.clone()) };
-        if let Err(why) = prover.of_kind(&unclipped, &values) {
-            return all(format!("u may be clipped by u_max: {why}"));
+        if let Err(gap) = prover.of_kind(&unclipped, &values) {
+            return all(format!("u may be clipped by u_max: {}", gap.why));
         }
     }
     let scope = match Emitted::of(campaign, &mut prover) {
@@ -150,7 +176,7 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
         true => Proof::NotProved { why: OF_INTEGRAL.to_owned() },
         false => match prover.of_kind(&objective.kind, &values) {
             Ok(()) => Proof::Proved { scope: scope.clone() },
-            Err(why) => Proof::NotProved { why },
+            Err(gap) => gap.into(),
         },
     };
     campaign.objectives.iter().map(one).collect()
@@ -200,10 +226,10 @@ impl Prover {
     }
 
     /// Proves an objective, or says what prevents it.
-    fn of_kind(&mut self, kind: &Kind, values: &Values) -> Result<(), String> {
+    fn of_kind(&mut self, kind: &Kind, values: &Values) -> Result<(), Gap> {
         let aim = Aim::new(kind, values);
         let mut left = match kind {
-            Kind::Attractive { .. } => {
+            _ if kind.is_of_end() => {
                 vec![([self.until.clone(), self.until.clone()], self.tau.clone())]
             }
             _ => self.run(),
@@ -214,11 +240,11 @@ impl Prover {
             let Some((share, tau)) = left.pop() else { return Ok(()) };
             let Err(why) = self.holds(&aim, &share, &tau)? else { continue };
             if [&share, &tau].iter().all(|[low, high]| high - low <= low * &least) {
-                return Err(why.at(&share, &tau));
+                return Err(Gap::of(&why, &aim, &share, &tau));
             }
             // What does not hold in the middle is not proved by smaller cells.
             let [here, there] = [&share, &tau].map(middle_of);
-            self.holds(&aim, &here, &there)?.map_err(|why| why.at(&here, &there))?;
+            self.holds(&aim, &here, &there)?.map_err(|why| Gap::of(&why, &aim, &here, &there))?;
             // Where one of the two is what stands in the way, it is halved.
             let of_share = self.holds(&aim, &share, &there)?.is_err();
             let of_tau = self.holds(&aim, &here, &tau)?.is_err();
@@ -234,7 +260,7 @@ impl Prover {
             }
         }
         let Some((share, tau)) = left.last() else { return Ok(()) };
-        Err(spent(share, tau))
+        Err(Gap::spent(share, tau))
     }
 
     /// Whether an objective holds over a cell, as long as another one may be looked at.
@@ -243,10 +269,10 @@ impl Prover {
         aim: &Aim,
         share: &[BigRational; 2],
         tau: &[BigRational; 2],
-    ) -> Result<Result<(), Why>, String> {
-        let cell = self.closed.cell(share).ok_or_else(|| spent(share, tau))?;
+    ) -> Result<Result<(), Why>, Gap> {
+        let cell = self.closed.cell(share).ok_or_else(|| Gap::spent(share, tau))?;
         if cell.is_none() && self.closed.pieces == 0 {
-            return Err(spent(share, tau));
+            return Err(Gap::spent(share, tau));
         }
         // Where the rounding is not bounded the scope of a proof says so.
         let rounding = self.emitted.as_ref().and_then(|emitted| emitted.error(share));
@@ -277,12 +303,6 @@ impl Prover {
         cells.reverse();
         cells
     }
-}
-
-fn spent(share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
-    let about = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
-    let place = format!("T/tau = {}, tau = {}", about(&share[0]), about(&tau[0]));
-    format!("the cells that may be looked at are used up at {place}: too little room there")
 }
 
 /// The middle of an interval, as one.

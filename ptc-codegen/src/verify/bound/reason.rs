@@ -2,7 +2,9 @@
 
 use num_traits::ToPrimitive;
 
+use super::aim::Aim;
 use super::form::Part;
+use super::{Place, Proof};
 use crate::algebra::BigRational;
 use crate::diagnostic::{digits, digits_up};
 use crate::expression::enclosure::Range;
@@ -11,7 +13,7 @@ use crate::expression::enclosure::Range;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Why {
     /// What is bounded may reach the one number, and its bound may be the other.
-    Exceeded(&'static str, f64, f64),
+    Exceeded(String, f64, f64),
     /// An expression may have no value.
     MayNotExist(String),
     /// Nothing is known of an expression, or no bound of it.
@@ -22,11 +24,61 @@ pub(super) enum Why {
     NotEnclosed,
 }
 
+/// What prevents a proof of an objective.
+#[derive(Clone, Debug)]
+pub(super) struct Gap {
+    /// In one line.
+    pub(super) why: String,
+    /// Where it is, if a run may show there that the objective fails.
+    place: Option<Place>,
+}
+
+impl Gap {
+    /// What prevents it at the beginning of a cell. What is bounded by intervals of several parts need not be attained:
+    /// then the gap says nothing of the objective.
+    pub(super) fn of(
+        why: &Why,
+        aim: &Aim,
+        share: &[BigRational; 2],
+        tau: &[BigRational; 2],
+    ) -> Self {
+        let place = Place::at(share, tau);
+        let tells = matches!(why, Why::Exceeded(..) | Why::MayNotExist(_)) && aim.is_close();
+        Self { why: why.at(place), place: tells.then_some(place) }
+    }
+
+    /// No more cells may be looked at.
+    pub(super) fn spent(share: &[BigRational; 2], tau: &[BigRational; 2]) -> Self {
+        let Place { share, tau } = Place::at(share, tau);
+        let place = format!("T/tau = {}, tau = {}", digits(share), digits(tau));
+        let why = format!(
+            "the cells that may be looked at are used up at {place}: too little room there"
+        );
+        Self { why, place: Some(Place { share, tau }) }
+    }
+}
+
+impl From<Gap> for Proof {
+    fn from(Gap { why, place }: Gap) -> Self {
+        match place {
+            Some(_) => Self::NoRoom { why, place },
+            None => Self::NotProved { why },
+        }
+    }
+}
+
+impl Place {
+    /// Where a cell begins.
+    fn at(share: &[BigRational; 2], tau: &[BigRational; 2]) -> Self {
+        let [share, tau] = [&share[0], &tau[0]].map(|end| end.to_f64().unwrap_or(f64::NAN));
+        Self { share, tau }
+    }
+}
+
 impl Why {
     /// In words, with the place.
-    pub(super) fn at(&self, share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
-        let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
-        let place = format!("at T/tau = {}, tau = {}", number(&share[0]), number(&tau[0]));
+    fn at(&self, Place { share, tau }: Place) -> String {
+        let place = format!("at T/tau = {}, tau = {}", digits(share), digits(tau));
         match self {
             Self::Exceeded(what, value, bound) => format!(
                 "no room is left {place}: {what} may reach {}, and the bound is {}",
@@ -47,13 +99,14 @@ pub(super) fn unknown(part: &Part) -> Why {
     Why::Unknown(format!("no bound is found of {}", part.spelt))
 }
 
-pub(super) fn below(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
-    let why = Why::Exceeded(what, value.high(), bound.low());
-    if value.is_below(&bound) { Ok(()) } else { Err(why) }
+pub(super) fn below(what: &str, value: Range, bound: Range) -> Result<(), Why> {
+    let why = || Why::Exceeded(what.to_owned(), value.high(), bound.low());
+    if value.is_below(&bound) { Ok(()) } else { Err(why()) }
 }
 
 /// The same of two squares.
-pub(super) fn squares(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
-    let why = Why::Exceeded(what, value.high().sqrt(), bound.low().max(0.0).sqrt());
-    if value.is_below(&bound) { Ok(()) } else { Err(why) }
+pub(super) fn squares(what: &str, value: Range, bound: Range) -> Result<(), Why> {
+    let [reached, most] = [value.high().sqrt(), bound.low().max(0.0).sqrt()];
+    let why = || Why::Exceeded(what.to_owned(), reached, most);
+    if value.is_below(&bound) { Ok(()) } else { Err(why()) }
 }

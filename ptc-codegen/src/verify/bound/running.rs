@@ -1,15 +1,37 @@
 //! Objectives of the loop that runs, by its worst case.
 
-use super::super::objective::over;
+use num_traits::Zero;
+
+use super::super::allowance::{Comparison, over};
 use super::super::{Campaign, Interval, Kind, Objective, Signal};
 use super::Proof;
-use crate::check::sampled::{Bound, Worst, causes, proved as worst_case};
+use crate::check::sampled::{Bound, Span, Worst, causes, proved as worst_case};
 use crate::diagnostic::{digits, digits_up};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
-use crate::parameter::Parameter;
+use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 use crate::syntax::number;
+
+/// Why the worst case does not prove an objective.
+enum Lack {
+    /// It is not about the objective.
+    Unknown(String),
+    /// What is bounded may reach a value, and its bound.
+    NoRoom { what: String, most: f64, bound: f64 },
+}
+
+impl From<String> for Lack {
+    fn from(why: String) -> Self {
+        Self::Unknown(why)
+    }
+}
+
+impl From<&str> for Lack {
+    fn from(why: &str) -> Self {
+        Self::Unknown(why.to_owned())
+    }
+}
 
 /// For each objective whether the worst case proves it, or refutes it, or why not.
 pub(super) fn proved(campaign: &Campaign) -> Vec<Proof> {
@@ -18,8 +40,14 @@ pub(super) fn proved(campaign: &Campaign) -> Vec<Proof> {
         Err(why) => Proof::NotProved { why: why.clone() },
         Ok(worst) => match holds(campaign, worst, &objective.kind) {
             Ok(scope) => Proof::Proved { scope },
-            Err(why) => {
-                exceeded(campaign, worst, &objective.kind).unwrap_or(Proof::NotProved { why })
+            Err(Lack::Unknown(why)) => Proof::NotProved { why },
+            Err(Lack::NoRoom { what, most, bound }) => {
+                let why = format!(
+                    "{what} may reach {}, and its bound is {}",
+                    digits_up(most),
+                    digits(bound)
+                );
+                exceeded(campaign, worst, (&objective.kind, over(most, bound)), why)
             }
         },
     };
@@ -45,32 +73,67 @@ pub fn limits(campaign: &Campaign) -> Option<String> {
     ))
 }
 
-/// Whether signals that are allowed exceed an objective.
-fn exceeded(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Option<Proof> {
-    // The worst signals begin at a corner of a box around 0, and are at a bound of what disturbs.
-    let around_0 = campaign.x0.iter().all(|(low, high)| low + high == 0.0);
-    let any = |legal: &[Signal]| legal.contains(&Signal::Worst);
-    if !around_0 || !campaign.disturbances.iter().all(|(_, _, legal)| any(legal)) {
+/// What is known of an objective for which the worst case leaves no room, with the excess of what may be reached.
+fn exceeded(campaign: &Campaign, worst: &Worst, (kind, most): (&Kind, f64), why: String) -> Proof {
+    // Bounds of any signal say nothing of some.
+    let is_free = |legal: &[Signal]| {
+        legal.contains(&Signal::Worst) || legal.iter().all(|signal| *signal == Signal::Constant)
+    };
+    if !campaign.disturbances.iter().all(|(_, _, legal)| is_free(legal)) {
+        let why = format!("{why}, with signals that are not all in this campaign");
+        return Proof::NotProved { why };
+    }
+    let Some(Reached { what, value, bound }) = reached(campaign, worst, kind) else {
+        return Proof::NoRoom { why, place: None };
+    };
+    let excess = over(value, bound);
+    let reached = || format!("the worst signals of the loop reach {what} = {}", digits(value));
+    match Comparison::of(excess) {
+        Comparison::Exceeded => Proof::Refuted { why: reached(), excess },
+        Comparison::Met if Comparison::of(most) == Comparison::Met => Proof::Met { why: reached() },
+        _ => Proof::NoRoom { why, place: None },
+    }
+}
+
+/// What signals that are allowed reach at least.
+struct Reached {
+    what: String,
+    value: f64,
+    bound: f64,
+}
+
+/// What is reached of what an objective bounds, where that is known.
+fn reached(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Option<Reached> {
+    let spec = &campaign.spec;
+    // Quanta are bounded like noise, but nobody chooses them: their part may have the other sign.
+    let is_rounded = |steps: &[Fixed]| {
+        steps.iter().any(|step| step.number().is_some_and(|step| !step.is_zero()))
+    };
+    let is_quantised =
+        is_rounded(spec.promises.u_step.as_slice()) || is_rounded(&spec.promises.sensor_step);
+    if is_quantised || campaign.until > 0.0 {
         return None;
     }
-    let (reached, bound, what) = match kind {
-        Kind::Attractive { error } => {
-            let sizes = worst.reached.iter().enumerate();
-            let (state, most) = sizes.max_by(|a, b| a.1.total_cmp(b.1))?;
-            (*most, *error, format!("|x{}| at the deadline", state + 1))
+    let of_states = |bounds: &dyn Fn(usize) -> f64| {
+        let sizes = worst.reached.iter().enumerate().map(|(i, value)| Reached {
+            what: format!("|x{}| at the deadline", i + 1),
+            value: *value,
+            bound: bounds(i),
+        });
+        sizes.max_by(|a, b| (a.value / a.bound).total_cmp(&(b.value / b.bound)))
+    };
+    match kind {
+        Kind::Attractive { error } => of_states(&|_| *error),
+        Kind::AttractiveEach { errors } => {
+            of_states(&|i| errors.get(i).map_or(f64::INFINITY, |(_, error)| *error))
         }
         // What is late may act after the end of the run.
         Kind::Input { upsilon } if campaign.around.as_ref()?.delay.inputs() == 0 => {
-            (worst.way.as_ref()?.u_attained, constant(upsilon).ok()?, "|u|".to_owned())
+            let (value, bound) = (worst.way.as_ref()?.u_attained, constant(upsilon).ok()?);
+            Some(Reached { what: "|u|".to_owned(), value, bound })
         }
-        Kind::Input { .. } | Kind::Inputs { .. } | Kind::State { .. } | Kind::Within { .. } => {
-            return None;
-        }
-    };
-    (reached > bound).then(|| Proof::Refuted {
-        why: format!("the worst signals of the loop reach {what} = {}", digits(reached)),
-        excess: over(reached, bound),
-    })
+        Kind::Input { .. } | Kind::Inputs { .. } | Kind::State { .. } | Kind::Within { .. } => None,
+    }
 }
 
 /// The worst case of the loop of a campaign from any state of its box.
@@ -82,13 +145,19 @@ fn worst(campaign: &Campaign) -> Result<Worst, String> {
     let mut spec: Spec = campaign.spec.clone();
     let exact = |value: f64| number(&format!("{value:e}")).ok_or("a bound is not a number");
     spec.fixed.insert(Parameter::Tau, exact(least)?);
-    let radius = |(low, high): &Interval| exact(low.abs().max(high.abs()));
-    spec.promises.x0_max = campaign.x0.iter().map(radius).collect::<Result<_, _>>()?;
-    worst_case(&spec)
+    let middle: Vec<_> = campaign.x0.iter().map(|(low, high)| 0.5 * low + 0.5 * high).collect();
+    let radius = |((low, high), middle): (&Interval, &f64)| {
+        let radius = (high - middle).max(middle - low);
+        // Both are rounded.
+        exact(if radius > 0.0 { radius.next_up() } else { radius })
+    };
+    let radii = campaign.x0.iter().zip(&middle).map(radius);
+    spec.promises.x0_max = radii.collect::<Result<_, _>>()?;
+    worst_case(&spec, &middle)
 }
 
 /// What of the run a proof of the objective is about, or why it is not proved.
-fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, String> {
+fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Lack> {
     let way = || worst.way.as_ref().ok_or("there are more samples than it bounds one by one");
     let beyond = campaign.until < 0.0;
     let after = || match beyond {
@@ -99,48 +168,79 @@ fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Stri
         true => "the emitted program with its rounding, between the samples too",
         false => "the emitted program with its rounding, at the samples",
     };
-    // The largest |x_i|, or |u|, from t0 to the end.
-    let largest = |part: Part| -> Result<(f64, bool), String> {
+    // What x_i, or the u that acts, is within from t0 to the end.
+    let largest = |part: Part| -> Result<(Span, bool), Lack> {
         let (way, after) = (way()?, after()?);
-        let of = |x: &[f64], u: f64| match part {
-            Part::State(i) => x.get(i).copied().unwrap_or(f64::INFINITY),
-            Part::Control => u,
+        let nowhere = || Span { low: f64::NEG_INFINITY, high: f64::INFINITY };
+        let on_way = match part {
+            Part::State(i) => way.within.get(i).copied().unwrap_or_else(nowhere),
+            Part::Control => way.acts,
         };
-        let on_way = of(&way.x, way.u);
-        let later = after.map_or(0.0, |after| of(&after.x, after.u));
+        let later = after.map(|after| match part {
+            Part::State(i) => after.x.get(i).copied().unwrap_or(f64::INFINITY),
+            Part::Control => after.acts,
+        });
         let between = way.between && after.is_none_or(|after| after.between);
-        Ok((on_way.max(later), between || part == Part::Control))
+        // A sample that is early or late is none of those that are bounded.
+        if !between
+            && part != Part::Control
+            && campaign.around.as_ref().is_some_and(|a| a.jitter > 0.0)
+        {
+            return Err("it bounds the samples alone, and jitter moves them".into());
+        }
+        let all = later.map_or(on_way, |later| on_way.hull(Span::of_size(later)));
+        Ok((all, between || part == Part::Control))
+    };
+    // |x_i| at the deadline, and from there on.
+    let at_end = || -> Result<Vec<f64>, Lack> {
+        if campaign.until > 0.0 {
+            return Err("the run ends before the deadline, and it bounds x there".into());
+        }
+        let after = after()?;
+        let later = |i: usize| after.and_then(|after| after.x.get(i)).copied().unwrap_or(0.0);
+        let states = worst.states.iter().enumerate();
+        Ok(states.map(|(i, bound)| bound.total().max(later(i))).collect())
+    };
+    let scope_at_end = || -> Result<String, Lack> {
+        Ok(match after()? {
+            Some(after) => between(after.between),
+            None => "the emitted program with its rounding, at the deadline",
+        }
+        .to_owned())
     };
     match kind {
         Kind::Attractive { error } => {
             let at_deadline = size(worst.states.iter().map(Bound::total));
             let later = after()?.map_or(0.0, |after| size(after.x.iter().copied()));
-            let most = at_deadline.max(later);
-            let scope = match after()? {
-                Some(after) => between(after.between),
-                None => "the emitted program with its rounding, at the deadline",
-            };
-            within(most, *error, "|x|").map(|()| scope.to_owned())
+            at_end()?;
+            within(at_deadline.max(later), *error, "|x|")?;
+            scope_at_end()
+        }
+        Kind::AttractiveEach { errors } => {
+            for (most, (index, error)) in at_end()?.into_iter().zip(errors) {
+                within(most, *error, &format!("|x{index}|"))?;
+            }
+            scope_at_end()
         }
         Kind::Input { upsilon } => {
-            let (most, of_all) = largest(Part::Control)?;
-            within(most, constant(upsilon)?, "|u|").map(|()| between(of_all).to_owned())
+            let (all, of_all) = largest(Part::Control)?;
+            within(all.size(), constant(upsilon)?, "|u|")?;
+            Ok(between(of_all).to_owned())
         }
-        Kind::Inputs { .. } => Err("the plant has several inputs".to_owned()),
+        Kind::Inputs { .. } => Err("the plant has several inputs".into()),
         Kind::Within { h, low, high } => {
             let part = Part::of(h).ok_or("the worst case bounds x1..xn and u, and not h")?;
-            let (most, of_all) = largest(part)?;
+            let (all, of_all) = largest(part)?;
             if let Some(high) = high {
-                within(most, constant(high)?, "h")?;
+                within(all.high, constant(high)?, "h")?;
             }
             if let Some(low) = low {
-                within(most, -constant(low)?, "-h")?;
+                within(-all.low, -constant(low)?, "-h")?;
             }
             Ok(between(of_all).to_owned())
         }
         Kind::State { .. } => {
-            Err("the worst case is of the box of initial states, and the bound goes with x0"
-                .to_owned())
+            Err("the worst case is of the box of initial states, and the bound goes with x0".into())
         }
     }
 }
@@ -176,12 +276,9 @@ fn constant(bound: &Expression) -> Result<f64, String> {
         .ok_or_else(|| format!("its bound {bound} goes with time, and the worst case does not"))
 }
 
-fn within(most: f64, bound: f64, what: &str) -> Result<(), String> {
+fn within(most: f64, bound: f64, what: &str) -> Result<(), Lack> {
     match most < bound {
         true => Ok(()),
-        false => {
-            let (most, bound) = (digits_up(most), digits(bound));
-            Err(format!("{what} may reach {most}, and its bound is {bound}"))
-        }
+        false => Err(Lack::NoRoom { what: what.to_owned(), most, bound }),
     }
 }

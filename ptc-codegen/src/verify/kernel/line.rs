@@ -32,6 +32,11 @@ impl Line {
         (line.instants.len() > 1).then_some(line)
     }
 
+    /// T/tau of an instant.
+    pub(super) fn share(&self, index: usize) -> f64 {
+        self.instants[index].time_to_go / self.setting.values.get(Parameter::Tau)
+    }
+
     /// The steps from an instant to the next.
     fn between(
         &self,

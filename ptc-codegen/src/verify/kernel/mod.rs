@@ -16,7 +16,7 @@ pub(super) use rates::Rates;
 
 use super::objective::norm;
 use super::trial::Instant;
-use super::{Campaign, Kind, Scenario, Setting, Trial};
+use super::{Campaign, Scenario, Setting, Trial};
 use step::Step;
 
 /// Parts of a step of the grid between which slopes are taken as constant, at least.
@@ -47,7 +47,8 @@ struct Way {
     scenario: Scenario,
 }
 
-/// Scenarios in which `objective` may be worse than in `from`; none where the run has no slopes.
+/// Scenarios in which `objective` may be worse than in `from`, at the instant that `from` names if it does; none where
+/// the run has no slopes.
 pub(super) fn worse(
     campaign: &Campaign,
     (trial, rates): (&mut Trial, &mut Rates),
@@ -57,10 +58,15 @@ pub(super) fn worse(
     let line = Line::along(campaign, (trial, rates), from)?;
     let worst = |index: &usize| line.instants[*index].excess[objective];
     let last = line.instants.len() - 1;
-    let at_end = matches!(campaign.objectives[objective].kind, Kind::Attractive { .. });
-    let mut targets: Vec<_> = match at_end {
-        true => vec![last],
-        false => (1..=TARGETS).map(|i| i * last / TARGETS).filter(|i| *i > 0).collect(),
+    let at_end = campaign.objectives[objective].kind.is_of_end();
+    let apart = |index: &usize, share: f64| (line.share(*index) - share).abs();
+    let nearest = |share: f64| {
+        (1..=last).reduce(|a, b| if apart(&b, share) < apart(&a, share) { b } else { a })
+    };
+    let mut targets: Vec<_> = match from.at {
+        _ if at_end => vec![last],
+        Some(share) => nearest(share).into_iter().collect(),
+        None => (1..=TARGETS).map(|i| i * last / TARGETS).filter(|i| *i > 0).collect(),
     };
     targets.extend((1..=last).reduce(|a, b| if worst(&b) > worst(&a) { b } else { a }));
     targets.sort_unstable();

@@ -73,8 +73,8 @@ impl Line {
                     let mut point = from.point.clone();
                     point[1..=n].copy_from_slice(&start);
                     let courses = self.courses(campaign, (target, &kernels), &direction, from);
-                    *best =
-                        Some(Way { excess: value, scenario: Scenario { point, courses, seed: 0 } });
+                    let scenario = Scenario { point, courses, seed: 0, at: from.at };
+                    *best = Some(Way { excess: value, scenario });
                     direction = slopes(&moved, *time_to_go, value, &mut |moved| {
                         excess(&start, moved, rates)
                     });

@@ -3,7 +3,7 @@
 // Lanes are counted, which compilers make vectors of.
 #![allow(clippy::needless_range_loop)]
 
-use super::{Observer, Watched};
+use super::{Observer, Seen, Watched};
 use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
 use crate::program::{Program, Value};
@@ -102,13 +102,18 @@ impl LaneObserver {
         self.along.control(u);
         self.along.at(time_to_go, x);
         let size = self.sizes(x);
-        let Self { watched, along, excess, at_start, .. } = self;
+        let Self { watched, along, excess, at_start, distances, .. } = self;
         for (index, (excess, kind)) in excess.iter_mut().zip(&watched.kinds).enumerate() {
             *excess = Pack::of(|lane| {
                 let get = |value| along.lanes.get(value).0[lane];
+                let part = |i: usize| match distances.get(i) {
+                    Some(value) => along.lanes.get(*value).0[lane],
+                    None => x.get(i).map_or(f64::NAN, |x| x.0[lane]),
+                };
+                let [size, size_at_start] = [size.0[lane], at_start.0[lane]];
                 // A lane has one input.
-                let here = ((size.0[lane], at_start.0[lane]), &[u.0[lane]][..]);
-                watched.level(index, get, here, last[lane]).excess(kind)
+                let seen = Seen { size, size_at_start, u: &[u.0[lane]], part: &part };
+                watched.level(index, get, &seen, last[lane]).excess(kind)
             });
         }
         excess

@@ -103,7 +103,12 @@ impl Reader<'_> {
                     Kind::Inputs { upsilon: coupled.inputs.iter().copied().zip(bounds).collect() }
                 }
             },
-            "attractive" => Kind::Attractive { error: positive(self, "error")? },
+            "attractive" => match given.get("error") {
+                Some((_, node)) if matches!(node.value, Value::List(_)) => {
+                    Kind::AttractiveEach { errors: self.errors_of_each(index, node)? }
+                }
+                _ => Kind::Attractive { error: positive(self, "error")? },
+            },
             _ => {
                 let h = lifted.and_then(|node| expression(self, &node, Subject::Objective));
                 let (low, high) = (
@@ -131,6 +136,27 @@ impl Reader<'_> {
         let is_integral = |e: &Expression| matches!(e.variable(), Some(Variable::State(j)) if j > self.spec.variables());
         let integrates = matches!(&kind, Kind::Within { h, .. } if h.any(&is_integral));
         Some(Objective { kind, written, text, letter, integrates })
+    }
+
+    /// A bound for each coordinate of |x|, in its own unit.
+    fn errors_of_each(&mut self, index: usize, node: &Node) -> Option<Vec<(String, f64)>> {
+        let key = format!("objective[{index}].error");
+        let (all, names) = (items(node), self.spec.names_of_chains());
+        if all.len() != names.len() {
+            let (given, states) = (counted(&all.len(), "bound"), counted(&names.len(), "state"));
+            let message = format!("error of objective {index}: {given} for {states}");
+            let help = "give one number, which bounds the norm, or a list of one for each state";
+            self.wrong(&key, Some(node.place), message, help);
+            return None;
+        }
+        let errors: Option<Vec<f64>> =
+            all.iter().map(|item| number(item).filter(|value| *value > 0.0)).collect();
+        if errors.is_none() {
+            let message =
+                format!("error of objective {index} has an entry that is not a number > 0");
+            self.wrong(&key, Some(node.place), message, "each bounds |x_i| in the unit of x_i");
+        }
+        Some(names.into_iter().zip(errors?).collect())
     }
 
     /// The names of the plant and of the integrals.

@@ -9,7 +9,7 @@ pub use text::End;
 use super::bound::{self, Proof};
 use super::search::{self, Found};
 use super::trajectory::{Trajectory, trajectory};
-use super::{Campaign, Corners, Evidence, Kind, Tally, Trial, Verdict, Worst};
+use super::{Campaign, Comparison, Corners, Evidence, Kind, Tally, Trial, Verdict, Worst};
 use crate::diagnostic::counted;
 use crate::parameter::Precision;
 use distribution::distribution;
@@ -37,13 +37,15 @@ impl<'a> Known<'a> {
         told: &(dyn Fn(usize) + Sync),
     ) -> Self {
         let corners = Corners::run(campaign, trial, &|| told(1));
+        let proofs = bound::proved(campaign);
         let search = |objective: usize| {
             let mut starts = corners.starts(campaign, objective);
             starts.insert(0, campaign.scenario(drawn.excess[objective].index));
-            search::search(campaign, trial, (objective, &starts), &|runs| told(runs))
+            let starts = (objective, &starts[..], proofs[objective].place());
+            search::search(campaign, trial, starts, &|runs| told(runs))
         };
         let found = (0..campaign.objectives.len()).map(search).collect();
-        Self { drawn, corners, found, proofs: bound::proved(campaign) }
+        Self { drawn, corners, found, proofs }
     }
 
     /// The worst that was found of all objectives.
@@ -121,13 +123,12 @@ pub fn summary(campaign: &Campaign, trial: &mut Trial, known: &Known<'_>) -> Sum
         let evidence = Evidence { drawn, corners: tally, found, proof };
         let verdict = Verdict::of(campaign, index, evidence);
         let mut details = reasons((campaign, trial), (index, verdict), (known, found));
-        if let (Verdict::Sampled { .. } | Verdict::Undecided(_), Proof::NotProved { why }) =
-            (verdict, proof)
-        {
-            details.push(format!("not proved: {why}"));
-        }
-        if let Proof::Refuted { why, .. } = proof {
-            details.push(why.clone());
+        match (verdict, proof) {
+            (_, Proof::Refuted { why, .. } | Proof::Met { why }) => details.push(why.clone()),
+            (Verdict::Fails | Verdict::Proved, _) | (_, Proof::Proved { .. }) => {}
+            (_, Proof::NotProved { why } | Proof::NoRoom { why, .. }) => {
+                details.push(format!("not proved: {why}"));
+            }
         }
         let kind = &campaign.objectives[index].kind;
         let Worst { value, index: draw } = drawn.excess[index];
@@ -150,7 +151,7 @@ pub fn summary(campaign: &Campaign, trial: &mut Trial, known: &Known<'_>) -> Sum
                 Some(_) => format!("by the worst case, for every x0 and every signal, {scope}"),
                 None => format!("by intervals for every x0, tau and T, {scope}"),
             },
-            Proof::Refuted { .. } | Proof::NotProved { .. } => String::new(),
+            _ => String::new(),
         };
         objectives.push(Judged { verdict, excess: most, worst, scope, details });
     }
@@ -208,6 +209,9 @@ pub fn against(kind: &Kind, excess: f64) -> String {
             "which leaves the range of numbers, or of its bound".to_owned()
         }
         _ if excess == f64::NEG_INFINITY => "unknown, as no run was finished".to_owned(),
+        _ if Comparison::of(excess) == Comparison::Met => {
+            "at its bound, within rounding".to_owned()
+        }
         Kind::Within { .. } if excess > 0.0 => format!("outside by {excess:.6}"),
         Kind::Within { .. } => format!("inside by {:.6}", -excess),
         _ => format!("at {:.4} of the bound", 1.0 + excess),

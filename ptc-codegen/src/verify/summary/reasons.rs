@@ -1,7 +1,7 @@
 //! Why a verdict is what it is.
 
 use super::super::search::Found;
-use super::super::{Campaign, Doubt, Scenario, Tally, Trial, Verdict, confidence};
+use super::super::{ALLOWANCE, Campaign, Doubt, Scenario, Tally, Trial, Verdict, confidence};
 use super::Known;
 use crate::diagnostic::counted;
 use crate::simulate;
@@ -25,14 +25,12 @@ pub(super) fn reasons(
     let failed = || format!("{} fail it", of(&|tally| tally.failed[objective]));
     match verdict {
         Verdict::Proved => Vec::new(),
-        Verdict::Sampled { draws } => vec![match confidence(draws) {
-            Some((most, beta)) => format!(
-                "{} without a failure: the probability of failure under the stated distribution is at most ln(1/{beta})/{draws} = {most:.2e} with confidence {}",
-                counted(&draws, "independent draw"),
-                1.0 - beta
-            ),
-            None => format!("{} without a failure: too few to bound its probability", counted(&draws, "independent draw")),
-        }],
+        Verdict::Sampled { draws } => vec![chance(draws)],
+        Verdict::Met => vec![met(&of(&|tally| tally.met[objective]))],
+        Verdict::Undecided(Doubt::NoRoom) => vec![
+            "the proof leaves no room, and no run exceeds the bound where it fails".to_owned(),
+            chance(draws.scenarios),
+        ],
         Verdict::Fails => vec![failed()],
         Verdict::Undecided(Doubt::Contradiction) => vec![
             failed(),
@@ -42,7 +40,7 @@ pub(super) fn reasons(
             vec!["the two sides of Theorem 1 differ by more than `tolerance`".to_owned()]
         }
         Verdict::Undecided(Doubt::Open) => {
-            vec!["the bound is met within rounding: it holds on one side of Theorem 1, and fails on the other".to_owned()]
+            vec!["it holds on one side of Theorem 1, and fails on the other".to_owned()]
         }
         Verdict::Undecided(Doubt::Unfinished) => {
             let (scenario, ended) = match (draws.first_unfinished, corners.first_unfinished) {
@@ -63,6 +61,25 @@ pub(super) fn reasons(
             details
         }
     }
+}
+
+/// What draws without a failure are worth.
+fn chance(draws: u64) -> String {
+    let all = counted(&draws, "independent draw");
+    match confidence(draws) {
+        Some((most, beta)) => format!(
+            "{all} without a failure: the probability of failure under the stated distribution is at most ln(1/{beta})/{draws} = {most:.2e} with confidence {}",
+            1.0 - beta
+        ),
+        None => format!("{all} without a failure: too few to bound its probability"),
+    }
+}
+
+/// What a bound that is met is worth.
+fn met(count: &str) -> String {
+    format!(
+        "{count} meet the bound to a relative {ALLOWANCE:e}, the allowance for rounding and integration: neither a promise nor a failure"
+    )
 }
 
 /// Why a scenario ends early.

@@ -23,6 +23,7 @@ impl Judged {
                 format!("holds, proved {}", self.scope)
             }
             Verdict::Sampled { .. } => "holds, by sampling".to_owned(),
+            Verdict::Met => "met within rounding".to_owned(),
             Verdict::Undecided(_) => "undecided".to_owned(),
             Verdict::Fails => "fails".to_owned(),
         }
@@ -44,6 +45,11 @@ impl Summary {
             }
             () => End::Holds,
         }
+    }
+
+    /// Whether every objective is proved.
+    fn is_proved(&self) -> bool {
+        self.objectives.iter().all(|judged| judged.verdict == Verdict::Proved)
     }
 
     /// As it is printed.
@@ -74,7 +80,8 @@ impl Summary {
             text.extend(ended.iter().map(|ended| format!("  it ends early: {ended}\n")));
         }
         text.push_str(match self.end() {
-            End::Holds => "\nevery objective holds\n",
+            End::Holds if self.is_proved() => "\nevery objective holds\n",
+            End::Holds => "\nevery objective holds, by sampling where it says so: nothing is claimed of its worst case\n",
             End::Fails => "\nnot verified\n",
             End::Undecided => "\nundecided\n",
         });

@@ -22,14 +22,14 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
                 (Some(_), None) => "f + g u between samples",
                 (Some(_), Some(_)) => "f + g u and r^(n) between samples",
             },
-            bound.force,
+            bound.of_force(),
         ),
         ("reference", bound.reference),
         ("g", bound.gain),
         ("jitter", bound.jitter),
     ];
     let others = others.map(|(cause, part)| (cause.to_owned(), part));
-    let mut all = vec![("x0".to_owned(), bound.x0)];
+    let mut all = vec![("x0".to_owned(), bound.of_start())];
     all.extend(noise.chain(others).filter(|(_, part)| *part > 0.0));
     all.push(("rounding".to_owned(), bound.rounding));
     all

@@ -2,19 +2,22 @@
 
 use super::super::chain::along;
 use super::super::force::most as most_of;
+use super::super::span::Span;
 use super::super::trust::{Inexact, Trust};
 use super::{Output, Sampled};
 
 /// The largest size of an output, by cause.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bound {
-    /// From the state at the start.
+    /// What the middles of the box of states at the start and of f make of it, with its sign: no signal is chosen there.
+    pub middle: [f64; 2],
+    /// From how far the state at the start may be from the middle.
     pub x0: f64,
     /// From the error of each measured state.
     pub noise: Vec<f64>,
     /// From the steps of the actuator.
     pub actuator: f64,
-    /// From f of the plant.
+    /// From how far f of the plant may be from its middle.
     pub force: f64,
     /// From what a reference does between the samples, at most.
     pub reference: f64,
@@ -37,7 +40,30 @@ impl Bound {
     /// What the worst signals reach, but for rounding, with the input gain in the middle of its interval,
     /// samples in time and a reference that r^(n) of each sample follows.
     pub fn attained(&self) -> f64 {
-        self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
+        self.centre().abs() + self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
+    }
+
+    /// The value in the middle of all that is bounded.
+    fn centre(&self) -> f64 {
+        self.middle[0] + self.middle[1]
+    }
+
+    /// What the value itself is within.
+    pub fn span(&self) -> Span {
+        let centre = self.centre();
+        // The radius is found by a difference of what is rounded up already.
+        let radius = (self.total() - centre.abs()).max(0.0) + 4.0 * f64::EPSILON * self.total();
+        Span { low: centre - radius, high: centre + radius }
+    }
+
+    /// What the state at the start accounts for.
+    pub fn of_start(&self) -> f64 {
+        self.middle[0].abs() + self.x0
+    }
+
+    /// What f of the plant accounts for.
+    pub fn of_force(&self) -> f64 {
+        self.middle[1].abs() + self.force
     }
 }
 
@@ -62,10 +88,14 @@ impl Sampled {
         }
         let mut room = vec![0.0; self.size()];
         let (mut constant, mut varying) = (0.0, [0.0; 2]);
+        // Sizes of the terms of what may cancel.
+        let mut cancelling = 0.0;
         for k in (0..at).rev() {
             let step = self.step(k);
             if let Some(force) = &self.force {
-                constant += force.signed(&row);
+                let signed = force.signed(&row);
+                constant += signed;
+                cancelling += (force.middle.abs() + force.constant) * signed.abs();
                 if force.varying > 0.0 {
                     let size = most_of(&self.chain, &row, &[]);
                     varying.iter_mut().zip(size).for_each(|(sum, part)| *sum += part);
@@ -98,14 +128,18 @@ impl Sampled {
             }
         }
         bound.x0 = row.iter().zip(&self.x0).map(|(p, x0)| (p * x0).abs()).sum();
+        let middle = || row.iter().zip(&self.middle).map(|(p, middle)| p * middle);
+        bound.middle[0] = middle().sum();
+        cancelling += middle().map(f64::abs).sum::<f64>();
         let kept = row.iter().skip(self.x0.len()).zip(&self.kept);
         bound.reference += kept.map(|(p, start)| (p * start).abs()).sum::<f64>();
-        inexact.start(&[self.x0.as_slice(), &self.kept].concat());
+        let start = self.x0.iter().zip(&self.middle).map(|(x0, middle)| x0 + middle.abs());
+        inexact.start(&start.chain(self.kept.iter().copied()).collect::<Vec<_>>());
         let mut rounding = inexact.sum;
         if let Some(force) = &self.force {
             let [least, most] = varying;
-            bound.force =
-                (force.middle.abs() + force.constant) * constant.abs() + force.varying * least;
+            bound.middle[1] = force.middle * constant;
+            bound.force = force.constant * constant.abs() + force.varying * least;
             rounding += force.varying * (most - least);
         }
         bound.rms = causes.variance.sqrt();
@@ -115,7 +149,7 @@ impl Sampled {
         #[allow(clippy::cast_precision_loss)]
         let rounded = 1e-12_f64.max((at + 64) as f64 * f64::EPSILON);
         let others = bound.reference + bound.gain + bound.jitter;
-        let slack = rounded * (bound.attained() + others + rounding);
+        let slack = rounded * (bound.attained() + cancelling + others + rounding);
         bound.rounding = if trust.is_some() { rounding + slack } else { f64::INFINITY };
         bound
     }

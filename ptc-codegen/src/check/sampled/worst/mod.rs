@@ -33,8 +33,10 @@ pub(super) struct Sampled {
     units: Vec<Unit>,
     /// Of each x_j in units of gains, what it is at each sample.
     gains: BTreeMap<usize, Vec<f64>>,
-    /// Bounds of |x_j| at the start.
+    /// How far x_j may be from its middle at the start.
     pub(super) x0: Vec<f64>,
+    /// The middle of x_j at the start.
+    pub(super) middle: Vec<f64>,
     /// Bounds of the error of each measured state.
     pub(super) noise: Vec<f64>,
     /// Standard deviation of the random error of each measured state.
@@ -112,6 +114,7 @@ impl Sampled {
         kept: &[(Unit, f64)],
     ) -> Self {
         let (x0, noise) = (vec![0.0; chain.n], vec![0.0; chain.sensors()]);
+        let middle = x0.clone();
         let noise_rms = noise.clone();
         let own = (1..=chain.n).map(|j| chain.unit(j));
         let units: Vec<_> = own.chain(kept.iter().map(|(unit, _)| *unit)).collect();
@@ -134,6 +137,7 @@ impl Sampled {
             units,
             gains,
             x0,
+            middle,
             noise,
             noise_rms,
             actuator: 0.0,
@@ -209,7 +213,8 @@ impl Sampled {
     /// The loop with its last sample repeated, from states within other bounds.
     pub(super) fn last(&self, x0: Vec<f64>) -> Self {
         let steps = self.steps.last().cloned().into_iter().collect();
-        Self { steps, x0, gains: BTreeMap::new(), ..self.clone() }
+        let middle = vec![0.0; self.middle.len()];
+        Self { steps, x0, middle, gains: BTreeMap::new(), ..self.clone() }
     }
 
     /// The row of an output on s_K, with u_K written out.

@@ -82,6 +82,12 @@ impl Bounds {
                     squares("|x|", size, Range::from(*error).square())
                 })
             }
+            Aim::AttractiveEach { errors } => {
+                errors.iter().enumerate().try_for_each(|(i, error)| {
+                    let x = self.of_row(&point, i).both_signs();
+                    below(&format!("|x{}|", i + 1), x, Range::from(*error))
+                })
+            }
             Aim::Within { h, low, high } => {
                 let h = value(h)?;
                 if let Some(low) = low {
@@ -99,7 +105,7 @@ impl Bounds {
     fn state(&self, point: &Point, sigma: f64, zeta: Range) -> Result<(), Why> {
         let bound = Range::from(sigma) * zeta;
         if !zeta.is_positive() {
-            return Err(Why::Exceeded("|x|/|x0|", 0.0, bound.low()));
+            return Err(Why::Exceeded("|x|/|x0|".to_owned(), 0.0, bound.low()));
         }
         let mut corners = point.corners.iter();
         corners.try_for_each(|corner| self.state_at(&corner.rows[..self.n], bound))
@@ -119,7 +125,7 @@ impl Bounds {
         match driven {
             _ if least.is_positive() => squares("|x|", self.greatest(rows), bound.square() * least),
             true => Err(Why::AtRest),
-            false => Err(Why::Exceeded("|x|/|x0|", norm_about(&of_box), bound.low())),
+            false => Err(Why::Exceeded("|x|/|x0|".to_owned(), norm_about(&of_box), bound.low())),
         }
     }
 }

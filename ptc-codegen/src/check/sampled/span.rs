@@ -1,0 +1,44 @@
+//! Least and greatest values, in doubles that are rounded by whoever adds to them.
+
+/// What a value is within.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Span {
+    /// Its least value.
+    pub low: f64,
+    /// Its greatest value.
+    pub high: f64,
+}
+
+impl Span {
+    /// All values of at most this size.
+    pub(crate) fn of_size(size: f64) -> Self {
+        Self { low: -size, high: size }
+    }
+
+    /// The greatest size.
+    pub fn size(self) -> f64 {
+        self.high.max(-self.low)
+    }
+
+    /// What both are within.
+    #[must_use]
+    pub(crate) fn hull(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The same and everything up to a distance of it.
+    #[must_use]
+    pub(super) fn wider(self, by: f64) -> Self {
+        Self { low: self.low - by, high: self.high + by }
+    }
+}
+
+/// The hulls of pairs.
+pub(crate) fn hulls(a: &[Span], b: &[Span]) -> Vec<Span> {
+    a.iter().zip(b).map(|(a, b)| a.hull(*b)).collect()
+}
+
+/// The sizes of spans.
+pub(super) fn sizes(spans: &[Span]) -> Vec<f64> {
+    spans.iter().map(|span| span.size()).collect()
+}
