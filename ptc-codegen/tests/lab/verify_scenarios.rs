@@ -123,7 +123,7 @@ fn found(campaign: &Campaign) -> (f64, Scenario) {
     let corners = Corners::run(campaign, &trial, &|| ());
     let mut starts = corners.starts(campaign, 0);
     starts.push(campaign.scenario(0));
-    let found = search(campaign, &trial, (0, &starts), &|_| ());
+    let found = search(campaign, &trial, (0, &starts, None), &|_| ());
     assert!(found.runs <= campaign.search + 1, "{}", found.runs);
     (found.excess, found.scenario)
 }
