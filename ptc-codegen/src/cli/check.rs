@@ -124,7 +124,7 @@ fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
 const LOOP: &str = "loop";
 
 /// The worst case of each state at the deadline, by cause, and of x and u on the way. `final` is the
-/// sum of its causes; by `from_reference`, `from_g`, `from_jitter` and `from_rounding` the true one may be more.
+/// sum of its causes, with what a known reference makes of it; by `from_reference`, `from_g`, `from_jitter` and `from_rounding` the true one may be more.
 fn worst_case(worst: &Worst) -> serde_json::Value {
     let each = |part: &dyn Fn(&Bound) -> f64| worst.states.iter().map(part).collect::<Vec<_>>();
     json!({

@@ -45,7 +45,15 @@ pub(super) struct Pass<'a> {
     pub(super) until: f64,
     /// Longest step over which the functions of the monitor are resolved.
     pub(super) longest: f64,
+    /// Whether the steps stay too small to come to an end.
+    pub(super) stalled: bool,
 }
+
+/// Steps after which it is asked whether they lead on.
+const ASKED: usize = 5000;
+
+/// Steps that a rest of a run may take at the pace of the last ones asked for.
+const HOPELESS: f64 = 1e9;
 
 /// Where a piece stops, and why it does not go on: no failure where only the steps are used up.
 pub(super) type Stopped = (Reached, Option<Failure>);
@@ -58,6 +66,8 @@ impl Pass<'_> {
         monitor: Option<Monitor<'_>>,
         visit: Visit<'_>,
     ) -> Result<Reached, Stopped> {
+        let end = self.points.last().copied().unwrap_or(f64::NAN).min(self.until);
+        let (mut asked_at, mut asked) = (method.t(), self.left.saturating_sub(ASKED));
         loop {
             let (at, state, wanted) = (method.t(), method.y(), method.h());
             let here = |end| Reached { at, state, step: wanted, end };
@@ -77,6 +87,15 @@ impl Pass<'_> {
                 return Err((here(End::Done), None));
             }
             self.left -= 1;
+            if self.left < asked {
+                #[allow(clippy::cast_precision_loss)]
+                let pace = (at - asked_at) / ASKED as f64;
+                if (end - at) > HOPELESS * pace {
+                    self.stalled = true;
+                    return Err((here(End::Done), None));
+                }
+                (asked_at, asked) = (at, self.left.saturating_sub(ASKED));
+            }
             let wrong = |failure| (here(End::Done), Some(failure));
             let goal = point.min(self.until);
             let mut step = wanted.min(self.longest);

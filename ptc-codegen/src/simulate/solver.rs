@@ -96,7 +96,7 @@ fn by_turns<const N: usize>(
                     last = wrong.or(last);
                 }
             }
-            if pass.left == 0 {
+            if pass.left == 0 || pass.stalled {
                 break;
             }
         }
@@ -110,7 +110,7 @@ fn by_turns<const N: usize>(
                 last = wrong.or(last);
             }
         }
-        if pass.left == 0 {
+        if pass.left == 0 || pass.stalled {
             break;
         }
     }
@@ -129,6 +129,12 @@ fn undecided(
     (system.rates)(begin.at, &begin.state, &mut rates);
     if !finite(&rates) {
         return no_value();
+    }
+    if pass.stalled {
+        return Failure::unfinished(
+            "the steps of the integration stay too small to reach the end of the run",
+            "the loop moves ever faster there: narrow the box of initial states, or see that f, g and the law are smooth where the state goes",
+        );
     }
     if pass.left == 0 || last.is_none() {
         return Failure::unfinished(

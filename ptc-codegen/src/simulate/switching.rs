@@ -105,6 +105,7 @@ impl Walk {
             left: accuracy.steps,
             until: f64::INFINITY,
             longest: f64::INFINITY,
+            stalled: false,
         };
         let mut step = match first {
             First::Eighth if self.step > 0.0 => self.step,

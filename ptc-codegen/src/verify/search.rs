@@ -35,6 +35,9 @@ const SMALLEST: f64 = 1.0 / 256.0;
 /// Turns of the two ways of going on.
 const TURNS: usize = 3;
 
+/// Runs that cannot be finished, after which a search ends.
+const UNFINISHED: usize = 3;
+
 /// Runs with worst signals at the instant at which a proof fails.
 const ATTACKS: usize = 12;
 
@@ -57,7 +60,9 @@ pub fn search(
     let sloped = switches && campaign.has_sides() && !integrates;
     let rates = sloped.then(|| Rates::new(campaign)).flatten();
     let left = campaign.search;
-    let mut search = Search { campaign, trial, switches, rates, objective, told, left, best: None };
+    let (unfinished, best) = (0, None);
+    let mut search =
+        Search { campaign, trial, switches, rates, objective, told, left, unfinished, best };
     search.take(starts);
     for start in starts {
         search.switch(start);
@@ -102,6 +107,8 @@ struct Search<'a> {
     told: &'a dyn Fn(usize),
     /// Runs that may be taken.
     left: usize,
+    /// Runs that could not be finished.
+    unfinished: usize,
     best: Option<Found>,
 }
 
@@ -119,6 +126,8 @@ impl Search<'_> {
         better
     }
 
+    /// Notes what a run gave. After a few that could not be finished the search ends: it can prove nothing any more, and such
+    /// runs take longest.
     fn note(&mut self, scenario: &Scenario, outcome: Outcome) -> bool {
         let (excess, judgement) =
             (outcome.worst(self.objective), outcome.judgement(self.objective));
@@ -126,6 +135,12 @@ impl Search<'_> {
             Status::Unfinished => outcome.ended.clone().map(|ended| (scenario.clone(), ended)),
             _ => None,
         };
+        if unfinished.is_some() {
+            self.unfinished += 1;
+            if self.unfinished >= UNFINISHED {
+                self.left = 0;
+            }
+        }
         let difference = outcome.difference();
         let Some(best) = &mut self.best else {
             let scenario = scenario.clone();

@@ -31,8 +31,9 @@ fn told(test: &str, text: &str) -> (i32, String) {
 }
 
 fn proofs(text: &str) -> Vec<Proof> {
-    let (spec, plant) = support::design(text);
-    let read = verify::read(&support::entries(text), &spec, &plant);
+    let entries = support::entries(text);
+    let spec = ptc_codegen::request::read(&entries).unwrap_or_else(|wrong| panic!("{wrong:?}"));
+    let read = verify::read_with_plant(&entries, &spec);
     verify::bound::proved(&read.unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}")))
 }
 

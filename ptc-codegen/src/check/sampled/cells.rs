@@ -19,6 +19,19 @@ const MOST_CELLS: f64 = 256.0;
 /// Part of a bound that the gain may add, where nothing is to be decided.
 const CLOSE: f64 = 0.1;
 
+/// A loop with where it is at each sample, where that is bounded.
+struct Run {
+    sampled: Sampled,
+    reach: Option<Reach>,
+}
+
+impl Run {
+    /// A loop up to a sample.
+    fn new(last: usize) -> impl Fn(Sampled) -> Self {
+        move |sampled| Self { reach: sampled.reach(last), sampled }
+    }
+}
+
 /// The worst case of a sampled loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worst {
@@ -49,6 +62,24 @@ impl Worst {
     }
 }
 
+impl Worst {
+    /// What is known by two bounds of the same loop.
+    fn least(self, other: Self) -> Self {
+        let smaller = |(a, b): (Bound, Bound)| if b.total() < a.total() { b } else { a };
+        let way = match (self.way, other.way) {
+            (Some(a), Some(b)) => Some(a.least(b)),
+            (a, b) => a.or(b),
+        };
+        Self {
+            states: self.states.into_iter().zip(other.states).map(smaller).collect(),
+            reached: larger(self.reached, &other.reached),
+            samples: self.samples,
+            way,
+            after: self.after.or(other.after),
+        }
+    }
+}
+
 impl Loop<'_> {
     /// The worst case with the eps of the design, and on the way if `way` is set.
     ///
@@ -60,11 +91,18 @@ impl Loop<'_> {
         let mut all: Option<Worst> = None;
         while let Some(cell) = open.pop() {
             let sampled = self.disturbed(self.acting(&cell)?, &cell);
-            let reach = sampled.reach(self.samples);
-            let mut worst = self.of_cell(&sampled, reach.as_ref(), way)?;
+            let own = sampled.at_own_times().map(Run::new(self.samples));
+            let run = Run::new(self.samples)(sampled);
+            let mut worst = self.of_cell(&run, way);
+            if let Some(own) = &own
+                && let Ok(other) = self.of_cell(own, way)
+            {
+                worst = Ok(worst.map_or(other.clone(), |worst| worst.least(other)));
+            }
+            let mut worst = worst?;
             // As many as the time allows, of what one takes.
             let left = left.get_or_insert_with(|| {
-                (OPERATIONS / sampled.operations(2 * self.samples)).clamp(8.0, MOST_CELLS)
+                (OPERATIONS / run.sampled.operations(2 * self.samples)).clamp(8.0, MOST_CELLS)
             });
             *left -= 1.0;
             if cell.error > 0.0 && *left > open.len() as f64 && !self.is_decided(&worst) {
@@ -72,7 +110,10 @@ impl Loop<'_> {
                 continue;
             }
             if way && self.spec.after == After::Hold && self.followed.is_none() {
-                worst.after = reach.and_then(|reach| sampled.afterwards(self.samples, &reach));
+                let runs = [Some(&run), own.as_ref()].into_iter().flatten();
+                let all = runs
+                    .filter_map(|run| run.sampled.afterwards(self.samples, run.reach.as_ref()?));
+                worst.after = all.reduce(Afterwards::least);
             }
             all = Some(match all {
                 None => worst,
@@ -99,12 +140,8 @@ impl Loop<'_> {
     }
 
     /// The worst case of one cell up to the deadline.
-    fn of_cell(
-        &self,
-        sampled: &Sampled,
-        reach: Option<&Reach>,
-        way: bool,
-    ) -> Result<Worst, String> {
+    fn of_cell(&self, Run { sampled, reach }: &Run, way: bool) -> Result<Worst, String> {
+        let reach = reach.as_ref();
         if sampled.is_relative() && reach.is_none() {
             return Err(format!(
                 "{} samples are more than it looks at with an uncertain input gain or jitter",

@@ -5,9 +5,9 @@
 //! r^(n), that is r^(n+1)(c) (t - c) + rest, |rest| <= (t - c)^2/2 max |r^(n+2)|. Of a linear plant its states on the
 //! reference are in place of r, ..., r^(n-1), and its input there of r^(n).
 
-use num_traits::Zero;
+use num_traits::{ToPrimitive, Zero};
 
-use super::chain::Near;
+use super::chain::{Near, centre};
 use super::judge::exact;
 use super::model::divided;
 use super::rounded::{ROUNDED, Rounded, StagedValues, unit_roundoff};
@@ -21,6 +21,9 @@ use crate::request::{Reference, Sampled, Spec, derivatives};
 /// Cells into which the time of a run is divided.
 const CELLS: usize = 100;
 
+/// Samples up to which r^(n+1) is computed for each.
+const KNOWN: usize = 20_000;
+
 /// Roundings of the time of a call: of a count as a number, of h, and of their product, and more.
 const OF_TIME: f64 = 4.0;
 
@@ -31,6 +34,8 @@ pub(super) struct Followed {
     pub(super) numbers: Vec<Near>,
     /// Of |r^(n+1)|, where r^(n) - rho goes with it by the distance from the middle of a sample.
     pub(super) slope: f64,
+    /// r^(n+1) in the middle of each sample until the deadline; empty where it is not known, or samples are many.
+    pub(super) slopes: Vec<Near>,
     /// Of what is left of |r^(n) - rho| beside it.
     pub(super) rest: f64,
     /// Of all of |r^(n) - rho|.
@@ -61,7 +66,8 @@ impl Followed {
             }
             Some(Reference::Input) => {
                 let numbers = vec![(0.0, 0.0); n + 1];
-                return Ok(Some(Self { numbers, slope: 0.0, rest: 0.0, most: 0.0 }));
+                let slopes = Vec::new();
+                return Ok(Some(Self { numbers, slope: 0.0, slopes, rest: 0.0, most: 0.0 }));
             }
         };
         let known = |value| exact(value).ok_or("tau or the sample period is left to run time");
@@ -72,7 +78,9 @@ impl Followed {
         };
         let all = derivatives(given, n + 2).map_err(lacks)?;
         // Until the last input before the deadline has acted.
+        let samples = (&tau / &h).round().to_usize().filter(|samples| *samples <= KNOWN);
         let late = BigRational::from_integer((own.delay.inputs() + 2).into()) * &h;
+        let period = Range::from(&Interval::exact(&h));
         let [h, end] = [h, tau + late].map(|time| Range::from(&Interval::exact(&time)).high());
         let cells = divided(Range::from(0.0).hull(&Range::from(end)), CELLS);
         let values = over(spec, reference_at_sample(spec, own), &cells).map_err(lacks)?;
@@ -82,17 +90,21 @@ impl Followed {
         let rate = rates.iter().copied().fold((0.0, 0.0), most);
         let last = |rates: usize| own.followed(&all[rates..=rates + n]).pop();
         let further: Vec<_> = [1, 2].into_iter().filter_map(last).collect();
-        let further = over(spec, plant(spec, &further), &cells);
+        let program = plant(spec, &further);
+        let middles: Vec<_> = (0..samples.unwrap_or(0)).map(|k| middle_of(k) * period).collect();
+        let at_middles = values_of(spec, program.clone(), &middles).unwrap_or_default();
+        let slopes: Vec<_> = at_middles.iter().map(|values| centre(values[0].exact, 0.0)).collect();
+        let further = over(spec, program, &cells);
         let further = further.map_err(|order| lacks(n + 1 + order.min(1)))?;
         let [slope, curve] = [0, 1].map(|order: usize| further[order].0);
         let most = 0.5 * h * slope * ROUNDED;
-        let (slope, rest) = match own.delay.is_whole() {
-            true => (slope, 0.125 * h * h * curve * ROUNDED),
+        let (slope, slopes, rest) = match own.delay.is_whole() {
+            true => (slope, slopes, 0.125 * h * h * curve * ROUNDED),
             // Two inputs act in a sample, the older one from before the start on: any signal.
-            false => (0.0, most),
+            false => (0.0, Vec::new(), most),
         };
         let numbers = below.iter().copied().chain([rate]).collect();
-        Ok(Some(Self { numbers, slope, rest, most }))
+        Ok(Some(Self { numbers, slope, slopes, rest, most }))
     }
 
     /// Bound of |r^(order)|, and of |rho| for n.
@@ -109,11 +121,30 @@ impl Followed {
     }
 }
 
+/// The middle of sample k, in periods.
+fn middle_of(k: usize) -> Range {
+    #[allow(clippy::cast_precision_loss)]
+    Range::from(k as f64 + 0.5)
+}
+
 /// Bounds of the values that a program watches over cells of time, and of what rounding does to them.
 ///
 /// # Errors
 /// The first that has none.
 fn over(spec: &Spec, program: Program, cells: &[Range]) -> Result<Vec<Near>, usize> {
+    let all = values_of(spec, program, cells)?;
+    let most = |(value, error): Near, own: &Rounded| {
+        (value.max(own.exact.size().high()), error.max(own.error))
+    };
+    let count = all.first().map_or(0, Vec::len);
+    Ok((0..count).map(|i| all.iter().map(|cell| &cell[i]).fold((0.0, 0.0), most)).collect())
+}
+
+/// The values that a program watches over each of some cells of time.
+///
+/// # Errors
+/// The first that has none.
+fn values_of(spec: &Spec, program: Program, cells: &[Range]) -> Result<Vec<Vec<Rounded>>, usize> {
     let program = passes::optimise(program, &mut |_, _| {});
     let mut values = StagedValues::new(&program, &program.watched).ok_or(0_usize)?;
     let nothing = Rounded::of(Range::from(0.0));
@@ -129,17 +160,16 @@ fn over(spec: &Spec, program: Program, cells: &[Range]) -> Result<Vec<Near>, usi
         values.run(stage, &early);
     }
     let unit = OF_TIME * unit_roundoff(spec.precision);
-    let mut found = vec![(0.0_f64, 0.0_f64); program.watched.len()];
+    let mut found = Vec::with_capacity(cells.len());
     for cell in cells {
         let time = Rounded { exact: *cell, error: (unit * cell.high()).next_up() };
         values.run(Stage::Tick, &|input| match input {
             Input::Time => Some(time),
             other => early(other),
         });
-        for (order, (value, most)) in program.watched.iter().zip(&mut found).enumerate() {
-            let value = values.get(*value).ok_or(order)?;
-            *most = (most.0.max(value.exact.size().high()), most.1.max(value.error));
-        }
+        let watched = program.watched.iter().enumerate();
+        let all = watched.map(|(order, value)| values.get(*value).ok_or(order));
+        found.push(all.collect::<Result<Vec<_>, _>>()?);
     }
     Ok(found)
 }

@@ -31,6 +31,8 @@ pub(super) struct Moved {
     /// Where estimates of a chain are kept, and of which state; `None` for another plant.
     estimates: Option<Vec<(usize, usize)>>,
     slope: f64,
+    /// r^(n+1) in the middle of each sample, where it is known.
+    slopes: Vec<Near>,
     rest: f64,
     /// What rho adds where the input gain is not that of the law.
     wrong: f64,
@@ -95,6 +97,7 @@ impl Moved {
             plant: filled(&response.most),
             estimates: None,
             slope: followed.slope,
+            slopes: followed.slopes.clone(),
             rest: followed.rest,
             wrong,
             input,
@@ -149,6 +152,7 @@ impl Moved {
             plant: of(&plant, &share),
             estimates: Some(estimates),
             slope: followed.slope,
+            slopes: followed.slopes.clone(),
             rest: followed.rest,
             wrong,
             input: (Range::from(rate) / known.size()).high(),
@@ -157,8 +161,8 @@ impl Moved {
         }
     }
 
-    /// The most that it adds to what `row` sees in a sample.
-    pub(super) fn adds(&self, chain: &Chain, row: &[f64]) -> f64 {
+    /// What it adds to what `row` sees in sample `k`: a value, and the most beside it.
+    pub(super) fn adds(&self, chain: &Chain, row: &[f64], k: usize) -> (f64, f64) {
         let any = |size: f64, estimates: &[(usize, usize)]| match (size, &self.estimates) {
             (0.0, _) => 0.0,
             (size, Some(_)) => size * force::most(chain, row, estimates)[1],
@@ -168,9 +172,12 @@ impl Moved {
                     * ROUNDED
             }
         };
-        self.slope * along(row, &self.slanted).abs()
+        let slanted = along(row, &self.slanted);
+        let (known, slope) = self.slopes.get(k).copied().unwrap_or((0.0, self.slope));
+        let most = slope * slanted.abs()
             + any(self.rest, self.estimates.as_deref().unwrap_or_default())
-            + any(self.wrong, &[])
+            + any(self.wrong, &[]);
+        (known * slanted, most)
     }
 
     /// The columns of its causes with their bounds.

@@ -20,6 +20,9 @@ pub(super) struct Reach {
     pub(super) change: Vec<f64>,
     /// Of how far each measured value moves until it is measured.
     pub(super) drift: Vec<Vec<f64>>,
+    /// Of how far each state of the plant moves as a period is longer or shorter, where states are at the times of the
+    /// samples themselves.
+    pub(super) moves: Vec<Vec<f64>>,
     /// Of what is not exact in it, by how much each of the next states counts, one sample behind the other:
     /// [`Sampled::inexact`].
     pub(super) inexact: Vec<f64>,
@@ -61,6 +64,7 @@ impl Sampled {
                 reach.drift.push(drift);
                 let (acting, change) = self.inputs(reach, k);
                 reach.acting.push(acting);
+                reach.moves.push(self.moves(&reach.states[k], acting, k == 0));
                 reach.change.push(change);
             }
             let acting = reach.acting.last().copied().unwrap_or_default();
@@ -76,7 +80,7 @@ impl Sampled {
         let acts = self.acts();
         let changes = Output { change: true, ..acts.clone() };
         let acting = if self.is_relative() { total(&acts) + self.actuator } else { 0.0 };
-        let moves = self.late.is_some() && k > 0;
+        let moves = self.late().is_some() && k > 0;
         (acting, if moves { total(&changes) + 2.0 * self.actuator } else { 0.0 })
     }
 }

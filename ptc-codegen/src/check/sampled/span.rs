@@ -26,6 +26,12 @@ impl Span {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
+    /// What is within both.
+    #[must_use]
+    pub(super) fn common(self, other: Self) -> Self {
+        Self { low: self.low.max(other.low), high: self.high.min(other.high) }
+    }
+
     /// The same and everything up to a distance of it.
     #[must_use]
     pub(super) fn wider(self, by: f64) -> Self {

@@ -65,7 +65,32 @@ impl Way {
     }
 }
 
+impl Way {
+    /// What is known by two bounds of the same loop; at the samples alone the second one is of their own times.
+    pub(super) fn least(self, other: Self) -> Self {
+        let u = self.u.min(other.u);
+        let u_attained = self.u_attained.max(other.u_attained);
+        let acts = self.acts.common(other.acts);
+        if !(self.between && other.between) {
+            return Self { u, acts, u_attained, ..other };
+        }
+        let both = self.within.iter().zip(&other.within);
+        let within: Vec<_> = both.map(|(a, b)| a.common(*b)).collect();
+        Self { x: sizes(&within), within, u, acts, u_attained, ..other }
+    }
+}
+
 impl Afterwards {
+    /// What is known by two bounds of the same loop; at the samples alone the second one is of their own times.
+    pub(super) fn least(self, other: Self) -> Self {
+        let (u, acts) = (self.u.min(other.u), self.acts.min(other.acts));
+        if !(self.between && other.between) {
+            return Self { u, acts, ..other };
+        }
+        let x = self.x.iter().zip(&other.x).map(|(a, b)| a.min(*b)).collect();
+        Self { x, u, acts, ..other }
+    }
+
     /// The greater of two bounds.
     pub(super) fn most(self, other: &Self) -> Self {
         Self {
@@ -214,6 +239,7 @@ impl Sampled {
                 acting: vec![acting; count],
                 change: vec![change; count],
                 drift: vec![rest.drift(&rest.x0, acting); count],
+                moves: vec![rest.moves(&rest.x0, acting, false); count],
                 inexact: rest.inexact(0, &rest.x0, acting).repeat(count),
             };
             let total =

@@ -24,7 +24,7 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
             },
             bound.of_force(),
         ),
-        ("reference", bound.reference),
+        ("reference", bound.of_reference()),
         ("g", bound.gain),
         ("jitter", bound.jitter),
     ];

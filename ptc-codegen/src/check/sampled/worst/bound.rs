@@ -9,8 +9,9 @@ use super::{Output, Sampled};
 /// The largest size of an output, by cause.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bound {
-    /// What the middles of the box of states at the start and of f make of it, with its sign: no signal is chosen there.
-    pub middle: [f64; 2],
+    /// What the middles of the box of states at the start and of f, and a known reference, make of it, with its sign: no
+    /// signal is chosen there.
+    pub middle: [f64; 3],
     /// From how far the state at the start may be from the middle.
     pub x0: f64,
     /// From the error of each measured state.
@@ -45,7 +46,7 @@ impl Bound {
 
     /// The value in the middle of all that is bounded.
     fn centre(&self) -> f64 {
-        self.middle[0] + self.middle[1]
+        self.middle.iter().sum()
     }
 
     /// What the value itself is within.
@@ -59,6 +60,11 @@ impl Bound {
     /// What the state at the start accounts for.
     pub fn of_start(&self) -> f64 {
         self.middle[0].abs() + self.x0
+    }
+
+    /// What a reference accounts for.
+    pub fn of_reference(&self) -> f64 {
+        self.middle[2].abs() + self.reference
     }
 
     /// What f of the plant accounts for.
@@ -110,12 +116,16 @@ impl Sampled {
                 inexact.direct(output.direct, step, k, self.limits());
             }
             if let Some(moved) = &self.moved {
-                bound.reference += moved.adds(&self.chain, &row);
+                let (known, most) = moved.adds(&self.chain, &row, k);
+                bound.middle[2] += known;
+                bound.reference += most;
+                cancelling += known.abs();
             }
             causes.add();
             if self.late.is_some() {
-                bound.jitter +=
-                    self.of_drift(trust, k, &causes.seen) + self.of_switch(trust, k, &row);
+                bound.jitter += self.of_drift(trust, k, &causes.seen)
+                    + self.of_switch(trust, k, &row)
+                    + self.of_period(trust, k, &row);
             }
             if self.gain_error > 0.0 {
                 bound.gain += along(&row, &self.chain.input).abs() * self.of_gain(trust, k);
