@@ -5,8 +5,8 @@
 
 use super::objective::Kind;
 
-/// Relative accuracy to which a value counts as known: ten times the error per step of an integrated run.
-pub const ALLOWANCE: f64 = 1e-8;
+/// Relative accuracy to which a value counts as known: the error per step of an integrated run.
+pub const ALLOWANCE: f64 = 1e-9;
 
 /// How a value compares with its bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,8 +80,12 @@ pub(super) fn over(value: f64, bound: f64) -> f64 {
     f64::INFINITY
 }
 
-/// An excess, and 0 where it is within the allowance of a size.
+/// An excess, and 0 where it is within the allowance of a size. What consists of zeros is known exactly, and keeps a bound
+/// of 0.
 fn snapped(excess: f64, size: f64) -> f64 {
+    if excess == 0.0 && size == 0.0 {
+        return -f64::MIN_POSITIVE;
+    }
     if excess.abs() <= ALLOWANCE * size { 0.0 } else { excess }
 }
 
