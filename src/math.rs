@@ -41,6 +41,9 @@ functions! { f64:
     cosh(x) = cosh | cosh;
     tanh(x) = tanh | tanh;
     atanh(x) = atanh | atanh;
+    asin(x) = asin | asin;
+    acos(x) = acos | acos;
+    cbrt(x) = cbrt | cbrt;
     pow(x, y) = powf | pow;
     mul_add(x, y, z) = mul_add | fma;
 }
@@ -57,6 +60,9 @@ functions! { f32:
     cosh(x) = cosh | coshf;
     tanh(x) = tanh | tanhf;
     atanh(x) = atanh | atanhf;
+    asin(x) = asin | asinf;
+    acos(x) = acos | acosf;
+    cbrt(x) = cbrt | cbrtf;
     pow(x, y) = powf | powf;
     mul_add(x, y, z) = mul_add | fmaf;
 }

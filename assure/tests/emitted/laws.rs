@@ -18,7 +18,7 @@ const RECORDS: usize = 400;
 
 /// Only functions that every library rounds alike, so that bits can be compared.
 fn specs() -> Vec<Spec> {
-    let kinds: [&[(&str, &str)]; 13] = [
+    let kinds: [&[(&str, &str)]; 15] = [
         &[
             ("n", "1"),
             ("mu", "exp(a=1)"),
@@ -75,6 +75,18 @@ fn specs() -> Vec<Spec> {
             ("poles", "-4,-5"),
             ("params.a", "1"),
             ("g", "2"),
+        ],
+        &[
+            ("n", "2"),
+            ("mu", "exp"),
+            ("pi0", "-asin(tanh(xi1)) - acos(tanh(xi2)) - cbrt(xi1)"),
+            ("g", "1 + hypot(x1, x2)"),
+        ],
+        &[
+            ("n", "2"),
+            ("mu", "exp"),
+            ("pi0", "-xi1 - atan2(xi2, xi1) - cbrt(xi2)"),
+            ("precision", "f32"),
         ],
     ];
     kinds

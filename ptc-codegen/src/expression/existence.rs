@@ -15,6 +15,8 @@ pub(crate) enum Condition {
     Positive,
     NotNegative,
     /// Greater than -1 and less than 1.
+    InsideOne,
+    /// From -1 to 1.
     WithinOne,
 }
 
@@ -27,7 +29,8 @@ impl Condition {
                 Self::NotZero => value != 0.0,
                 Self::Positive => value > 0.0,
                 Self::NotNegative => value >= 0.0,
-                Self::WithinOne => value.abs() < 1.0,
+                Self::InsideOne => value.abs() < 1.0,
+                Self::WithinOne => value.abs() <= 1.0,
             }
     }
 
@@ -42,7 +45,8 @@ impl Condition {
             Self::NotZero => !values.has_zero(),
             Self::Positive => values.is_positive(),
             Self::NotNegative => values.is_not_negative(),
-            Self::WithinOne => values.is_inside(&Interval::integer(-1).hull(&Interval::integer(1))),
+            Self::InsideOne => values.is_inside(&Interval::integer(1).both_signs()),
+            Self::WithinOne => values.within(Domain::WithinOne).is_some_and(|part| part == *values),
         }
     }
 
@@ -52,7 +56,8 @@ impl Condition {
             Self::NotZero => "not 0",
             Self::Positive => "> 0",
             Self::NotNegative => ">= 0",
-            Self::WithinOne => "within -1 and 1",
+            Self::InsideOne => "within -1 and 1",
+            Self::WithinOne => "from -1 to 1",
         }
     }
 }
@@ -91,7 +96,8 @@ fn collect(
             Domain::Everywhere => None,
             Domain::NotNegative => Some((a.clone(), Condition::NotNegative)),
             Domain::Positive => Some((a.clone(), Condition::Positive)),
-            Domain::InsideOne => Some((a.clone(), Condition::WithinOne)),
+            Domain::InsideOne => Some((a.clone(), Condition::InsideOne)),
+            Domain::WithinOne => Some((a.clone(), Condition::WithinOne)),
             Domain::OffPoles => Some((E::call(Function::Cos, a.clone()), Condition::NotZero)),
         },
         _ => None,
@@ -128,7 +134,9 @@ mod tests {
             ("sqrt(t - 1)", "t - 1 NotNegative"),
             ("sqrt(t - 1)^2", "t - 1 NotNegative"),
             ("ln(t)", "t Positive"),
-            ("atanh(t)", "t WithinOne"),
+            ("atanh(t)", "t InsideOne"),
+            ("asin(t) + acos(t)", "t WithinOne"),
+            ("cbrt(t)", ""),
             ("tan(t)", "cos(t) NotZero"),
             ("max(0, sqrt(t))", "t NotNegative"),
             ("abs(t) + sign(t) + sin(t) + cos(t) + atan(t) + tanh(t)", ""),
@@ -142,9 +150,13 @@ mod tests {
     #[cfg(feature = "lab")]
     #[test]
     fn no_number_meets_no_condition() {
-        for condition in
-            [Condition::NotZero, Condition::Positive, Condition::NotNegative, Condition::WithinOne]
-        {
+        for condition in [
+            Condition::NotZero,
+            Condition::Positive,
+            Condition::NotNegative,
+            Condition::InsideOne,
+            Condition::WithinOne,
+        ] {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                 assert!(!condition.holds(value), "{condition:?} {value}");
             }
@@ -152,6 +164,7 @@ mod tests {
             assert!(!condition.is_certain(&Interval::WHOLE));
         }
         assert!(!Condition::NotZero.holds(0.0) && !Condition::Positive.holds(0.0));
-        assert!(Condition::NotNegative.holds(0.0) && !Condition::WithinOne.holds(-1.0));
+        assert!(Condition::NotNegative.holds(0.0) && !Condition::InsideOne.holds(-1.0));
+        assert!(Condition::WithinOne.holds(-1.0) && !Condition::WithinOne.holds(1.5));
     }
 }

@@ -1,6 +1,7 @@
 //! From a parsed value to an expression: what each name means, and what is wrong with it.
 
 use super::existence::needs;
+use super::function::OF_TWO;
 use super::names::{self, Found};
 use super::{Expression, Function, Node, Subject, Variable, power_bits};
 use crate::algebra::integer;
@@ -241,12 +242,21 @@ impl Resolver<'_, '_> {
         }
         let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
         let count = values.len();
+        let of_two = OF_TWO.iter().find(|(two, _)| *two == name);
         match (name, function, count) {
             ("min" | "max" | "mean", ..) if !ARGUMENTS.admits(count) => {
                 self.exceeded(&ARGUMENTS, count, place)
             }
             (_, Some((_, function)), 1) => {
                 Some(Expression::call(*function, values.into_iter().next()?))
+            }
+            (_, None, 2) if of_two.is_some() => {
+                let mut values = values.into_iter();
+                of_two.map(|(_, of)| Some(of(values.next()?, values.next()?)))?
+            }
+            (_, None, _) if of_two.is_some() => {
+                let message = format!("`{name}` takes two arguments and is given {count}");
+                self.wrong(place, message, &format!("write {name}(a, b)"))
             }
             ("min", ..) if count >= 2 => values.into_iter().reduce(Expression::min),
             ("max", ..) if count >= 2 => values.into_iter().reduce(Expression::max),
@@ -317,7 +327,9 @@ impl Resolver<'_, '_> {
 /// The names of all functions. An objective has integrals over the run too, which are names before it is read.
 fn functions(subject: Subject) -> impl Iterator<Item = &'static str> + Clone {
     let own = (subject == Subject::Objective).then_some(INTEGRAL);
-    listed(Function::ALL.iter().map(|(name, _)| *name).chain(["min", "max", "mean"]).chain(own))
+    let of_two = OF_TWO.iter().map(|(name, _)| *name);
+    let all = Function::ALL.iter().map(|(name, _)| *name).chain(of_two);
+    listed(all.chain(["min", "max", "mean"]).chain(own))
 }
 
 fn named(key: &str) -> Option<Parameter> {

@@ -198,6 +198,7 @@ fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sig
     };
     match function.row().signs {
         Signs::Positive => Some(Positive),
+        Signs::NeverNegative => Some(NotNegative),
         Signs::Size => match of(a, known) {
             Some(Positive | Negative) => Some(Positive),
             _ => Some(NotNegative),

@@ -130,8 +130,10 @@ pub(super) fn depends(field: &Field, symbol: Symbol, does: &dyn Fn(&Expression) 
 }
 
 fn inverse(function: Function, target: Expression) -> Option<Expression> {
-    if function == Function::Sqrt {
-        return Some(target.power(Expression::integer(2)));
+    match function {
+        Function::Sqrt => return Some(target.power(Expression::integer(2))),
+        Function::Cbrt => return Some(target.power(Expression::integer(3))),
+        _ => {}
     }
     Some(Expression::call(function.row().inverse?, target))
 }

@@ -171,6 +171,10 @@ impl Arithmetic {
             Function::Sin => self.sin_cos(a)[0].clone(),
             Function::Cos => self.sin_cos(a)[1].clone(),
             Function::Atan => self.atan(a),
+            Function::Asin if self.is_negligible(a) => a.clone(),
+            Function::Asin => self.charged(|own| a.asin(own.bits, ANY, &mut own.constants)),
+            Function::Acos => self.charged(|own| a.acos(own.bits, ANY, &mut own.constants)),
+            Function::Cbrt => self.charged(|own| a.cbrt(own.bits, ANY)),
             function => function.by_others(self, a).unwrap_or(NAN),
         }
     }

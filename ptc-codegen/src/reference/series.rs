@@ -104,7 +104,13 @@ impl Arithmetic {
 
     /// a^b for a constant b and positive a_0, from a (a^b)' = b a' a^b.
     fn constant_power(&mut self, a: &Series, b: &BigFloat) -> Series {
-        let mut f = vec![self.power(&a[0], b)];
+        let first = self.power(&a[0], b);
+        self.power_from(a, first, b)
+    }
+
+    /// a^b from its value at a_0, which is not 0.
+    fn power_from(&self, a: &Series, first: BigFloat, b: &BigFloat) -> Series {
+        let mut f = vec![first];
         for k in 1..a.len() {
             let sum = (1..=k).fold(self.integer(0), |sum, j| {
                 let weight = self.sub(&self.mul(b, &self.small(j)), &self.small(k - j));
@@ -161,6 +167,17 @@ impl Arithmetic {
                     let square = self.convolved(f, f, k, 0, |_| one.clone());
                     self.add(if k == 0 { &one } else { &zero }, &self.mul(&sign, &square))
                 })
+            }
+            Slope::ThirdReciprocalSquare => {
+                let third = self.div(&self.integer(1), &self.integer(3));
+                self.power_from(a, first, &third)
+            }
+            Slope::OverCircle(sign) => {
+                let under = self.over_square(a, -1);
+                let half = self.double(0.5);
+                let root = self.constant_power(&under, &half);
+                let sign = self.integer(sign.into());
+                self.integrated(a, first, |_, k| self.mul(&sign, &root[k]))
             }
             Slope::OverOneAndSquare(sign) => {
                 let slope = self.over_square(a, sign.into());
@@ -266,6 +283,7 @@ mod tests {
             "sin(t)*cos(t) + tan(a*t)",
             "atan(t)/(1 + t) - sinh(t)*cosh(t)",
             "tanh(t) + atanh(t/2)*t",
+            "asin(t/2)*acos(t) - cbrt(1 + t)*cbrt(t - 1)",
             "(1 + a*t)^(-1/m) + (1 + t)^t + t^3 - 2^t",
         ] {
             let expression = testing::mu(text);

@@ -5,6 +5,7 @@ mod command;
 mod design;
 mod examine;
 mod heads;
+mod identities;
 mod overflow;
 mod plcopen;
 mod spelling;

@@ -1,6 +1,6 @@
 //! What must hold of the parts of an expression for it to be smooth.
 
-use crate::expression::function::Domain;
+use crate::expression::function::{Domain, Slope};
 use crate::expression::{Expression, Function, Node, Variable};
 
 /// A condition on a part of an expression, wherever the variable may be.
@@ -47,6 +47,9 @@ fn own(expression: &Expression, v: Variable, found: &mut Vec<Need>) {
             if function.row().has_kink {
                 need(a.clone(), false, format!("{expression} has a kink where {a} is 0"));
             }
+            if function.row().slope == Slope::ThirdReciprocalSquare {
+                need(a.clone(), false, format!("{expression} is vertical where {a} is 0"));
+            }
             let name = function.name();
             match function.row().domain {
                 Domain::Everywhere => {}
@@ -57,7 +60,7 @@ fn own(expression: &Expression, v: Variable, found: &mut Vec<Need>) {
                     let cosine = Expression::call(Function::Cos, a.clone());
                     need(cosine, false, format!("{expression} may have a pole"));
                 }
-                Domain::InsideOne => {
+                Domain::InsideOne | Domain::WithinOne => {
                     let why = format!("{a}, under {name}, may reach 1 or -1");
                     need(one().sub(a.clone()), true, why.clone());
                     need(one().add(a.clone()), true, why);

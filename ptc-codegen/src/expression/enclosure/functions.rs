@@ -106,7 +106,7 @@ impl Interval {
         let row = function.row();
         let Some(there) = self.within(row.domain) else { return Self::WHOLE };
         let there = match row.pieces {
-            Pieces::Rising => there,
+            Pieces::Rising | Pieces::Falling => there,
             Pieces::Valley => there.size(),
             Pieces::Wave(quarters) => return there.wave(quarters, cache),
             Pieces::Branches if there.cos(cache).has_zero() => return Self::WHOLE,
@@ -142,6 +142,13 @@ impl Interval {
             }
             Function::Atan => library(BigFloat::atan, cache),
             Function::Tan => library(BigFloat::tan, cache),
+            Function::Asin => library(BigFloat::asin, cache),
+            Function::Acos if x.is_zero() || is_tiny(x) => {
+                Self::pi(cache).over(&Self::integer(2)).minus(&Self::from(x.clone()))
+            }
+            Function::Acos => Self::around(x.acos(LONG, RoundingMode::None, cache)),
+            Function::Cbrt if x.is_zero() || x.is_inf() => Self::from(x.clone()),
+            Function::Cbrt => Self::around(x.cbrt(LONG, RoundingMode::None)),
             function => {
                 let x = Self::from(x.clone());
                 function.by_others(&mut Intervals { cache }, &x).unwrap_or(Self::WHOLE)

@@ -4,12 +4,14 @@
 //! word of a language asks the row, so that two analyses never differ in what a function is.
 
 mod formula;
+mod several;
 mod slope;
 mod table;
 #[cfg(feature = "files")]
 mod words;
 
 pub(crate) use formula::{in_exponentials, in_logarithms};
+pub(crate) use several::OF_TWO;
 pub(crate) use slope::{Algebra, Slope, Symbolic};
 pub(crate) use table::Row;
 
@@ -42,6 +44,12 @@ pub enum Function {
     Tanh,
     /// Inverse hyperbolic tangent.
     Atanh,
+    /// Inverse sine.
+    Asin,
+    /// Inverse cosine.
+    Acos,
+    /// Cube root, of negative numbers too.
+    Cbrt,
 }
 
 /// What f(-a) is.
@@ -64,6 +72,8 @@ pub(crate) enum Domain {
     Positive,
     /// -1 < a < 1.
     InsideOne,
+    /// -1 <= a <= 1.
+    WithinOne,
     /// cos(a) is not 0.
     OffPoles,
 }
@@ -93,6 +103,7 @@ impl Domain {
             Self::NotNegative => [at(0, true), None],
             Self::Positive => [at(0, false), None],
             Self::InsideOne => [at(-1, false), at(1, false)],
+            Self::WithinOne => [at(-1, true), at(1, true)],
         }
     }
 }
@@ -102,6 +113,8 @@ impl Domain {
 pub(crate) enum Pieces {
     /// It rises, or stays, on its whole domain.
     Rising,
+    /// It falls on its whole domain.
+    Falling,
     /// It falls up to 0 and rises from there.
     Valley,
     /// It oscillates between -1 and 1, greatest at this many quarter turns, and a whole turn further on.
@@ -115,6 +128,8 @@ pub(crate) enum Pieces {
 pub(crate) enum Signs {
     /// Always > 0.
     Positive,
+    /// Always >= 0.
+    NeverNegative,
     /// > 0 but for an argument 0, where it is 0.
     Size,
     /// That of the argument.

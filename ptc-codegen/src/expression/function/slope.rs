@@ -22,6 +22,10 @@ pub(crate) enum Slope {
     OneAndSquare(i8),
     /// 1/(1 + a^2), or 1/(1 - a^2) with -1.
     OverOneAndSquare(i8),
+    /// 1/sqrt(1 - a^2), or its negative with -1.
+    OverCircle(i8),
+    /// 1/(3 w^2).
+    ThirdReciprocalSquare,
 }
 
 /// Numbers of a kind, or symbols, with the operations of a derivative.
@@ -51,9 +55,10 @@ impl Slope {
     /// The sign before the square or the partner; 1 for the others.
     pub(crate) fn sign(self) -> i8 {
         match self {
-            Self::Partner(_, sign) | Self::OneAndSquare(sign) | Self::OverOneAndSquare(sign) => {
-                sign
-            }
+            Self::Partner(_, sign)
+            | Self::OneAndSquare(sign)
+            | Self::OverOneAndSquare(sign)
+            | Self::OverCircle(sign) => sign,
             _ => 1,
         }
     }
@@ -83,6 +88,19 @@ impl Function {
             }
             Slope::OverOneAndSquare(sign) => {
                 let under = one_and_square(algebra, a.clone(), sign);
+                algebra.div(one, under)
+            }
+            Slope::OverCircle(sign) => {
+                let square = one_and_square(algebra, a.clone(), -1);
+                let under = algebra.call(Self::Sqrt, &square);
+                let over = algebra.integer(sign.into());
+                algebra.div(over, under)
+            }
+            Slope::ThirdReciprocalSquare => {
+                let own = algebra.call(self, a);
+                let square = algebra.square(own);
+                let twice = algebra.twice(square.clone());
+                let under = algebra.add(twice, square);
                 algebra.div(one, under)
             }
         }

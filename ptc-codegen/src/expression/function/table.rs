@@ -1,7 +1,9 @@
 //! The table: a row a function, in the order of the enum.
 
 use super::{Domain, Function, Parity, Pieces, Signs, Slope};
-use Function::{Abs, Atan, Atanh, Cos, Cosh, Exp, Ln, Sign, Sin, Sinh, Sqrt, Tan, Tanh};
+use Function::{
+    Abs, Acos, Asin, Atan, Atanh, Cbrt, Cos, Cosh, Exp, Ln, Sign, Sin, Sinh, Sqrt, Tan, Tanh,
+};
 use Parity::{Even, Odd};
 
 /// What is known of a function.
@@ -47,7 +49,7 @@ const PLAIN: Row = Row {
     inverse: None,
 };
 
-pub(super) const TABLE: [Row; 13] = [
+pub(super) const TABLE: [Row; 16] = [
     Row {
         function: Abs,
         name: "abs",
@@ -189,6 +191,41 @@ pub(super) const TABLE: [Row; 13] = [
         domain: Domain::InsideOne,
         slope: Slope::OverOneAndSquare(-1),
         inverse: Some(Tanh),
+        ..PLAIN
+    },
+    Row {
+        function: Asin,
+        name: "asin",
+        double: f64::asin,
+        single: f32::asin,
+        domain: Domain::WithinOne,
+        bounds: [Some(-2), Some(2)],
+        slope: Slope::OverCircle(1),
+        inverse: Some(Sin),
+        ..PLAIN
+    },
+    Row {
+        function: Acos,
+        name: "acos",
+        double: f64::acos,
+        single: f32::acos,
+        parity: None,
+        domain: Domain::WithinOne,
+        pieces: Pieces::Falling,
+        bounds: [Some(0), Some(4)],
+        signs: Signs::NeverNegative,
+        slope: Slope::OverCircle(-1),
+        known: &[[1, 0]],
+        inverse: Some(Cos),
+        ..PLAIN
+    },
+    Row {
+        function: Cbrt,
+        name: "cbrt",
+        double: f64::cbrt,
+        single: f32::cbrt,
+        slope: Slope::ThirdReciprocalSquare,
+        known: &[[0, 0], [1, 1], [-1, -1]],
         ..PLAIN
     },
 ];

@@ -43,6 +43,9 @@ impl Function {
             Self::Cosh => general("\\cosh("),
             Self::Tanh => general("\\tanh("),
             Self::Atanh => general("\\operatorname{artanh}("),
+            Self::Asin => call("\\arcsin("),
+            Self::Acos => call("\\arccos("),
+            Self::Cbrt => Words { latex: ["\\sqrt[3]{", "}"], ..general("") },
         }
     }
 }

@@ -52,6 +52,13 @@ fn call(function: Function, a: Series, walk: &Walk<'_>) -> Option<Series> {
         F::Exp => a.exponential(walk),
         F::Ln => a.logarithm(walk),
         F::Sqrt => a.raised(&half(), walk),
+        F::Cbrt => {
+            let sign = integer(a.sign()?);
+            let third = integer(1).div(integer(3));
+            a.scaled(&sign, walk)?.raised(&third, walk)?.scaled(&sign, walk)
+        }
+        // At 1 and -1 the derivatives are infinite.
+        F::Asin | F::Acos if a.clone().finite().is_none_or(|(at, _)| !is_inside_one(&at)) => None,
         F::Abs => {
             let sign = a.sign()?;
             a.scaled(&integer(sign), walk)
@@ -92,6 +99,13 @@ fn call(function: Function, a: Series, walk: &Walk<'_>) -> Option<Series> {
 
 fn half() -> Expression {
     Expression::integer(1).div(Expression::integer(2))
+}
+
+/// Whether a number is between -1 and 1.
+fn is_inside_one(at: &Expression) -> bool {
+    let one = || Expression::integer(1);
+    let room = [one().sub(at.clone()), one().add(at.clone())];
+    room.iter().all(|room| ordering(room) == Some(Ordering::Greater))
 }
 
 /// Whether an angle is between -pi/2 and pi/2.

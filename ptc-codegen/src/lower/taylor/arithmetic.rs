@@ -165,7 +165,7 @@ impl Builder<'_> {
     }
 
     /// (1 + a_1 z + ...)^p: k w_k = sum_j (p j - (k - j)) a_j w_(k-j).
-    fn power_series(&mut self, a: &[Coefficient], p: &Coefficient) -> Vec<Coefficient> {
+    pub(super) fn power_series(&mut self, a: &[Coefficient], p: &Coefficient) -> Vec<Coefficient> {
         let mut terms = vec![Coefficient::integer(1)];
         for k in 1..a.len() {
             let sum = self.convolution(a, &terms, k, 1..=k, &mut |b, j| {

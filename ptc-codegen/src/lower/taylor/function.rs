@@ -1,14 +1,21 @@
 //! Functions of series, by the differential equations that they satisfy.
 
 use super::Series;
-use crate::expression::Function;
+use crate::algebra::BigRational;
 use crate::expression::function::Slope;
+use crate::expression::{Expression, Function};
 use crate::lower::builder::Builder;
 use crate::lower::coefficients::Coefficient;
 use crate::program::{Op, Value};
 
 impl Builder<'_> {
     pub(super) fn function(&mut self, function: Function, a: Series) -> Series {
+        if function.row().slope == Slope::ThirdReciprocalSquare {
+            let (leading, terms) = self.leading(a);
+            let scale = self.push(Op::Call(function, leading));
+            let third = Coefficient::Exact(BigRational::new(1.into(), 3.into()));
+            return Series::new(Some(scale), self.power_series(&terms, &third));
+        }
         if function == Function::Ln {
             let (leading, terms) = self.leading(a);
             let offset = self.push(Op::Call(Function::Ln, leading));
@@ -35,8 +42,20 @@ impl Builder<'_> {
             Slope::Partner(partner, sign) => self.oscillation(value, (partner, sign), &inner),
             Slope::OneAndSquare(sign) => self.slope_of_square(value, &inner, sign < 0),
             Slope::OverOneAndSquare(sign) => self.inverse_of_square(value, &inner, sign < 0),
+            Slope::OverCircle(sign) => {
+                let square: Vec<_> =
+                    (0..inner.len()).map(|k| self.one_and_square(&inner, k, true)).collect();
+                let half = Expression::from(BigRational::new(1.into(), 2.into()));
+                let root = self.raised(Series::new(None, square), &half);
+                let divisor = self.plain(&root);
+                self.inverse(value, (&inner, sign), &divisor)
+            }
             // Logarithms and roots are series by their leading coefficient.
-            Slope::Sign | Slope::Zero | Slope::Reciprocal | Slope::HalfReciprocal => {
+            Slope::Sign
+            | Slope::Zero
+            | Slope::Reciprocal
+            | Slope::HalfReciprocal
+            | Slope::ThirdReciprocalSquare => {
                 crate::internal::fault("a series of a function that has another form")
             }
         }
@@ -137,12 +156,23 @@ impl Builder<'_> {
     /// atan: w' = a'/(1 + a^2); atanh: w' = a'/(1 - a^2).
     fn inverse_of_square(&mut self, value: Value, a: &[Coefficient], minus: bool) -> Series {
         let divisor: Vec<_> = (0..a.len()).map(|k| self.one_and_square(a, k, minus)).collect();
+        self.inverse(value, (a, 1), &divisor)
+    }
+
+    /// w with w' = a'/v, or -a'/v with -1.
+    fn inverse(
+        &mut self,
+        value: Value,
+        (a, sign): (&[Coefficient], i8),
+        divisor: &[Coefficient],
+    ) -> Series {
         let mut terms = vec![Coefficient::Value(value)];
         for (k, term) in a.iter().enumerate().skip(1) {
             let mut index = |_: &mut Self, j| Coefficient::index(j);
-            let sum = self.convolution(&terms, &divisor, k, 1..=k - 1, &mut index);
+            let sum = self.convolution(&terms, divisor, k, 1..=k - 1, &mut index);
             let share = self.over(&sum, &Coefficient::index(k));
-            let rest = self.minus(term, &share);
+            let term = if sign < 0 { self.negative(term) } else { term.clone() };
+            let rest = self.minus(&term, &share);
             terms.push(self.over(&rest, &divisor[0]));
         }
         Series::new(None, terms)

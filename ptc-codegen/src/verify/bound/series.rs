@@ -194,6 +194,13 @@ impl Arithmetic<'_> {
             (1..terms.len()).for_each(|k| own.push(next_quotient(&terms, &own, &terms, k)));
             return Some(Series::of(own));
         }
+        if function.row().slope == Slope::ThirdReciprocalSquare {
+            let (leading, terms) = a.leading();
+            let is_away = !leading.has_zero();
+            let scale = is_away.then(|| self.evaluator.call(function, &leading.into()))??;
+            let third = Range::from(1.0) / Range::from(3.0);
+            return Some(Series { scale: Range::from(&scale), terms: power(&terms, third) });
+        }
         let inner = a.plain();
         let at = inner[0];
         let slope = function.row().slope;
@@ -233,6 +240,13 @@ impl Arithmetic<'_> {
                     slope.push(square(&own, k, sign));
                 }
             }
+            Slope::OverCircle(sign) => {
+                let under: Vec<_> = (0..inner.len()).map(|k| square(&inner, k, -1)).collect();
+                let root = self.power(&Series::of(under), Range::from(0.5))?.plain();
+                let over: Vec<_> =
+                    inner.iter().map(|a| *a * Range::from(f64::from(sign))).collect();
+                length.for_each(|k| own.push(next_quotient(&over, &own, &root, k)));
+            }
             Slope::OverOneAndSquare(sign) => {
                 let under: Vec<_> = (0..inner.len()).map(|k| square(&inner, k, sign)).collect();
                 // The domain of an inverse; without a sign it is always positive.
@@ -240,7 +254,11 @@ impl Arithmetic<'_> {
                 length.for_each(|k| own.push(next_quotient(&inner, &own, &under, k)));
             }
             // Logarithms and roots are series by their leading term.
-            Slope::Sign | Slope::Zero | Slope::Reciprocal | Slope::HalfReciprocal => return None,
+            Slope::Sign
+            | Slope::Zero
+            | Slope::Reciprocal
+            | Slope::HalfReciprocal
+            | Slope::ThirdReciprocalSquare => return None,
         }
         Some(Series::of(own))
     }

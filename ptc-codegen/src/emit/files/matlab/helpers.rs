@@ -7,7 +7,7 @@ pub(super) struct Helper {
 }
 
 /// There is no conditional expression, and real functions leave the real numbers silently.
-pub(super) const HELPERS: [Helper; 5] = [
+pub(super) const HELPERS: [Helper; 7] = [
     Helper {
         name: "pick",
         text: "
@@ -62,6 +62,30 @@ end
 function r = real_atanh(a)
 if abs(a) <= 1
     r = atanh(a);
+else
+    r = a * NaN;
+end
+end
+",
+    },
+    Helper {
+        name: "real_asin",
+        text: "
+function r = real_asin(a)
+if abs(a) <= 1
+    r = asin(a);
+else
+    r = a * NaN;
+end
+end
+",
+    },
+    Helper {
+        name: "real_acos",
+        text: "
+function r = real_acos(a)
+if abs(a) <= 1
+    r = acos(a);
 else
     r = a * NaN;
 end

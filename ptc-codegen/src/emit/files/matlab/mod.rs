@@ -129,6 +129,9 @@ impl Text for Matlab<'_> {
             "ln" => "real_log",
             "pow" => "real_pow",
             "atanh" => "real_atanh",
+            "asin" => "real_asin",
+            "acos" => "real_acos",
+            "cbrt" => return format!("nthroot({}, 3)", arguments.join(", ")),
             function => function,
         };
         format!("{function}({})", arguments.join(", "))

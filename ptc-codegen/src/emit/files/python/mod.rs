@@ -105,6 +105,8 @@ impl Text for Python<'_> {
             "pow" => "power",
             "atan" => "arctan",
             "atanh" => "arctanh",
+            "asin" => "arcsin",
+            "acos" => "arccos",
             function => function,
         };
         format!("np.{function}({})", arguments.join(", "))
