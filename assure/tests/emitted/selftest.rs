@@ -43,7 +43,7 @@ fn failures(folder: &Path, spec: &Spec) -> u32 {
 /// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
 fn kinds() -> Vec<Spec> {
     let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
-    let kinds: [&[(&str, &str)]; 17] = [
+    let kinds: [&[(&str, &str)]; 19] = [
         &[("n", "3"), ("mu", "exp")],
         &[("n", "4"), ("mu", "rational"), ("precision", "f32")],
         &[("n", "2"), ("mu", "exp_sum")],
@@ -112,6 +112,14 @@ fn kinds() -> Vec<Spec> {
             ("pi0", "extern"),
             ("after", "zero"),
         ],
+        // Every function of the law, and roots of 0, whose slope is infinite.
+        &[
+            ("n", "2"),
+            ("mu", "exp"),
+            ("pi0", "-asin(0.9*tanh(xi1)) - acos(0.9*tanh(xi2)) - cbrt(xi1) - atan2(xi2, xi1)"),
+            ("g", "1 + hypot(x1, x2)"),
+        ],
+        &[("n", "2"), ("mu", "exp"), ("pi0", "-xi1 - sqrt(abs(xi2))"), ("precision", "f32")],
     ];
     let named = |(index, keys): (usize, &&[(&str, &str)])| {
         let name = format!("kind{index}");

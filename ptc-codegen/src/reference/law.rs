@@ -106,7 +106,10 @@ impl Arithmetic {
                     Slope::Sign => self.integer(1),
                     _ => function.slope(self, &a.value),
                 };
-                (self.call(*function, &a.value), self.mul(&slope, &a.size).abs())
+                // What is exact stays so where the slope is infinite, as that of a root at 0.
+                let exact = a.size.is_zero();
+                let size = if exact { self.integer(0) } else { self.mul(&slope, &a.size).abs() };
+                (self.call(*function, &a.value), size)
             }
         };
         Term { size: larger(&size, &value), value }
