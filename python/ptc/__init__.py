@@ -18,7 +18,16 @@ from typing import TYPE_CHECKING, Any, overload
 from ptc import _ptc
 from ptc._design import Design, readable
 from ptc._errors import DesignError, DesignWarning, Mistake, RunError, mistake
-from ptc._results import Check, Objective, Part, Report, Run, Status, Trajectory, Verdict
+from ptc._results import (
+    Check,
+    Objective,
+    Part,
+    Report,
+    Run,
+    Status,
+    Trajectory,
+    Verdict,
+)
 
 if TYPE_CHECKING:
     import numpy as np

@@ -10,7 +10,7 @@ use crate::harness::random::Random;
 use crate::layer::Finding;
 
 /// A campaign of some hundred records, each quick.
-const CAMPAIGN: [&str; 5] = ["verify", FILE, "--out", ROWS, "--scenarios=20000"];
+const CAMPAIGN: [&str; 5] = ["verify", FILE, "--out", ROWS, "--scenarios=12000"];
 
 /// What was written last counts least: a page of a file system.
 const PAGE: usize = 4096;
