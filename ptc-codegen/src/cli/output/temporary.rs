@@ -41,9 +41,13 @@ impl UnderWay {
     /// Makes a folder, and those above it that are missing.
     fn make(&mut self, folder: &Path) -> io::Result<()> {
         let missing = folder.ancestors().filter(|path| !path.as_os_str().is_empty());
-        let missing: Vec<_> = missing.take_while(|path| !path.exists()).collect();
-        self.made.extend(missing.into_iter().map(Path::to_owned));
-        fs::create_dir_all(folder)
+        let missing = missing.take_while(|path| !path.exists()).map(Path::to_owned);
+        let missing: Vec<_> = missing.collect();
+        self.made.extend(missing.iter().cloned());
+        fs::create_dir_all(folder)?;
+        // Outputs go by their paths without links.
+        self.made.extend(missing.iter().filter_map(|path| path.canonicalize().ok()));
+        Ok(())
     }
 
     /// The folders in which files at these paths have new names, and those in which folders for them have.
