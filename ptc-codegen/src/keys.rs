@@ -19,7 +19,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 54] = [
+pub static KEYS: [KeyInfo; 55] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -34,8 +34,8 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "limits",
-        meaning: "bounds of |u| of each axis, in place of u_max",
-        legal: "a number > 0 for each axis",
+        meaning: "limits of u of each axis, in place of u_max and u_min",
+        legal: "for each axis a number > 0, the bound of |u|, or a pair [lower, upper]",
         example: "20,20,5",
     },
     KeyInfo {
@@ -215,9 +215,15 @@ pub static KEYS: [KeyInfo; 54] = [
     },
     KeyInfo {
         key: "u_max",
-        meaning: "bound of |u|; inf omits the clipping",
-        legal: "a number > 0, or inf",
+        meaning: "bound of |u|, or beside u_min the upper limit of u; inf omits the clipping",
+        legal: "a number > 0, or inf; beside u_min any number above it",
         example: "5",
+    },
+    KeyInfo {
+        key: "u_min",
+        meaning: "lower limit of u; without it -u_max",
+        legal: "a number < u_max, -inf, or runtime: a run-time parameter",
+        example: "0",
     },
     KeyInfo {
         key: "after",
@@ -374,7 +380,7 @@ impl KeyInfo {
     /// The table of a design file that holds the key; none for the top level.
     pub fn table(&self) -> Option<&'static str> {
         match self.key {
-            "tau" | "t0" | "eps" | "u_max" => Some("params"),
+            "tau" | "t0" | "eps" | "u_max" | "u_min" => Some("params"),
             "x_max" => Some("envelope"),
             "A" | "B" | "C" => Some("plant"),
             "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia"

@@ -72,6 +72,7 @@ fn value(spec: &Spec, parameter: Parameter, tau: f64, t0: f64, random: &mut Rand
         Parameter::StartTime => t0,
         Parameter::Eps => tau * random.magnitude(1e-6, 0.5),
         Parameter::UMax => [f64::INFINITY, random.magnitude(1e-3, 1e6)][choice(random, 2)],
+        Parameter::UMin => [f64::NEG_INFINITY, -random.magnitude(1e-3, 1e6)][choice(random, 2)],
         Parameter::M => random.between(0.5, 4.0),
         Parameter::Start => random.between(0.05, 1.0),
         Parameter::Gain(_) => random.sign() * random.magnitude(1e-3, 1e3),

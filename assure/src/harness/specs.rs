@@ -73,6 +73,7 @@ impl Values<'_> {
             Parameter::StartTime => self.t0,
             Parameter::Eps => self.eps,
             Parameter::UMax => self.u_max,
+            Parameter::UMin => -self.u_max,
             Parameter::A => self.a,
             Parameter::M => self.m,
             Parameter::Start => self.start,

@@ -1,14 +1,14 @@
 //! The end of a call that gives the inputs of one plant, as statements.
 
-use super::{Expr, Index, Place, Statement, Status, Test};
+use super::{Bounds, Expr, Index, Place, Statement, Status, Test};
 
 /// The inputs of one plant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inputs {
     /// Each before it is clipped: a local value.
     pub values: Vec<Expr>,
-    /// The bound of its size, if there is one.
-    pub limits: Vec<Option<Expr>>,
+    /// The limits of each.
+    pub limits: Vec<Bounds>,
     /// Whether the call tracks; else the gains are held.
     pub tracks: Test,
 }
@@ -54,8 +54,6 @@ impl Inputs {
             refused.push(Statement::If(finite(value), vec![same(index)], vec![range]));
         }
         for (index, (value, limit)) in self.values.iter().zip(&self.limits).enumerate() {
-            let Some(limit) = limit else { continue };
-            let least = Expr::Neg(Box::new(limit.clone()));
             let clipped = |bound: &Expr| {
                 vec![
                     give(index, bound.clone()),
@@ -63,10 +61,10 @@ impl Inputs {
                     settle(Whose::Call, Status::Saturated),
                 ]
             };
-            let below = Test::Less(value.clone(), least.clone());
-            let below = Statement::If(below, clipped(&least), Vec::new());
-            let above = Test::Less(limit.clone(), value.clone());
-            given.push(Statement::If(above, clipped(limit), vec![below]));
+            let beyond: Vec<_> = limit.beyond(value).collect();
+            given.extend(beyond.into_iter().rev().fold(Vec::new(), |rest, (test, limit)| {
+                vec![Statement::If(test, clipped(&limit), rest)]
+            }));
         }
         refused.push(settle(Whose::Call, Status::Range));
         let [tracking, held] =

@@ -5,6 +5,7 @@
 //! simulated and tested is what is emitted. A function fails before it has changed anything:
 //! [`Code::check`] refuses a [`Statement::Require`] behind an assignment to a field.
 
+mod bounds;
 mod branch;
 mod check;
 mod expression;
@@ -20,6 +21,7 @@ mod status;
 mod subroutine;
 mod visit;
 
+pub use bounds::{Bounds, limits_in_order};
 pub use branch::{Branch, Condition, Taken};
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Owner};

@@ -83,7 +83,7 @@ impl<'a> Plan<'a> {
         }
         let mut kept = BTreeSet::new();
         kept.extend(program.limits.start_time);
-        kept.extend(program.limits.u_max);
+        kept.extend(program.limits.of_u());
         kept.extend([program.limits.hold_from, program.limits.eps]);
         for value in program.needed(&program.outputs()) {
             let definition = program.get(value);

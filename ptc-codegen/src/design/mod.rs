@@ -44,7 +44,7 @@ const TABLES: [&str; 6] = ["params", "envelope", "model", "plant", "disturbance"
 const LISTED: &str = "objective";
 
 /// Parameters that every controller has: their keys are the same with and without `params.`.
-const COMMON: [&str; 4] = ["tau", "t0", "eps", "u_max"];
+const COMMON: [&str; 5] = ["tau", "t0", "eps", "u_max", "u_min"];
 
 /// Code of a mistake in the TOML itself.
 pub const SYNTAX: &str = "toml";

@@ -56,7 +56,7 @@ pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
             let model = of_model.then_some("the model").or(of_axes.then_some("g"));
             format!("parameter of {}", keys.chain(model).collect::<Vec<_>>().join(" and "))
         }
-        _ => parameter.meaning().to_owned(),
+        _ => spec.meaning(parameter).to_owned(),
     }
 }
 

@@ -96,7 +96,7 @@ impl Resolver<'_, '_> {
     fn operation(&mut self, node: &syntax::Node) -> Option<Expression> {
         match &node.value {
             Value::Number(Fixed::Number { value, .. }) => Some(Expression::from(value.clone())),
-            Value::Number(Fixed::Infinite) => self.wrong(
+            Value::Number(Fixed::Infinite | Fixed::MinusInfinite) => self.wrong(
                 node.place,
                 "`inf` is not a number that can be computed with".to_owned(),
                 "leave the term out, or give a finite number",

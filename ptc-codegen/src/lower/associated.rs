@@ -8,7 +8,7 @@ use super::plant::control;
 use super::{series, state};
 use crate::expression::Variable;
 use crate::law::Law;
-use crate::program::{Input, Limits, Op, Program, Value};
+use crate::program::{Input, Least, Limits, Op, Program, Value};
 use crate::request::Spec;
 
 /// The values of the program beside xi_n'.
@@ -59,6 +59,7 @@ pub(super) fn lower(spec: &Spec, law: &Law) -> Option<Program> {
     let limits = Limits {
         start_time,
         u_max: None,
+        u_min: Least::Opposite,
         past: None,
         late: zero,
         hold_from: zero,

@@ -18,6 +18,7 @@ pub(super) struct Shared {
     pub(super) gains: Vec<Value>,
     pub(super) divisors: Vec<Value>,
     pub(super) bounds: Vec<Value>,
+    pub(super) lower: Vec<Value>,
     pub(super) axis: Option<Value>,
     pub(super) parts: Vec<Vec<Value>>,
 }
@@ -55,7 +56,7 @@ pub(super) fn shared<'a>(
         let divisor = gain.map(|gain| input_gain(b, gain));
         let (axis, parts) = axis(b, number, divisor.is_some());
         let divisors = divisor.into_iter().collect();
-        return Shared { gains, divisors, bounds: Vec::new(), axis: Some(axis), parts };
+        return Shared { gains, divisors, axis: Some(axis), parts, ..Shared::default() };
     };
     let one = b.integer(1);
     let mut all = Shared::default();
@@ -72,9 +73,12 @@ pub(super) fn shared<'a>(
             let gain = own.input_gain.as_ref();
             all.divisors.push(gain.map_or(one, |gain| input_gain(b, gain)));
         }
-        let limit = own.fixed.get(&Parameter::UMax).and_then(Fixed::number);
-        if let Some(limit) = limit.filter(|_| !axes.limits.is_empty()) {
+        let number = |parameter| own.fixed.get(&parameter).and_then(Fixed::number);
+        if let Some(limit) = number(Parameter::UMax).filter(|_| !axes.limits.is_empty()) {
             all.bounds.push(b.number(limit.clone()));
+        }
+        if let Some(limit) = number(Parameter::UMin).filter(|_| !axes.lower.is_empty()) {
+            all.lower.push(b.number(limit.clone()));
         }
     }
     b.of_all(spec);

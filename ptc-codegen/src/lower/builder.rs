@@ -8,7 +8,7 @@ use crate::expression::Expression;
 use crate::law::Law;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::passes::append;
-use crate::program::{Input, Limits, Op, Program, Stage, Value};
+use crate::program::{Input, Least, Limits, Op, Program, Stage, Value};
 use crate::request::Spec;
 
 use super::mapping::Taylor;
@@ -67,6 +67,7 @@ impl<'a> Builder<'a> {
             limits: Limits {
                 start_time: None,
                 u_max: None,
+                u_min: Least::Opposite,
                 past: None,
                 late: nothing,
                 hold_from: nothing,
@@ -78,6 +79,7 @@ impl<'a> Builder<'a> {
             gains: Vec::new(),
             divisors: Vec::new(),
             bounds: Vec::new(),
+            lower: Vec::new(),
             axis: None,
             parts: Vec::new(),
             determinant: None,

@@ -13,7 +13,7 @@ use super::plant::without_drift;
 use super::{series, state};
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
-use crate::program::{Input, Limits, Op, Program, Value};
+use crate::program::{Input, Least, Limits, Op, Program, Value};
 use crate::request::{MAX_ORDER, Spec};
 
 /// The closed loop as a program: inputs are T as the time, x as the state, x(t0), t0 and parameters.
@@ -187,15 +187,31 @@ pub(super) fn states(b: &mut Builder<'_>, scaled: &[Value], base_inverse: Value)
     scaled.iter().enumerate().map(|one| power(b, one)).collect()
 }
 
-/// u within u_max, where that is no infinity: clipped from above, and from both sides.
+/// u within its limits, where these are no infinities: clipped from above, and from both sides.
 fn clipped(b: &mut Builder<'_>, wanted: Value) -> (Value, Value) {
-    if matches!(b.spec.fixed.get(&Parameter::UMax), Some(Fixed::Infinite)) {
-        return (wanted, wanted);
-    }
-    let most = b.parameter(Parameter::UMax);
-    let least = b.push(Op::Neg(most));
-    let below = b.push(Op::Min(wanted, most));
-    (below, b.push(Op::Max(below, least)))
+    let (most, least) = limits_of_u(b);
+    let below = most.map_or(wanted, |most| b.push(Op::Min(wanted, most)));
+    let least = match (least, most) {
+        (Least::Own(least), _) => Some(least),
+        (Least::Opposite, Some(most)) => Some(b.push(Op::Neg(most))),
+        (Least::Opposite, None) | (Least::Infinite, _) => None,
+    };
+    (below, least.map_or(below, |least| b.push(Op::Max(below, least))))
+}
+
+/// The limits of u, as parameters.
+pub(super) fn limits_of_u(b: &mut Builder<'_>) -> (Option<Value>, Least) {
+    let fixed = |b: &Builder<'_>, parameter| b.spec.fixed.get(&parameter).cloned();
+    let most = match fixed(b, Parameter::UMax) {
+        Some(Fixed::Infinite) => None,
+        _ => Some(b.parameter(Parameter::UMax)),
+    };
+    let least = match fixed(b, Parameter::UMin) {
+        _ if !b.spec.u_min => Least::Opposite,
+        Some(Fixed::MinusInfinite) => Least::Infinite,
+        _ => Least::Own(b.parameter(Parameter::UMin)),
+    };
+    (most, least)
 }
 
 /// gain * value, where none is 1.
@@ -214,6 +230,7 @@ pub(super) fn no_limits(b: &mut Builder<'_>) -> Limits {
     Limits {
         start_time: None,
         u_max: None,
+        u_min: Least::Opposite,
         past: None,
         late: zero,
         hold_from: zero,

@@ -33,7 +33,7 @@ use row::lower_row;
 use rows::{Factor, Rows, factor};
 
 use crate::law::{Form, Law};
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::Parameter;
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::request::{After, Guard, Spec, What};
 
@@ -70,17 +70,14 @@ fn controller(spec: &Spec, law: &Law, form: plant::Form) -> Program {
         }
     };
     let start_time = (spec.guard == Guard::Full).then(|| b.push(Op::Input(Input::StartTime)));
-    let u_max = match spec.fixed.get(&Parameter::UMax) {
-        Some(Fixed::Infinite) => None,
-        _ => Some(b.parameter(Parameter::UMax)),
-    };
+    let (u_max, u_min) = closed_loop::limits_of_u(&mut b);
     let past = (spec.after != After::Hold).then(|| b.past());
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
     let elapsed = b.elapsed;
-    let limits = Limits { start_time, u_max, past, late, hold_from, eps, elapsed };
+    let limits = Limits { start_time, u_max, u_min, past, late, hold_from, eps, elapsed };
     let program = b.finish(step, limits);
-    let Shared { gains, divisors, bounds, axis, parts } = shared;
-    Program { others, gains, divisors, bounds, axis, parts, determinant, ..program }
+    let Shared { gains, divisors, bounds, lower, axis, parts } = shared;
+    Program { others, gains, divisors, bounds, lower, axis, parts, determinant, ..program }
 }
 
 /// u of a chain, and what several axes share; these have no step of one.

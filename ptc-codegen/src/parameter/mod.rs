@@ -64,8 +64,10 @@ pub enum Parameter {
     StartTime,
     /// Time-to-go at which the gains are held.
     Eps,
-    /// Bound of |u|.
+    /// Bound of |u|, or the upper limit of u beside `UMin`.
     UMax,
+    /// Lower limit of u, where it is not -u_max.
+    UMin,
     /// Rate a of stretched time.
     A,
     /// Exponent m of the power family.
@@ -95,6 +97,10 @@ pub enum Domain {
     Positive,
     /// A number > 0, or infinity.
     PositiveOrInfinite,
+    /// A number below u_max, or -infinity.
+    BelowUMax,
+    /// A number above u_min, or infinity.
+    AboveUMin,
     /// A number > 0 and < tau.
     BelowTau,
     /// A number within the bounds that the user gave.
@@ -108,6 +114,8 @@ impl Domain {
             Self::Finite => "finite",
             Self::Positive => "finite, > 0",
             Self::PositiveOrInfinite => "> 0, infinity allowed",
+            Self::BelowUMax => "< u_max, -infinity allowed",
+            Self::AboveUMin => "> u_min, infinity allowed",
             Self::BelowTau => "> 0, < tau",
             Self::Within => "within its bounds",
         }
@@ -122,16 +130,27 @@ impl Domain {
             (Self::Positive | Self::BelowTau, Precision::F32) => {
                 Some((f64::from(1e-18_f32), f64::from(1e18_f32)))
             }
-            (Self::Finite | Self::PositiveOrInfinite | Self::Within, _) => None,
+            (
+                Self::Finite
+                | Self::PositiveOrInfinite
+                | Self::BelowUMax
+                | Self::AboveUMin
+                | Self::Within,
+                _,
+            ) => None,
         }
     }
 
     /// Whether `value` lies in the domain, as far as it alone decides.
     pub fn admits(self, value: &Fixed) -> bool {
         match (self, value) {
-            (Self::PositiveOrInfinite, Fixed::Infinite) => true,
-            (_, Fixed::Infinite) => false,
-            (Self::Finite | Self::Within, Fixed::Number { .. }) => true,
+            (Self::PositiveOrInfinite | Self::AboveUMin, Fixed::Infinite) => true,
+            (Self::BelowUMax, Fixed::MinusInfinite) => true,
+            (_, Fixed::Infinite | Fixed::MinusInfinite) => false,
+            (
+                Self::Finite | Self::Within | Self::BelowUMax | Self::AboveUMin,
+                Fixed::Number { .. },
+            ) => true,
             (_, Fixed::Number { value, .. }) => value.is_positive(),
         }
     }
@@ -145,6 +164,7 @@ impl Parameter {
             Self::StartTime => "t0",
             Self::Eps => "eps",
             Self::UMax => "u_max",
+            Self::UMin => "u_min",
             Self::A => "a",
             Self::M => "m",
             Self::Start => "start",
@@ -155,6 +175,11 @@ impl Parameter {
             Self::Deadbeat => "deadbeat",
             Self::Named(name) => name.text(),
         }
+    }
+
+    /// Whether it is a limit of u.
+    pub fn is_limit(self) -> bool {
+        matches!(self, Self::UMax | Self::UMin)
     }
 
     /// Its name in expressions, with its index: `tau`, `k1`.
@@ -188,7 +213,7 @@ impl Parameter {
         match self {
             Self::Tau | Self::StartTime | Self::Eps | Self::SampleTime => "s",
             Self::Samples | Self::Deadbeat => "samples",
-            Self::UMax => "unit of u",
+            Self::UMax | Self::UMin => "unit of u",
             Self::A | Self::Rate(_) => "1/s",
             Self::M | Self::Start => "1",
             Self::Gain(_) => "1/s^(n+1-i)",
@@ -212,6 +237,7 @@ impl Parameter {
             Self::StartTime => "start time",
             Self::Eps => "time-to-go at which the gains are held",
             Self::UMax => "bound of |u|",
+            Self::UMin => "lower limit of u",
             Self::A => "rate of stretched time",
             Self::M => "exponent of the power mapping",
             Self::Start => "a tau kappa' at the start, of the soft mapping",
@@ -237,6 +263,7 @@ impl Parameter {
             Self::StartTime | Self::Deadbeat | Self::Gain(_) | Self::Named(_) => Domain::Finite,
             Self::Eps => Domain::BelowTau,
             Self::UMax => Domain::PositiveOrInfinite,
+            Self::UMin => Domain::BelowUMax,
         }
     }
 
@@ -266,6 +293,8 @@ pub enum Fixed {
     },
     /// Infinity.
     Infinite,
+    /// -Infinity.
+    MinusInfinite,
 }
 
 impl Fixed {
@@ -273,7 +302,31 @@ impl Fixed {
     pub fn number(&self) -> Option<&BigRational> {
         match self {
             Self::Number { value, .. } => Some(value),
-            Self::Infinite => None,
+            Self::Infinite | Self::MinusInfinite => None,
+        }
+    }
+
+    /// Whether it is below another one.
+    pub(crate) fn is_below(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Number { value, .. }, Self::Number { value: other, .. }) => value < other,
+            (Self::Infinite, _) | (_, Self::MinusInfinite) => false,
+            (Self::MinusInfinite, _) | (_, Self::Infinite) => true,
+        }
+    }
+
+    /// The value with the other sign.
+    pub(crate) fn opposite(&self) -> Self {
+        match self {
+            Self::Number { value, text } => {
+                let text = match text.strip_prefix('-') {
+                    Some(text) => text.to_owned(),
+                    None => format!("-{text}"),
+                };
+                Self::Number { value: -value, text }
+            }
+            Self::Infinite => Self::MinusInfinite,
+            Self::MinusInfinite => Self::Infinite,
         }
     }
 
@@ -314,6 +367,7 @@ impl fmt::Display for Fixed {
         match self {
             Self::Number { text, .. } => f.write_str(text),
             Self::Infinite => f.write_str("inf"),
+            Self::MinusInfinite => f.write_str("-inf"),
         }
     }
 }

@@ -18,6 +18,7 @@ mod style;
 use plotters::drawing::DrawingArea;
 use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
 
+use crate::program::range::Range;
 pub use band::Band;
 pub use curve::Curve;
 pub use histogram::Histogram;
@@ -37,8 +38,8 @@ pub struct Figure {
     pub inputs: Vec<Quantity>,
     /// The runs, one a tau.
     pub traces: Vec<Trace>,
-    /// Bound of |u| of each input, infinite for none; empty where there are none.
-    pub u_max: Vec<f64>,
+    /// Limits of each input; empty where there are none.
+    pub limits: Vec<Range>,
     /// Bounds of |x_i|; empty where there are none.
     pub x_max: Vec<f64>,
     /// What has to hold of the first run.
@@ -124,7 +125,8 @@ impl Figure {
             true => ", and the first state in stretched time",
             false => "",
         };
-        let bounded = self.u_max.iter().any(|bound| bound.is_finite()) || !self.x_max.is_empty();
+        let bounded = self.limits.iter().any(|limits| limits.finite().next().is_some())
+            || !self.x_max.is_empty();
         let bounds = if bounded { ", dashed ones in red bounds" } else { "" };
         let shown =
             if self.by_decades { "Sizes of states and control" } else { "States and control" };
@@ -177,7 +179,7 @@ mod tests {
             states: ["x1", "x2"].map(Quantity::plain).into(),
             inputs: vec![Quantity::plain("u")],
             traces: vec![trace("one", false), trace("two", true)],
-            u_max: vec![0.6],
+            limits: vec![Range::symmetric(0.6)],
             x_max: vec![1.2],
             ..Figure::default()
         }
@@ -265,7 +267,7 @@ mod tests {
         );
         let held = Figure {
             traces: all.traces[1..].to_vec(),
-            u_max: Vec::new(),
+            limits: Vec::new(),
             x_max: Vec::new(),
             ..Figure::default()
         };

@@ -9,6 +9,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::chart::dashed;
 use super::style::{Pen, SMALL};
 use super::{Figure, Quantity, Trace, chart, range};
+use crate::program::range::Range;
 
 /// What a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,20 +67,15 @@ impl Panel {
             .x_desc(if self == Self::Stretched { "stretched time since t0 in s" } else { "t in s" })
             .draw()
             .map_err(|e| told(&e))?;
-        if let Some(bound) = self.bound(figure) {
-            let drawn = |level: &f64| (*level, self.drawn(figure, *level));
-            let of_size = self.by_decades(figure);
-            let both = [bound, -bound];
-            let levels = both.iter().take(if of_size { 1 } else { 2 }).map(drawn);
-            for (level, at) in levels.filter(|(_, at)| (up.0..=up.1).contains(at)) {
-                let points = vec![(across.0, at), (across.1, at)];
-                dashed(&mut chart, points, pen.dash_of_bound(), pen.bound())?;
-                let below = if level > 0.0 { VPos::Top } else { VPos::Bottom };
-                let text = pen.bound_text().pos(Pos::new(HPos::Left, below));
-                let label =
-                    Text::new(format!("bound {}", range::label(level)), (across.0, at), text);
-                chart.draw_series([label]).map_err(|e| told(&e))?;
-            }
+        let levels =
+            self.levels(figure).into_iter().map(|level| (level, self.drawn(figure, level)));
+        for (level, at) in levels.filter(|(_, at)| (up.0..=up.1).contains(at)) {
+            let points = vec![(across.0, at), (across.1, at)];
+            dashed(&mut chart, points, pen.dash_of_bound(), pen.bound())?;
+            let below = if level > 0.0 { VPos::Top } else { VPos::Bottom };
+            let text = pen.bound_text().pos(Pos::new(HPos::Left, below));
+            let label = Text::new(format!("bound {}", range::label(level)), (across.0, at), text);
+            chart.draw_series([label]).map_err(|e| told(&e))?;
         }
         for points in self.bounds(figure, across) {
             let points = points.into_iter().map(|(x, y)| (x, y.clamp(up.0, up.1))).collect();
@@ -124,8 +120,8 @@ impl Panel {
     fn free(self, figure: &Figure, at: f64, across: (f64, f64), up: (f64, f64)) -> f64 {
         let room = NAME.1 * (up.1 - up.0);
         let from = at - NAME.0 * (across.1 - across.0);
-        let bound = self.bound(figure).into_iter().flat_map(|bound| [bound, -bound]);
-        let mut lines: Vec<_> = bound.map(|bound| [self.drawn(figure, bound); 2]).collect();
+        let levels = self.levels(figure).into_iter();
+        let mut lines: Vec<_> = levels.map(|level| [self.drawn(figure, level); 2]).collect();
         for trace in &figure.traces {
             let points = self.points(figure, trace);
             let beside = points.windows(2).filter(|ends| ends[1].0 >= from && ends[0].0 <= at);
@@ -158,14 +154,20 @@ impl Panel {
         }
     }
 
-    fn bound(self, figure: &Figure) -> Option<f64> {
-        match self {
-            Self::State(index) => figure.x_max.get(index).copied(),
-            Self::Control(index) => {
-                figure.u_max.get(index).copied().filter(|bound| bound.is_finite())
-            }
+    /// The bounds that are constant; of sizes each once.
+    fn levels(self, figure: &Figure) -> Vec<f64> {
+        let range = match self {
+            Self::State(index) => figure.x_max.get(index).map(|most| Range::symmetric(*most)),
+            Self::Control(index) => figure.limits.get(index).copied(),
             Self::Stretched | Self::Objective(_) => None,
+        };
+        let mut levels: Vec<_> = range.into_iter().flat_map(Range::finite).collect();
+        levels.reverse();
+        if self.by_decades(figure) {
+            levels.iter_mut().for_each(|level| *level = level.abs());
+            levels.dedup();
         }
+        levels
     }
 
     /// Whether the vertical axis is logarithmic.
@@ -252,13 +254,13 @@ impl Panel {
         };
         let bounds = self.bounds(figure, (0.0, 1.0)).into_iter().flatten().map(|(_, y)| y);
         if self.by_decades(figure) {
-            let bound = self.bound(figure).map(|bound| self.drawn(figure, bound));
-            return (range::decades(all().chain(bounds).chain(bound)), false);
+            let levels = self.levels(figure).into_iter().map(|level| self.drawn(figure, level));
+            return (range::decades(all().chain(bounds).chain(levels)), false);
         }
         let peak = all().filter(|y| y.is_finite()).fold(0.0_f64, |peak, y| peak.max(y.abs()));
         // A bound that is far away would make a flat line of the run.
-        let near = self.bound(figure).filter(|bound| *bound <= 2.0 * peak);
-        let whole = range::of(all().chain(bounds).chain(near).chain(near.map(|bound| -bound)));
+        let near = self.levels(figure).into_iter().filter(|level| level.abs() <= 2.0 * peak);
+        let whole = range::of(all().chain(bounds).chain(near));
         let later = |trace: &Trace| {
             let from = trace.start + OUTSET * (trace.deadline - trace.start);
             self.points(figure, trace).into_iter().filter(move |(t, _)| *t >= from).map(|(_, y)| y)

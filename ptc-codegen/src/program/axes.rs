@@ -35,7 +35,9 @@ impl Program {
         }
         self.step = controls.remove(0);
         self.others = controls;
-        (self.gains, self.divisors, self.bounds) = (Vec::new(), Vec::new(), Vec::new());
+        for handed in [&mut self.gains, &mut self.divisors, &mut self.bounds, &mut self.lower] {
+            handed.clear();
+        }
         self.parts.clear();
         self
     }

@@ -102,7 +102,7 @@ impl Size {
             };
         }
         match parameter {
-            Parameter::UMax => Self::positive(normal.exp2(), f64::INFINITY),
+            Parameter::UMax if !spec.u_min => Self::positive(normal.exp2(), f64::INFINITY),
             _ => Self::UNKNOWN,
         }
     }

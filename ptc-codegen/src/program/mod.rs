@@ -28,10 +28,13 @@ pub mod machine;
 pub mod number;
 mod op;
 pub mod passes;
+pub mod range;
 mod reach;
 pub mod rows;
 
 pub use arithmetic::apply;
+use range::Range;
+
 pub use op::{Op, Root};
 
 use crate::parameter::{Parameter, Precision};
@@ -157,8 +160,10 @@ pub struct Program {
     pub gains: Vec<Value>,
     /// Input gains g, for `tick`: one, or one for each axis; empty where g is a number or 1.
     pub divisors: Vec<Value>,
-    /// Bounds of |u| of each axis, for `tick`; empty where they share one.
+    /// Bounds of |u| of each axis, or its upper limits, for `tick`; empty where they share one.
     pub bounds: Vec<Value>,
+    /// Lower limits of u of each axis, for `tick`; empty where they share one, or each is the opposite of the upper one.
+    pub lower: Vec<Value>,
     /// u from the gains that `tick` left, before it is clipped; `None` if there are no gains.
     pub axis: Option<Value>,
     /// The sums of which `axis` is made, those of a level in the order of their computation and each level of
@@ -176,8 +181,10 @@ pub struct Program {
 pub struct Limits {
     /// Start time, kept by `arm` where `step` checks t against it.
     pub start_time: Option<Value>,
-    /// Bound of |u|; none for infinity.
+    /// Bound of |u|, or the upper limit of u; none for infinity.
     pub u_max: Option<Value>,
+    /// Lower limit of u.
+    pub u_min: Least,
     /// Time past the deadline, where something else than the held gains follows it.
     pub past: Option<Value>,
     /// Time past the deadline, negative before it, held at `hold_from`.
@@ -191,6 +198,45 @@ pub struct Limits {
     pub elapsed: Option<(Value, Value)>,
 }
 
+/// The lower limit of u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Least {
+    /// -u_max.
+    Opposite,
+    /// None.
+    Infinite,
+    /// A value of its own.
+    Own(Value),
+}
+
+impl Least {
+    /// The value, where it is one of its own.
+    pub fn value(self) -> Option<Value> {
+        match self {
+            Self::Own(value) => Some(value),
+            Self::Opposite | Self::Infinite => None,
+        }
+    }
+}
+
+impl Limits {
+    /// The limits of u as values of the program.
+    pub fn of_u(&self) -> impl Iterator<Item = Value> {
+        self.u_max.into_iter().chain(self.u_min.value())
+    }
+
+    /// The limits of u as numbers.
+    pub fn range(&self, get: impl Fn(Value) -> f64) -> Range {
+        let most = self.u_max.map_or(f64::INFINITY, &get);
+        let least = match self.u_min {
+            Least::Opposite => -most,
+            Least::Infinite => f64::NEG_INFINITY,
+            Least::Own(value) => get(value),
+        };
+        Range { least, most }
+    }
+}
+
 impl Program {
     /// Every u of one call of `step`.
     pub fn controls(&self) -> Vec<Value> {
@@ -199,7 +245,7 @@ impl Program {
 
     /// What `tick` hands over to `axis`.
     pub fn handed_over(&self) -> impl Iterator<Item = &Value> {
-        self.gains.iter().chain(&self.divisors).chain(&self.bounds)
+        self.gains.iter().chain(&self.divisors).chain(&self.bounds).chain(&self.lower)
     }
 
     /// How many gains `axis` reads: where `tick` gives more, each axis has its own.
@@ -224,7 +270,7 @@ impl Program {
         outputs.extend(&self.watched);
         outputs.extend(self.limits.past);
         outputs.extend(self.limits.start_time);
-        outputs.extend(self.limits.u_max);
+        outputs.extend(self.limits.of_u());
         outputs.extend(self.limits.elapsed.map(|(elapsed, _)| elapsed));
         outputs
     }

@@ -23,6 +23,7 @@ use astro_float_num::BigFloat;
 
 use crate::expression::Expression;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
+use crate::program::range::{Range, rounded};
 use crate::request::{After, Spec};
 use kept::Kept;
 use law::Term;
@@ -131,7 +132,7 @@ impl<'a> Reference<'a> {
         if over && spec.after != After::Hold {
             let u = if spec.after == After::Extern { call.after } else { 0.0 };
             let after = Outcome { status: Status::After, u, control: None, time_to_go };
-            return Some(vec![clipped(spec, after, parameter(Parameter::UMax))]);
+            return Some(vec![clipped(spec, after, Range::of(spec, 0, &parameter))]);
         }
         let controls = self.agreed(call, &held, &parameter)?;
         let status = if tracking { Status::Ok } else { Status::Hold };
@@ -148,7 +149,7 @@ impl<'a> Reference<'a> {
             }
             return Some(all);
         }
-        let limits = self.designs.iter().map(|own| value_of(own, Parameter::UMax, call.parameter));
+        let limits = self.designs.iter().map(|own| Range::of(own, 0, call.parameter));
         let each = all.into_iter().zip(limits);
         let mut all: Vec<_> = each.map(|(one, limit)| clipped(spec, one, limit)).collect();
         // An axis that fails ends all.
@@ -205,8 +206,7 @@ impl<'a> Reference<'a> {
 /// The value of a parameter: as it is fixed, rounded, or as the call gives it.
 fn value_of(spec: &Spec, parameter: Parameter, given: &dyn Fn(Parameter) -> f64) -> f64 {
     match spec.fixed.get(&parameter) {
-        Some(Fixed::Infinite) => f64::INFINITY,
-        Some(Fixed::Number { value, .. }) => crate::program::number::round(value, spec.precision),
+        Some(fixed) => rounded(fixed, spec.precision),
         None => given(parameter),
     }
 }
@@ -217,6 +217,9 @@ fn admitted(spec: &Spec, parameter: Parameter, value: &dyn Fn(Parameter) -> f64)
         Domain::Finite => own.is_finite(),
         Domain::Positive => spec.keeps_digits(parameter, own),
         Domain::PositiveOrInfinite => own > 0.0,
+        Domain::BelowUMax | Domain::AboveUMin => {
+            spec.admits_limits(value(Parameter::UMin), value(Parameter::UMax))
+        }
         Domain::BelowTau => spec.keeps_digits(parameter, own) && own < value(Parameter::Tau),
         Domain::Within => spec.bounds.get(&parameter).is_some_and(|(least, greatest)| {
             let bound = |bound: &Fixed| {
@@ -236,11 +239,11 @@ fn is_beyond(spec: &Spec, u: f64) -> bool {
     u.is_nan() || u.abs() > greatest
 }
 
-/// The outcome within u_max and the range of the precision.
-fn clipped(spec: &Spec, outcome: Outcome, u_max: f64) -> Outcome {
+/// The outcome within the limits of u and the range of the precision.
+fn clipped(spec: &Spec, outcome: Outcome, limits: Range) -> Outcome {
     match outcome.u {
-        u if u > u_max => Outcome { status: Status::Saturated, u: u_max, ..outcome },
-        u if u < -u_max => Outcome { status: Status::Saturated, u: -u_max, ..outcome },
+        u if u > limits.most => Outcome { status: Status::Saturated, u: limits.most, ..outcome },
+        u if u < limits.least => Outcome { status: Status::Saturated, u: limits.least, ..outcome },
         u if is_beyond(spec, u) => Outcome { status: Status::Range, u: 0.0, ..outcome },
         _ => outcome,
     }

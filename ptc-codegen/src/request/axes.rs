@@ -20,8 +20,10 @@ pub struct Axes {
     pub poles: Vec<Vec<(BigRational, BigRational)>>,
     /// Greatest exponent of each in samples, [`Sampled::greatest`](super::Sampled::greatest).
     pub greatest: Vec<BigRational>,
-    /// Bound of |u| of each.
+    /// Bound of |u| of each, or its upper limit beside `lower`.
     pub limits: Vec<Fixed>,
+    /// Lower limit of u of each; empty where each is the opposite of its upper one.
+    pub lower: Vec<Fixed>,
     /// Input gain g of each.
     pub input_gains: Vec<Expression>,
     /// Law pi0 of each output of a plant that is not a sum of gains. In these `x_j` are the states of the
@@ -84,11 +86,6 @@ impl Spec {
         Some(exact.map_or(given, |exact| &exact.coupled))
     }
 
-    /// The bound of one of several inputs, from 0, where it is its own; else `u_max` bounds all.
-    pub fn limit(&self, index: usize) -> Option<&BigRational> {
-        self.axes.as_ref()?.limits.get(index)?.number()
-    }
-
     /// Whether it is [`Self::as_one_plant`] of axes whose laws know nothing of one another.
     pub fn joins_axes(&self) -> bool {
         let of_axes = self.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);
@@ -111,6 +108,9 @@ impl Spec {
         }
         if let Some(limit) = axes.limits.get(index) {
             spec.fixed.insert(Parameter::UMax, limit.clone());
+        }
+        if let Some(limit) = axes.lower.get(index) {
+            spec.fixed.insert(Parameter::UMin, limit.clone());
         }
         if let Some(law) = axes.laws.get(index) {
             spec.feedback = Feedback::Expression(law.clone());

@@ -1,5 +1,6 @@
 //! The command line that gives a spec.
 
+use super::RUNTIME;
 use super::{After, Axes, Clock, Feedback, Guard, Reference, Sampled, Spec, What};
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Subject};
@@ -48,17 +49,20 @@ impl Spec {
             (Parameter::StartTime, "--t0"),
             (Parameter::Eps, "--eps"),
             (Parameter::UMax, "--u-max"),
+            (Parameter::UMin, "--u-min"),
         ] {
-            let own = |axes: &Axes| parameter == Parameter::UMax && !axes.limits.is_empty();
+            let limits = matches!(parameter, Parameter::UMax | Parameter::UMin);
+            let own = |axes: &Axes| limits && !axes.limits.is_empty();
             if self.axes.as_ref().is_some_and(own) {
                 continue;
             }
             if let Some(value) = self.fixed.get(&parameter) {
                 words.push(format!("{flag}={value}"));
+            } else if parameter == Parameter::UMin && self.u_min {
+                words.push(format!("{flag}={RUNTIME}"));
             }
         }
-        let limits = self.axes.as_ref().and_then(|axes| list(axes.limits.iter()));
-        words.extend(limits.map(|limits| format!("--limits={limits}")));
+        words.extend(self.axes.as_ref().and_then(limit_words));
         words.extend(self.law_words());
         for (parameter, value) in &self.fixed {
             let beside_mu = matches!(parameter, Parameter::Rate(_)) && !self.all_rates_are_fixed();
@@ -286,6 +290,16 @@ fn coupled_words(coupled: &Coupled) -> Vec<String> {
         }
     }
     words
+}
+
+/// The limits of u of each axis.
+fn limit_words(axes: &Axes) -> Option<String> {
+    if axes.lower.is_empty() {
+        return list(axes.limits.iter()).map(|limits| format!("--limits={limits}"));
+    }
+    let pairs = axes.lower.iter().zip(&axes.limits);
+    let pairs: Vec<_> = pairs.map(|(least, most)| format!("[{least},{most}]")).collect();
+    Some(format!("--limits=\"[{}]\"", pairs.join(",")))
 }
 
 /// Values separated by commas; none for no value.

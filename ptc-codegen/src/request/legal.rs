@@ -15,6 +15,7 @@ impl Spec {
         let maps = self.custom().is_some_and(|custom| custom.parameters.contains(&parameter));
         match parameter {
             Parameter::Named(_) if maps => Domain::Positive,
+            Parameter::UMax if self.u_min => Domain::AboveUMin,
             parameter => parameter.domain(),
         }
     }

@@ -3,6 +3,7 @@
 mod axes;
 mod command;
 mod fingerprint;
+mod input_limits;
 mod legal;
 mod needs;
 mod parameters;
@@ -18,6 +19,8 @@ mod units;
 pub use axes::Axes;
 #[cfg(feature = "files")]
 pub(crate) use fingerprint::hash;
+pub use input_limits::Limits;
+pub(crate) use input_limits::RUNTIME;
 pub use poles::{Pole, PoleError, gains};
 pub(crate) use promises::exact_one_or_each;
 pub use promises::{PlantBounds, Promises, one_or_each};

@@ -13,13 +13,14 @@ impl Spec {
                 What::Observer => vec![Parameter::SampleTime, Parameter::A],
                 What::Controller | What::Associated => {
                     let named = self.named_parameters();
-                    sampled.parameters(self.n).into_iter().chain(named).collect()
+                    sampled.parameters(self).into_iter().chain(named).collect()
                 }
             };
         }
         let mut all = vec![Parameter::Tau, Parameter::StartTime];
         if self.what == What::Controller {
             all.extend([Parameter::Eps, Parameter::UMax]);
+            all.extend(self.u_min.then_some(Parameter::UMin));
         }
         all.extend(self.time_mapping.parameters());
         if self.feedback == Feedback::Linear {

@@ -48,11 +48,13 @@ pub struct Exact {
 }
 
 impl Sampled {
-    /// Every parameter of the controller of a plant of order `n`, in the order in which it is emitted.
-    pub(super) fn parameters(&self, n: usize) -> Vec<Parameter> {
-        use Parameter::{A, Deadbeat, Eps, Gain, SampleTime, Samples, UMax};
-        let mut all = vec![Samples, SampleTime, Eps, UMax, A];
-        all.extend((1..=n + self.delay.inputs()).map(Gain));
+    /// Every parameter of the controller of `spec`, in the order in which it is emitted.
+    pub(super) fn parameters(&self, spec: &Spec) -> Vec<Parameter> {
+        use Parameter::{A, Deadbeat, Eps, Gain, SampleTime, Samples, UMax, UMin};
+        let mut all = vec![Samples, SampleTime, Eps, UMax];
+        all.extend(spec.u_min.then_some(UMin));
+        all.push(A);
+        all.extend((1..=spec.n + self.delay.inputs()).map(Gain));
         // The exponents of known poles give it.
         all.extend(self.greatest.is_none().then_some(Deadbeat));
         all

@@ -54,6 +54,8 @@ pub struct Spec {
     pub fixed: BTreeMap<Parameter, Fixed>,
     /// Bounds of run-time parameters that the user gave, least and greatest value.
     pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
+    /// Whether u has a lower limit of its own; else it is -u_max.
+    pub u_min: bool,
     /// The poles from which the gains were computed; empty where gains were given.
     pub poles: Vec<(BigRational, BigRational)>,
     /// What the checks hold the design to.
@@ -93,6 +95,7 @@ impl Spec {
             after: After::Hold,
             fixed: BTreeMap::new(),
             bounds: BTreeMap::new(),
+            u_min: false,
             poles: Vec::new(),
             promises: Promises::default(),
             engine: None,

@@ -22,8 +22,16 @@ impl Spec {
     /// Unit of a parameter.
     pub fn unit(&self, parameter: Parameter) -> String {
         match (parameter, self.input_unit()) {
-            (Parameter::UMax, Some(unit)) => unit,
+            (Parameter::UMax | Parameter::UMin, Some(unit)) => unit,
             (parameter, _) => parameter.unit_for(self.loop_order()),
+        }
+    }
+
+    /// Meaning of a parameter in a few words.
+    pub fn meaning(&self, parameter: Parameter) -> &'static str {
+        match parameter {
+            Parameter::UMax if self.u_min => "upper limit of u",
+            parameter => parameter.meaning(),
         }
     }
 

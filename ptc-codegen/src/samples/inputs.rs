@@ -3,8 +3,8 @@
 use super::controller::Builder;
 use super::model::AtSample;
 use crate::code::{
-    Access, Cell, Expr, Finish, Function, Index, Inputs, Owner, Shape, Statement, Status, Test,
-    Variable,
+    Access, Bounds, Cell, Expr, Finish, Function, Index, Inputs, Owner, Shape, Statement, Status,
+    Test, Variable,
 };
 use crate::parameter::Name;
 
@@ -137,11 +137,9 @@ impl Builder<'_> {
         }
     }
 
-    /// The bound of one input, from 0.
-    fn limit_of(&mut self, index: usize) -> Option<Expr> {
-        match self.spec.limit(index) {
-            Some(limit) => Some(Expr::Number(limit.clone())),
-            None => self.limit(),
-        }
+    /// The limits of one input, from 0.
+    fn limit_of(&mut self, index: usize) -> Bounds {
+        let own = self.spec.own_limits(index).map(Bounds::of);
+        own.unwrap_or_else(|| self.limits())
     }
 }

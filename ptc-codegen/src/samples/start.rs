@@ -2,7 +2,7 @@
 
 use super::controller::Builder;
 use crate::algebra::{BigRational, integer};
-use crate::code::{Expr, Place, Shape, Statement, Status, Test, Variable};
+use crate::code::{Expr, Place, Shape, Statement, Status, Test, Variable, limits_in_order};
 use crate::internal::fault;
 use crate::parameter::Parameter;
 use crate::program::digits::least;
@@ -19,7 +19,7 @@ impl Builder<'_> {
                 parameter => self.spec.legal(parameter),
             };
             let unit = self.spec.unit(parameter);
-            let about = format!("{} [{unit}], {domain}", parameter.meaning());
+            let about = format!("{} [{unit}], {domain}", self.spec.meaning(parameter));
             let shape = match parameter {
                 Parameter::Samples => Shape::Count,
                 Parameter::Gain(_) => Shape::Reals(self.spec.loop_order()),
@@ -48,7 +48,8 @@ impl Builder<'_> {
                     tests.push(Test::AtMost(number(least), value.clone()));
                     tests.push(Test::AtMost(value, number(greatest)));
                 }
-                Parameter::UMax => tests.push(Test::Less(zero.clone(), value)),
+                Parameter::UMax if !self.spec.u_min => tests.push(Test::Less(zero.clone(), value)),
+                Parameter::UMax | Parameter::UMin => {}
                 Parameter::Deadbeat => {
                     tests.push(Test::Finite(value.clone()));
                     tests.push(Test::AtMost(zero.clone(), value));
@@ -64,6 +65,8 @@ impl Builder<'_> {
                 }
             }
         }
+        let of = |parameter| self.parameter(parameter);
+        tests.extend(limits_in_order(self.spec, &of));
         let mut body = Vec::new();
         if !tests.is_empty() {
             body.push(Statement::Require(Test::All(tests), Status::Param));

@@ -11,6 +11,7 @@ use crate::parameter::Parameter;
 use crate::program::digits::Condition;
 use crate::program::machine::Machine;
 use crate::program::number::settle;
+use crate::program::range::Range;
 use crate::reference::{Reference, Status};
 use crate::request::Guard;
 
@@ -142,25 +143,37 @@ impl Maker<'_> {
             let wanted = if largest == 0.0 { 1.0 } else { largest };
             session.parameters[at] = self.chosen.legal(Parameter::UMax, wanted);
         }
+        if let Some(at) = self.chosen.place(Parameter::UMin) {
+            // The farther limit is the fixed one, where one is.
+            let most = self.parameter(&session, Parameter::UMax);
+            let wanted = if most.is_finite() { most - 1.75 * most.abs().max(0.5) } else { -1.0 };
+            session.parameters[at] = self.chosen.legal(Parameter::UMin, wanted);
+        }
         let limits = self.limits(&session);
-        let bounded = limits.iter().enumerate().filter(|(_, limit)| limit.is_finite());
-        let kinds: Vec<_> = bounded.flat_map(|(k, _)| [(k, true), (k, false)]).collect();
+        let bounded = limits.iter().enumerate();
+        let kinds: Vec<_> = bounded
+            .flat_map(|(k, limit)| {
+                let ends = [(k, true, limit.most), (k, false, limit.least)];
+                ends.into_iter().filter(|end| end.2.is_finite()).map(|(k, above, _)| (k, above))
+            })
+            .collect();
         if kinds.is_empty() {
             return None;
         }
         let met = |call: &Call| -> Vec<(usize, bool)> {
             let each = call.inputs.iter().enumerate();
             let clipped = each.filter(|(_, one)| one.status == Status::Saturated);
-            clipped.map(|(k, one)| (k, one.u > 0.0)).collect()
+            clipped.map(|(k, one)| (k, one.u >= limits[k].most)).collect()
         };
         for t in [middle, self.time(&session, 0.0), self.time(&session, -0.5 * tau)] {
             let mut missing = kinds.clone();
             // Just beyond it first: a bound that is taken too late must show.
             for factor in [0.25, 1.5, -1.5, 4.0, -4.0, 1e2, -1e2, 1e4, -1e4, 1e8, -1e8] {
                 let units = self.controls(&session, t, &x);
-                let units = units.unwrap_or_else(|| limits.clone());
+                let sizes = limits.iter().map(|limit| size(*limit));
+                let units = units.unwrap_or_else(|| sizes.clone().collect());
                 // The input that is nearest to its bound.
-                let pairs = units.iter().zip(&limits).map(|(u, limit)| (u.abs(), *limit));
+                let pairs = units.iter().zip(sizes).map(|(u, limit)| (u.abs(), limit));
                 let share = |(unit, limit): &(f64, f64)| unit / limit;
                 let nearest = pairs.reduce(|a, b| if share(&b) > share(&a) { b } else { a });
                 let (unit, limit) = nearest.unwrap_or((1.0, 1.0));
@@ -189,4 +202,10 @@ impl Maker<'_> {
         }
         Some(session)
     }
+}
+
+/// Size of the limits, the nearest one to 0 that is not 0; infinite for none.
+fn size(limits: Range) -> f64 {
+    let sizes = limits.finite().map(f64::abs).filter(|size| *size > 0.0);
+    sizes.min_by(f64::total_cmp).unwrap_or(f64::INFINITY)
 }

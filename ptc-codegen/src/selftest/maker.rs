@@ -7,13 +7,13 @@ use std::collections::BTreeSet;
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
 use super::{Call, Session, Trials, Wanted, own_laws, own_rest};
-use crate::algebra::BigRational;
 use crate::controller::Controller;
 use crate::parameter::{Parameter, Precision};
 use crate::program::digits::Condition;
 use crate::program::interpret::Decision;
 use crate::program::machine::Machine;
-use crate::program::number::{round, settle};
+use crate::program::number::settle;
+use crate::program::range::Range;
 use crate::reference::{self, Outcome, Reference, Status, tolerance};
 use crate::request::{After, Spec};
 
@@ -84,18 +84,10 @@ impl<'a> Maker<'a> {
         self.spec().coupled.as_ref().map_or(1, |coupled| coupled.inputs.len())
     }
 
-    /// The bound of each |u|.
-    pub(super) fn limits(&self, session: &Session) -> Vec<f64> {
-        let shared = self.parameter(session, Parameter::UMax);
-        let own = self.spec().axes.iter().flat_map(|axes| &axes.limits);
-        let own: Vec<_> = own
-            .map(|limit| limit.number().map_or(f64::INFINITY, |limit| self.rounded(limit)))
-            .collect();
-        if own.is_empty() { vec![shared; self.inputs()] } else { own }
-    }
-
-    fn rounded(&self, number: &BigRational) -> f64 {
-        round(number, self.spec().precision)
+    /// The limits of each u.
+    pub(super) fn limits(&self, session: &Session) -> Vec<Range> {
+        let given = |parameter| self.parameter(session, parameter);
+        (0..self.inputs()).map(|index| Range::of(self.spec(), index, &given)).collect()
     }
 
     /// The call, with what it must give.
@@ -132,7 +124,7 @@ impl<'a> Maker<'a> {
         session: &Session,
         (t, x): (f64, &[f64]),
         expected: &Outcome,
-        limit: f64,
+        limits: Range,
     ) -> Option<Wanted> {
         let spec = self.spec();
         let relative = tolerance::of(spec);
@@ -154,10 +146,10 @@ impl<'a> Maker<'a> {
             (Status::Range, _) => return None,
             _ => 0.0,
         };
-        // A u on the edge of the bound may be clipped or not.
+        // A u on the edge of a limit may be clipped or not.
         let edge = expected.control.as_ref().map_or(0.0, |c| 4.0 * relative * c.scale());
         let u = expected.control.as_ref().map_or(expected.u, reference::Control::u);
-        if (u.abs() - limit).abs() <= edge {
+        if limits.finite().any(|limit| (u - limit).abs() <= edge) {
             return None;
         }
         Some(Wanted {
@@ -223,18 +215,18 @@ impl<'a> Maker<'a> {
     /// A state along `x` with which u is half its bound at most, as far as u is affine in the state: a
     /// law of stretched time gives a u to the state 0 too, which the state then makes up for.
     pub(super) fn within(&self, session: &Session, t: f64, x: &[f64]) -> Vec<f64> {
-        let halves: Vec<_> = self.limits(session).iter().map(|limit| 0.5 * limit).collect();
+        let halves: Vec<_> = self.limits(session).iter().map(|limit| limit.scaled(0.5)).collect();
         let controls =
             |x: &[f64]| self.controls(session, t, x).unwrap_or_else(|| vec![0.0; halves.len()]);
         let u = controls(x);
-        if u.iter().zip(&halves).all(|(u, half)| u.abs() <= *half) {
+        if u.iter().zip(&halves).all(|(u, half)| !half.clip(*u).1) {
             return x.to_vec();
         }
         let at_rest = controls(&vec![0.0; x.len()]);
-        let each = u.iter().zip(at_rest).zip(&halves).filter(|((u, _), half)| u.abs() > **half);
+        let each = u.iter().zip(at_rest).zip(&halves).filter(|((u, _), half)| half.clip(**u).1);
         let shares = each.map(|((u, at_rest), half)| {
             let at_rest = if at_rest.is_finite() { at_rest } else { 0.0 };
-            (half.copysign(*u) - at_rest) / (u - at_rest)
+            (half.clip(*u).0 - at_rest) / (u - at_rest)
         });
         let share = shares.min_by(f64::total_cmp).unwrap_or(1.0);
         if !share.is_finite() {

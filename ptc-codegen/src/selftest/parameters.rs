@@ -3,6 +3,7 @@
 use crate::controller::Controller;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number::{round, settle};
+use crate::program::range::{Range, rounded};
 use crate::request::Spec;
 
 /// Values of every parameter, fixed or chosen.
@@ -43,10 +44,7 @@ impl<'a> Chosen<'a> {
 
     /// The value that is fixed.
     pub(super) fn fixed(&self, parameter: Parameter) -> Option<f64> {
-        self.spec.fixed.get(&parameter).map(|fixed| match fixed {
-            Fixed::Infinite => f64::INFINITY,
-            Fixed::Number { value, .. } => round(value, self.spec.precision),
-        })
+        self.spec.fixed.get(&parameter).map(|fixed| rounded(fixed, self.spec.precision))
     }
 
     /// The bounds that the user gave.
@@ -60,6 +58,7 @@ impl<'a> Chosen<'a> {
 
     /// `wanted` in the precision, as near as the domain of the parameter lets it be.
     pub(super) fn legal(&self, parameter: Parameter, wanted: f64) -> f64 {
+        let wanted = in_order(self.spec, parameter, wanted);
         let mut value = settle(wanted, self.spec.precision);
         if let Some((least, greatest)) = self.bounds(parameter).or(self.spec.ends(parameter)) {
             value = value.max(least).min(greatest);
@@ -78,6 +77,7 @@ impl<'a> Chosen<'a> {
             Parameter::StartTime => 0.3,
             Parameter::Eps => eps * self.value(Parameter::Tau, eps),
             Parameter::UMax => f64::INFINITY,
+            Parameter::UMin => f64::NEG_INFINITY,
             Parameter::A => 0.75,
             Parameter::M => 1.5,
             Parameter::Start => 0.25,
@@ -113,5 +113,18 @@ impl<'a> Chosen<'a> {
             Precision::F64 => 1e-13,
             Precision::F32 => 1e-7,
         }
+    }
+}
+
+/// `wanted` for a limit of u, or, where the other limit is fixed and on the wrong side, a value beside it.
+pub(super) fn in_order(spec: &Spec, parameter: Parameter, wanted: f64) -> f64 {
+    if !spec.u_min {
+        return wanted;
+    }
+    let Range { least, most } = Range::fixed(spec, 0);
+    match parameter {
+        Parameter::UMax if wanted <= least => least + least.abs() + 1.0,
+        Parameter::UMin if wanted >= most => most - most.abs() - 1.0,
+        _ => wanted,
     }
 }

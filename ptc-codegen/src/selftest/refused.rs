@@ -38,6 +38,8 @@ fn illegal(spec: &Spec, chosen: &Chosen<'_>, parameter: Parameter) -> Vec<f64> {
         Domain::Finite => vec![nan, inf, -inf],
         Domain::Positive => vec![nan, inf, 0.0, -1.0, below, above],
         Domain::PositiveOrInfinite => vec![nan, 0.0, -1.0, -inf],
+        Domain::BelowUMax => vec![nan, inf, chosen.value(Parameter::UMax, 0.0625)],
+        Domain::AboveUMin => vec![nan, -inf, chosen.value(Parameter::UMin, 0.0625)],
         Domain::BelowTau => {
             vec![nan, inf, 0.0, -1.0, below, tau, settle(2.0 * tau, spec.precision)]
         }

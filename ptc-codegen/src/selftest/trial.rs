@@ -8,7 +8,7 @@ use crate::parameter::Parameter;
 use crate::program::digits::Condition;
 use crate::program::interpret::{Decision, Interpreter};
 use crate::program::machine::Machine;
-use crate::program::number::round;
+use crate::program::range::Range;
 use crate::program::{Input, Op, Program, Value};
 use crate::reference::Status;
 use crate::request::{Guard, Spec};
@@ -112,9 +112,12 @@ impl Trial<'_> {
         let controls = controls.iter().map(|u| if lost { instead } else { *u });
         let controls: Vec<_> = controls.collect();
         let held = step.value(limits.late) >= step.value(limits.hold_from);
-        let u_max = limits.u_max.map_or(f64::INFINITY, |limit| step.value(limit));
-        let status = |u: f64, u_max: f64| match () {
-            () if u > u_max || u < -u_max => Status::Saturated,
+        let values: Vec<_> = limits.of_u().map(|limit| (limit, step.value(limit))).collect();
+        let known =
+            |limit| values.iter().find(|(of, _)| *of == limit).map_or(f64::NAN, |own| own.1);
+        let shared = limits.range(known);
+        let status = |u: f64, limits: Range| match () {
+            () if limits.clip(u).1 => Status::Saturated,
             () if !u.is_finite() => Status::Range,
             () if over => Status::After,
             () if held => Status::Hold,
@@ -122,9 +125,11 @@ impl Trial<'_> {
         };
         // All of them are 0 where one that follows from all outputs is not finite.
         let bounded = !several || controls.iter().all(|u| u.is_finite());
-        let rounded = |limit| round(limit, self.spec().precision);
-        let own = |k: usize| self.spec().limit(k).map_or(u_max, rounded);
-        let limit = |k: usize| if bounded { own(k) } else { f64::INFINITY };
+        let own = |k: usize| match self.spec().own_limits(k) {
+            Some(_) => Range::fixed(self.spec(), k),
+            None => shared,
+        };
+        let limit = |k: usize| if bounded { own(k) } else { Range::ALL };
         let each = controls.iter().enumerate();
         let each: Vec<_> = each.map(|(k, u)| (status(*u, limit(k)), *u)).collect();
         let first = |wanted: Status| each.iter().find(|(status, _)| *status == wanted);
@@ -135,7 +140,7 @@ impl Trial<'_> {
             let gains = step.values(&handed);
             let input = |input| self.input(input, &gains);
             let mut own = Interpreter::on(program, self.machine.clone(), &input);
-            status(own.value(axis), u_max)
+            status(own.value(axis), shared)
         });
         let mut decisions = step.decisions().clone();
         if let Some(value) = program.determinant

@@ -8,15 +8,16 @@ use super::{Failure, Sample, Values, controller};
 use std::sync::Arc;
 
 use crate::lower::{ClosedLoop, associated_loop, closed_loop, mapped_back};
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::Precision;
 use crate::plant::Plant;
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
+use crate::program::range::Range;
 use crate::program::{Input, Program, Stage, Value, passes};
 use crate::reference::Status;
 use crate::request::Spec;
 
-/// The law of Theorem 1 with its plant: no eps, no sample period; u is clipped to u_max where the
+/// The law of Theorem 1 with its plant: no eps, no sample period; u is clipped to its limits where the
 /// design fixes one.
 ///
 /// What a plant whose g is another than the controller's adds to the associated system is
@@ -40,7 +41,9 @@ pub struct Continuous {
     states: Vec<Value>,
     /// Whether xi is integrated, not x.
     infinite: bool,
-    u_max: f64,
+    /// Whether u has a lower limit of its own, and its limits.
+    u_min: bool,
+    limits: Range,
     x: Vec<f64>,
     u: [f64; 1],
 }
@@ -67,7 +70,7 @@ impl Continuous {
     pub fn of(spec: &Spec, plant: &Plant) -> Result<Run<Self>, Failure> {
         controller::has_text(spec, false)?;
         let mut spec = Spec { precision: Precision::F64, ..spec.clone() };
-        spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
+        spec.close_limits();
         let mut closed = closed_loop(&spec, &plant.f, plant.g.as_ref());
         closed.program = passes::optimise(closed.program, &mut |_, _| {});
         let mut associated = associated_loop(&spec, &plant.f, plant.g.as_ref());
@@ -88,7 +91,8 @@ impl Continuous {
             above: vec![true; kinks.len()],
             kinks,
             infinite: false,
-            u_max: f64::INFINITY,
+            u_min: spec.u_min,
+            limits: Range::ALL,
             x: vec![0.0; spec.n],
             u: [0.0],
             closed: Arc::new(closed),
@@ -158,7 +162,7 @@ impl Side for Continuous {
     }
 
     fn give(&mut self, values: &Values) -> Result<(), Failure> {
-        self.u_max = values.get(Parameter::UMax);
+        self.limits = values.shared_limits(self.u_min);
         for Point { machine, .. } in self.points() {
             values.give(machine)?;
             machine.run(Stage::Init, None);
@@ -215,7 +219,7 @@ impl Side for Continuous {
         let terms = xi.amax() / (slope.powi(order) * gain.abs());
         // A state at rest is one of x.
         let clipped = self.clipped() || slides;
-        let cancelled = self.u_max.is_finite() && terms > CANCELLED * self.u_max;
+        let cancelled = self.limits.finite().any(|limit| terms > CANCELLED * limit.abs());
         let infinite = !(clipped || cancelled);
         let again = if clipped || infinite { f64::INFINITY } else { AGAIN };
         if infinite == self.infinite {

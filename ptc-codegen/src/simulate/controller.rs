@@ -135,6 +135,10 @@ impl Controller {
                 Domain::Finite | Domain::Within => value.is_finite(),
                 Domain::Positive => self.spec.keeps_digits(parameter, value),
                 Domain::PositiveOrInfinite => value > 0.0,
+                Domain::BelowUMax | Domain::AboveUMin => {
+                    let [least, most] = [Parameter::UMin, Parameter::UMax].map(|p| values.get(p));
+                    self.spec.admits_limits(least, most)
+                }
                 Domain::BelowTau => {
                     self.spec.keeps_digits(parameter, value) && value < values.get(Parameter::Tau)
                 }
@@ -143,7 +147,11 @@ impl Controller {
                 let name = parameter.spelling();
                 return Err(Failure::input(
                     format!("{name} = {value} is outside its domain"),
-                    format!("{name} ({}) is {}", parameter.meaning(), self.spec.legal(parameter)),
+                    format!(
+                        "{name} ({}) is {}",
+                        self.spec.meaning(parameter),
+                        self.spec.legal(parameter)
+                    ),
                 ));
             }
         }

@@ -5,7 +5,7 @@ use super::method::State;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
 use super::{Controller, Failure, Sample, Values};
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::Precision;
 use crate::plant::Plant;
 use crate::request::Spec;
 
@@ -27,9 +27,9 @@ impl Direct {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn of(spec: &Spec, plant: &Plant) -> Result<Run<Self>, Failure> {
-        // No run comes near a bound that is infinite.
+        // No run comes near a limit that is infinite.
         let mut spec = spec.clone();
-        spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
+        spec.close_limits();
         let emitted = (spec.precision == Precision::F32).then(|| Controller::new(&spec));
         let emitted = emitted.transpose()?;
         spec.precision = Precision::F64;

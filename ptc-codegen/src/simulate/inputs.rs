@@ -3,7 +3,8 @@
 use super::pole::Pole;
 use super::{Failure, Values};
 use crate::program::machine::Machine;
-use crate::program::{Program, Value};
+use crate::program::range::Range;
+use crate::program::{Limits, Program, Value};
 use crate::request::Spec;
 
 /// Every u, one or several.
@@ -11,10 +12,10 @@ use crate::request::Spec;
 pub(super) struct Inputs {
     /// Each u before it is clipped.
     controls: Vec<Value>,
-    /// The bound that all |u| share, if there is one.
-    shared: Option<Value>,
-    /// A bound for each |u| in its place; empty where they share one.
-    own: Vec<f64>,
+    /// The limits that all u share.
+    shared: Limits,
+    /// Those of each u in their place; empty where they share them.
+    own: Vec<Range>,
     /// Whether each u is held above and below its limits.
     within: Vec<[bool; 2]>,
     /// The determinant of the decoupling matrix, where it is no number.
@@ -32,7 +33,7 @@ impl Inputs {
     pub(super) fn new(program: &Program) -> Self {
         let controls = program.controls();
         Self {
-            shared: program.limits.u_max,
+            shared: program.limits,
             own: Vec::new(),
             within: vec![[true, false]; controls.len()],
             determinant: program.determinant.map(|value| (value, Pole::default())),
@@ -50,26 +51,31 @@ impl Inputs {
 
     /// Before a run.
     pub(super) fn start(&mut self, spec: &Spec, values: &Values) {
-        if spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty()) {
+        if spec.own_limits(0).is_some() {
             self.own = values.limits(spec);
         }
         self.determinant.iter_mut().for_each(|(_, pole)| *pole = Pole::default());
         self.peak = 0.0;
     }
 
-    /// Bound of |u| of an input, if it has one.
-    fn limit(&self, input: usize, machine: &Machine) -> Option<f64> {
-        let shared = || self.shared.map(|limit| machine.get(limit));
-        self.own.get(input).copied().or_else(shared)
+    /// The limits of an input.
+    fn limits(&self, input: usize, machine: &Machine) -> Range {
+        let shared = || self.shared.range(|limit| machine.get(limit));
+        self.own.get(input).copied().unwrap_or_else(shared)
+    }
+
+    /// Whether a u may have limits.
+    fn is_limited(&self) -> bool {
+        self.shared.of_u().next().is_some()
     }
 
     /// The inputs with their limits held as chosen, of a machine that has computed them.
     pub(super) fn held(&mut self, machine: &Machine) -> &[f64] {
         for (input, control) in self.controls.iter().enumerate() {
-            let limit = || self.limit(input, machine).unwrap_or(f64::INFINITY);
+            let limits = || self.limits(input, machine);
             self.u[input] = match self.within[input] {
-                [true, true] => limit(),
-                [false, false] => -limit(),
+                [true, true] => limits().most,
+                [false, false] => limits().least,
                 _ => machine.get(*control),
             };
         }
@@ -86,12 +92,9 @@ impl Inputs {
         let mut saturated = false;
         for (input, control) in self.controls.iter().enumerate() {
             let wanted = if over { 0.0 } else { machine.get(*control) };
-            let limit = self.limit(input, machine);
-            (self.u[input], saturated) = match limit {
-                Some(limit) if wanted > limit => (limit, true),
-                Some(limit) if wanted < -limit => (-limit, true),
-                _ => (wanted, saturated),
-            };
+            let (u, clipped) = self.limits(input, machine).clip(wanted);
+            self.u[input] = u;
+            saturated |= clipped;
         }
         saturated
     }
@@ -113,7 +116,7 @@ impl Inputs {
 
     /// Number of kinks: two for each u that is clipped, and the determinant.
     pub(super) fn kinks(&self) -> usize {
-        let limited = if self.shared.is_some() { 2 * self.controls.len() } else { 0 };
+        let limited = if self.is_limited() { 2 * self.controls.len() } else { 0 };
         limited + usize::from(self.determinant.is_some())
     }
 
@@ -130,15 +133,17 @@ impl Inputs {
     pub(super) fn distances(&self, machine: &Machine, into: &mut Vec<f64>) {
         for (input, control) in self.controls.iter().enumerate() {
             let u = machine.get(*control);
-            let limit = self.limit(input, machine);
-            into.extend(limit.into_iter().flat_map(|limit| [u + limit, u - limit]));
+            if self.is_limited() {
+                let Range { least, most } = self.limits(input, machine);
+                into.extend([u - least, u - most]);
+            }
         }
         into.extend(self.determinant.iter().map(|(_, pole)| pole.now()));
     }
 
     /// Holds every kink above or below 0.
     pub(super) fn choose(&mut self, above: &[bool]) {
-        if self.shared.is_some() {
+        if self.is_limited() {
             let (sides, _) = above.as_chunks();
             self.within.iter_mut().zip(sides).for_each(|(within, sides)| *within = *sides);
         }

@@ -6,8 +6,9 @@ use super::Failure;
 use crate::collect::map;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::plant::Plant;
+use crate::program::Input;
 use crate::program::machine::{Machine, Slot};
-use crate::program::{Input, number};
+use crate::program::range::{Range, rounded};
 use crate::request::Spec;
 
 /// The values of the parameters of a controller and the symbols of its plant.
@@ -25,6 +26,7 @@ impl Values {
         let mut values = map([
             (Parameter::StartTime, 0.0),
             (Parameter::UMax, f64::INFINITY),
+            (Parameter::UMin, f64::NEG_INFINITY),
             (Parameter::Deadbeat, 0.0),
         ]);
         let fixed = spec.fixed.iter().chain(&plant.fixed);
@@ -74,13 +76,20 @@ impl Values {
         self.names.binary_search(&parameter).ok()
     }
 
-    /// Bound of |u| of each input of the controller of `spec`.
-    pub fn limits(&self, spec: &Spec) -> Vec<f64> {
-        let own = spec.axes.as_ref().map(|axes| axes.limits.as_slice()).unwrap_or_default();
-        match own {
-            [] => vec![self.get(Parameter::UMax); spec.input_names().len()],
-            own => own.iter().map(|limit| rounded(limit, spec.precision)).collect(),
-        }
+    /// Limits of each input of the controller of `spec`.
+    pub fn limits(&self, spec: &Spec) -> Vec<Range> {
+        let shared = self.shared_limits(spec.u_min);
+        let of = |index| match spec.own_limits(index) {
+            Some(_) => Range::fixed(spec, index),
+            None => shared,
+        };
+        (0..spec.input_names().len()).map(of).collect()
+    }
+
+    /// The limits of u that are parameters, where it has a lower one of its own or not.
+    pub(super) fn shared_limits(&self, own_least: bool) -> Range {
+        let most = self.get(Parameter::UMax);
+        Range { least: if own_least { self.get(Parameter::UMin) } else { -most }, most }
     }
 
     /// The parameters and symbols without a value, without which the loop of `spec` and `plant` does
@@ -175,11 +184,6 @@ impl Given<Slot> {
 
 fn to_f64(value: &Fixed) -> f64 {
     rounded(value, Precision::F64)
-}
-
-/// A value as a precision holds it.
-fn rounded(value: &Fixed, precision: Precision) -> f64 {
-    value.number().map_or(f64::INFINITY, |exact| number::round(exact, precision))
 }
 
 #[cfg(test)]

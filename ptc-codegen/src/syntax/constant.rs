@@ -34,6 +34,9 @@ pub(crate) fn complex(node: &Node) -> Option<Complex> {
 pub(crate) fn real(node: &Node) -> Option<Fixed> {
     match &node.value {
         Value::Number(value) => Some(value.clone()),
+        Value::Negative(a) if matches!(a.value, Value::Number(Fixed::Infinite)) => {
+            Some(Fixed::MinusInfinite)
+        }
         _ => match complex(node)? {
             (value, none) if none.is_zero() => Some(Fixed::Number { text: text(&value), value }),
             _ => None,

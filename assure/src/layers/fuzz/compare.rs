@@ -7,6 +7,7 @@ use ptc_codegen::expression::{Expression, Node, Variable};
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::Input;
 use ptc_codegen::program::interpret::Interpreter;
+use ptc_codegen::program::range::Range;
 use ptc_codegen::reference::{Call, Status, evaluate, tolerance};
 use ptc_codegen::request::{Feedback, Guard, Spec};
 
@@ -160,14 +161,15 @@ fn passes(spec: &Spec, record: &Record) -> bool {
 
 /// A parameter, fixed or of the record.
 fn value(spec: &Spec, record: &Record, wanted: Parameter) -> f64 {
-    use ptc_codegen::parameter::Fixed;
     match spec.fixed.get(&wanted) {
-        Some(Fixed::Infinite) => f64::INFINITY,
-        Some(Fixed::Number { value, .. }) => {
-            ptc_codegen::program::number::round(value, spec.precision)
-        }
+        Some(fixed) => ptc_codegen::program::range::rounded(fixed, spec.precision),
         None => parameter(spec, record, wanted),
     }
+}
+
+/// The limits of u of a record.
+fn limits(spec: &Spec, record: &Record) -> Range {
+    Range::of(spec, 0, &|wanted| parameter(spec, record, wanted))
 }
 
 fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Difference> {
@@ -199,12 +201,12 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
         // Behind the result alone, t - t is added: a time that is no number makes u none, and -0 is 0.
         let difference = if record.t.is_finite() { 0.0 } else { f64::NAN };
         let u = if spec.guard == Guard::Result { u + difference } else { u };
-        let u_max = value(spec, record, Parameter::UMax);
+        let limits = limits(spec, record);
         let agrees = match c.step.0 {
             0 | 1 => u.to_bits() == c.step.1.to_bits(),
             2 => {
                 program.limits.past.is_some_and(|past| own.value(past) >= 0.0)
-                    || (u.abs() > u_max && c.step.1.to_bits() == (u_max * u.signum()).to_bits())
+                    || (limits.clip(u).1 && c.step.1.to_bits() == limits.clip(u).0.to_bits())
             }
             -3 => !u.is_finite() || program.limits.past.is_some_and(|past| own.value(past) >= 0.0),
             _ => true,
@@ -295,8 +297,8 @@ fn definition(
         }
         counts.references += 1;
         let allowed = tolerance::of(spec);
-        let u_max = value(spec, record, Parameter::UMax);
-        let edge = (control.u().abs() - u_max).abs() <= 2.0 * allowed * control.scale();
+        let room = 2.0 * allowed * control.scale();
+        let edge = limits(spec, record).finite().any(|limit| (control.u() - limit).abs() <= room);
         let eps = value(spec, record, Parameter::Eps);
         let at_eps = (expected.time_to_go - eps).abs() <= 1e-6 * eps;
         if c.step.0 != expected.status.code() && !edge && !at_eps {
@@ -348,6 +350,7 @@ fn is_usual(spec: &Spec, record: &Record) -> bool {
             Parameter::StartTime
             | Parameter::Eps
             | Parameter::UMax
+            | Parameter::UMin
             | Parameter::Samples
             | Parameter::SampleTime
             | Parameter::Deadbeat => true,

@@ -36,7 +36,8 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         return refuted;
     }
     let open = |p: &Parameter| {
-        !matches!(p, Parameter::UMax | Parameter::StartTime)
+        *p != Parameter::StartTime
+            && !p.is_limit()
             && !is_known(spec, *p)
             && !spec.bounds.contains_key(p)
     };
@@ -94,7 +95,7 @@ pub(super) fn round(spec: &Spec, value: &Fixed) -> f64 {
 /// What a parameter is; 0 for one that the law does not compute with.
 fn parameter(spec: &Spec, p: Parameter) -> Computed {
     match (spec.fixed.get(&p), spec.bounds.get(&p)) {
-        (Some(value), _) if p != Parameter::UMax => Computed::point(round(spec, value)),
+        (Some(value), _) if !p.is_limit() => Computed::point(round(spec, value)),
         (_, Some((least, greatest))) => Computed::new(round(spec, least), round(spec, greatest)),
         _ => Computed::point(0.0),
     }

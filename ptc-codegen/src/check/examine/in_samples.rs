@@ -75,7 +75,7 @@ pub(super) fn of_several(spec: &Spec) -> Outcome {
 
 /// The outcome where a number is left to run time.
 pub(in crate::check) fn open(spec: &Spec) -> Option<Outcome> {
-    let is_open = |p: &Parameter| *p != Parameter::UMax && !spec.fixed.contains_key(p);
+    let is_open = |p: &Parameter| !p.is_limit() && !spec.fixed.contains_key(p);
     let open = spec.parameters().into_iter().find(is_open)?;
     let reason = format!("`{}` is left to run time", open.spelling());
     Some(Outcome::not_checked(sampled::NAME, reason))

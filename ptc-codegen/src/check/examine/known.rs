@@ -190,7 +190,7 @@ pub(in crate::check) fn lacking(spec: &Spec) -> Option<String> {
         return Some("a linear law".to_owned());
     }
     let needed = |p: &Parameter| {
-        !matches!(p, Parameter::StartTime | Parameter::Eps | Parameter::UMax) && !is_known(spec, *p)
+        !matches!(p, Parameter::StartTime | Parameter::Eps) && !p.is_limit() && !is_known(spec, *p)
     };
     let of_plant = spec.drift.iter().chain(&spec.input_gain).chain(spec.derivative(0));
     let of_plant = crate::collect::set(of_plant.flat_map(Expression::parameters));

@@ -235,9 +235,10 @@ impl<'a> Loop<'a> {
         !self.spec.promises.error.is_empty()
     }
 
-    /// Above what u is clipped.
+    /// Largest |u| that is never clipped.
     pub(super) fn limit(&self) -> f64 {
-        self.spec.fixed.get(&Parameter::UMax).map_or(f64::INFINITY, double)
+        let radius = self.spec.radius(0).and_then(|radius| radius.to_f64());
+        radius.unwrap_or(f64::INFINITY)
     }
 
     /// The wanted bound of each state; 1 where it is not given.

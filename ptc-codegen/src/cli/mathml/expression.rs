@@ -141,6 +141,7 @@ fn of_parameter(parameter: Parameter) -> Math {
         Parameter::Rate(i) => sub(name("a"), number(i)),
         Parameter::Eps => name("\u{3b5}"),
         Parameter::UMax => sub(name("u"), name("max")),
+        Parameter::UMin => sub(name("u"), name("min")),
         _ => named(&parameter.spelling()),
     }
 }

@@ -38,6 +38,6 @@ pub(super) fn charts(report: &Report) -> Result<Vec<Svg>, Failure> {
     let peaks = choices.iter().map(|choice| (choice.eps, choice.u)).collect();
     Ok(vec![
         over_eps(title, finals, given.then_some(1.0))?,
-        over_eps("worst |u|", peaks, number(Parameter::UMax))?,
+        over_eps("worst |u|", peaks, spec.radius(0).and_then(|limit| limit.to_f64()))?,
     ])
 }

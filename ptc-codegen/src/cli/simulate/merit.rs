@@ -5,7 +5,8 @@ use crate::cli::page::{Part, Table, short};
 
 /// One line a run.
 pub(super) fn part(runs: &[Run]) -> Part {
-    let bounded = runs.iter().any(|run| run.limits.iter().any(|limit| limit.is_finite()));
+    let bounded =
+        runs.iter().any(|run| run.limits.iter().any(|limit| limit.finite().next().is_some()));
     let mut head: Vec<_> = ["run", "ends at t in s"].map(str::to_owned).into();
     for run in runs.iter().take(1) {
         let last: Vec<_> = match &run.error {

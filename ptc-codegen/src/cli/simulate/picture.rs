@@ -55,7 +55,7 @@ pub(super) fn figure(spec: &Spec, runs: &[Run], by_decades: bool) -> Figure {
         states: Quantity::states(spec),
         inputs: Quantity::inputs(spec),
         traces: runs.iter().map(trace).collect(),
-        u_max: runs.first().map(|run| run.limits.clone()).unwrap_or_default(),
+        limits: runs.first().map(|run| run.limits.clone()).unwrap_or_default(),
         x_max: bounds.collect(),
         objectives: Vec::new(),
         by_decades,

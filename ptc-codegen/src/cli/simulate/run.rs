@@ -5,6 +5,7 @@ use crate::check::resolved::Resolved;
 use crate::diagnostic::digits;
 use crate::parameter::Parameter;
 use crate::plant::Plant;
+use crate::program::range::Range;
 use crate::request::Spec;
 use crate::simulate::record::{self, Asked, Row};
 use crate::simulate::{Cause, Failure as Ended, Loop, Values, tracking_error};
@@ -27,8 +28,8 @@ pub(super) struct Run {
     pub(super) states: Vec<String>,
     pub(super) inputs: Vec<String>,
     pub(super) t0: f64,
-    /// Bound of |u| of each input.
-    pub(super) limits: Vec<f64>,
+    /// Limits of each input.
+    pub(super) limits: Vec<Range>,
     /// What the checks say, where the emitted controller is in the loop.
     pub(super) report: Option<Report>,
     /// Whether u is held between the rows.
@@ -186,7 +187,7 @@ fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure
     for parameter in missing {
         let name = parameter.spelling();
         let flag = match parameter {
-            Parameter::Tau | Parameter::StartTime | Parameter::UMax => {
+            Parameter::Tau | Parameter::StartTime | Parameter::UMax | Parameter::UMin => {
                 format!("--{name} VALUE").replace('_', "-")
             }
             // A sample period is given, and eps does not follow from it.

@@ -213,7 +213,7 @@ fn figure(
         states: Quantity::states(spec),
         inputs: Quantity::inputs(spec),
         traces: vec![trace],
-        u_max: setting.values.limits(spec),
+        limits: setting.values.limits(spec),
         x_max: Vec::new(),
         objectives: bounded
             .map(|(i, (objective, levels))| of_levels(i, objective, levels))

@@ -4,7 +4,8 @@ use super::Builder;
 use super::axes::{WANTED, each};
 use super::given::OfAll;
 use crate::code::{
-    AXIS, Ending, Expr, Finish, Index, Place, Shape, Standing, Statement, Status, Test, Whose,
+    AXIS, Bounds, Ending, Expr, Finish, Index, Place, Shape, Standing, Statement, Status, Test,
+    Whose,
 };
 use crate::expression::Function::Abs;
 use crate::internal::fault;
@@ -24,7 +25,7 @@ impl Builder<'_> {
         let finite = |input: &Input| Test::Finite(OfAll::Each.element(*input, n));
         let first: Vec<_> = inputs.local.iter().map(finite).collect();
         let legal: Vec<_> = self.arrays().iter().map(finite).collect();
-        let clipped = self.clipped_at(Finish::Fail(Status::Range), limit);
+        let clipped = Self::clipped_at(Finish::Fail(Status::Range), &limit);
         let otherwise = match self.guarded() {
             false => clipped,
             true => Finish::choose(Test::All(legal), clipped, Finish::Fail(Status::Input)),
@@ -56,11 +57,11 @@ impl Builder<'_> {
         statements
     }
 
-    /// The bound of |u| of an axis, what is computed before the loops, and the tests of v.
-    fn bounds_of_axes(&self) -> (Option<Expr>, Vec<Statement>, Vec<Test>) {
-        let limit = self.limit_of_axis(Expr::At("u_max".to_owned(), Index::of(AXIS)));
-        let Some(shared @ Expr::Field(_)) = &limit else {
-            let within = Self::within(limit.clone());
+    /// The limits of u of an axis, what is computed before the loops, and the tests of v.
+    fn bounds_of_axes(&self) -> (Bounds, Vec<Statement>, Vec<Test>) {
+        let limit = self.limits_of_axis(|name| Expr::At(name, Index::of(AXIS)));
+        let Some(shared @ Expr::Field(_)) = limit.of_size() else {
+            let within = Self::within(&limit);
             return (limit, Vec::new(), within);
         };
         // One test for both, that v is finite and that it is within a bound which may be infinite.

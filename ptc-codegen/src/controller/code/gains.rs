@@ -3,11 +3,12 @@
 use super::Builder;
 use super::body::{GAIN, INPUT_GAIN};
 use crate::code::{
-    AXIS, Access, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test,
-    Variable,
+    AXIS, Access, Bounds, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement,
+    Status, Test, Variable,
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
+use crate::parameter::Parameter;
 use crate::program::Value;
 use crate::request;
 
@@ -43,9 +44,18 @@ impl Builder<'_> {
         }
         if !program.bounds.is_empty() {
             let of_each = Shape::Reals(program.bounds.len());
-            gains.push(Variable::new("u_max", of_each, "bound of |u| of each axis"));
-        } else if self.run_time_limit() {
-            gains.push(Variable::new("u_max", Shape::Real, "bound of |u|"));
+            let about = match program.lower.is_empty() {
+                true => "bound of |u| of each axis",
+                false => "upper limit of u of each axis",
+            };
+            gains.push(Variable::new("u_max", of_each, about));
+            if !program.lower.is_empty() {
+                gains.push(Variable::new("u_min", of_each, "lower limit of u of each axis"));
+            }
+        }
+        for (parameter, _) in self.run_time_limits() {
+            let about = self.spec.meaning(parameter);
+            gains.push(Variable::new(parameter.key(), Shape::Real, about));
         }
         gains
     }
@@ -55,17 +65,24 @@ impl Builder<'_> {
         self.spec.axes.as_ref().is_some_and(request::Axes::differ)
     }
 
-    /// The bound of |u| of an axis, if there is one: `own` where each has its own.
-    pub(super) fn limit_of_axis(&self, own: Expr) -> Option<Expr> {
-        match self.controller.program.bounds.is_empty() {
-            false => Some(own),
-            true => self.limits.u_max.map(|limit| self.field(limit)),
+    /// The limits of u of an axis: `own` of a name where each has its own.
+    pub(super) fn limits_of_axis(&self, own: impl Fn(String) -> Expr) -> Bounds {
+        let named = |name: &str| Some(own(name.to_owned()));
+        let program = self.controller.program;
+        match (program.bounds.is_empty(), program.lower.is_empty()) {
+            (true, _) => self.bounds(),
+            (false, true) => Bounds::symmetric(named("u_max")),
+            (false, false) => Bounds::between(named("u_min"), named("u_max")),
         }
     }
 
-    /// Whether the bound of |u| is a field.
-    fn run_time_limit(&self) -> bool {
-        self.limits.u_max.is_some_and(|limit| !self.plan.is_literal(limit))
+    /// The limits of u that are fields, which all axes share.
+    fn run_time_limits(&self) -> impl Iterator<Item = (Parameter, Value)> {
+        let all =
+            [(Parameter::UMax, self.limits.u_max), (Parameter::UMin, self.limits.u_min.value())];
+        let shared = self.controller.program.bounds.is_empty();
+        let of = all.into_iter().filter_map(|(parameter, limit)| Some((parameter, limit?)));
+        of.filter(move |(_, limit)| shared && !self.plan.is_literal(*limit))
     }
 
     pub(super) fn tick(&self) -> Function {
@@ -77,10 +94,7 @@ impl Builder<'_> {
         statements.extend(body.statements);
         let Some((late, gains)) = body.roots.split_last() else { fault("a tick without gains") };
         let mut values = gains.to_vec();
-        let shared = self.controller.program.bounds.is_empty() && self.run_time_limit();
-        if let Some(limit) = self.limits.u_max.filter(|_| shared) {
-            values.push(self.field(limit));
-        }
+        values.extend(self.run_time_limits().map(|(_, limit)| self.field(limit)));
         let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
         let give = |status| Finish::give(values.clone(), status);
         Function {
@@ -117,16 +131,16 @@ impl Builder<'_> {
         let Some(u) = body.roots.first() else { fault("an axis without u") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
         let v = || Expr::local("v");
-        let limit = self.limit_of_axis(Expr::OfAxis("u_max".to_owned(), 1, 0));
+        let limit = &self.limits_of_axis(|name| Expr::OfAxis(name, 1, 0));
         let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
         let finish = if self.guarded() && inputs.waiting.is_empty() {
-            self.clipped_at(Finish::choose(Test::Finite(v()), give, fail), limit)
+            Self::clipped_at(Finish::choose(Test::Finite(v()), give, fail), limit)
         } else if self.guarded() {
-            let hot = Self::within(limit.clone());
-            inputs.behind(hot, give, self.clipped_at(fail, limit))
+            let hot = Self::within(limit);
+            inputs.behind(hot, give, Self::clipped_at(fail, limit))
         } else {
             let nothing = Expr::binary(Operator::Sub, v(), v());
-            self.clipped_at(Finish::choose(Test::NotNumber(nothing), fail, give), limit)
+            Self::clipped_at(Finish::choose(Test::NotNumber(nothing), fail, give), limit)
         };
         Function {
             name: "axis",

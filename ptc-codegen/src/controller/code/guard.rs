@@ -6,8 +6,7 @@
 //! user-defined functions and of iterations do not wait, nor does the start.
 
 use super::Builder;
-use crate::code::{Expr, Finish, Statement, Status, Test};
-use crate::expression::Function;
+use crate::code::{Bounds, Expr, Finish, Statement, Status, Test};
 use crate::program::{Input, Op, Value};
 use crate::request::After;
 
@@ -98,16 +97,14 @@ impl Builder<'_> {
             && time.is_some_and(|time| !program.depends(time, &[late], program.step))
     }
 
-    /// That u, the local value v, is finite and within its bound.
+    /// That u, the local value v, is finite and within its limits.
     pub(super) fn within_bounds(&self) -> Vec<Test> {
-        Self::within(self.limits.u_max.map(|limit| self.field(limit)))
+        Self::within(&self.bounds())
     }
 
-    /// The same with this bound, if there is one.
-    pub(super) fn within(limit: Option<Expr>) -> Vec<Test> {
-        let v = || Expr::local("v");
-        let bound =
-            limit.map(|limit| Test::AtMost(Expr::Call(Function::Abs, Box::new(v())), limit));
-        std::iter::once(Test::Finite(v())).chain(bound).collect()
+    /// The same with these limits.
+    pub(super) fn within(limits: &Bounds) -> Vec<Test> {
+        let v = Expr::local("v");
+        std::iter::once(Test::Finite(v.clone())).chain(limits.hold(&v)).collect()
     }
 }

@@ -2,13 +2,13 @@
 
 use super::Builder;
 use crate::code::{
-    Access, Expr, Finish, Function, Inputs, Operator, Owner, Shape, Statement, Status, Test,
-    Variable,
+    Access, Bounds, Expr, Finish, Function, Inputs, Operator, Owner, Shape, Statement, Status,
+    Test, Variable,
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
 use crate::model::Coupled;
-use crate::parameter::{Fixed, Name, Parameter};
+use crate::parameter::Name;
 use crate::request::Guard;
 
 impl Builder<'_> {
@@ -76,14 +76,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The bound of one input.
-    fn limit_of(&self, index: usize) -> Option<Expr> {
-        match self.spec.limit(index) {
-            Some(limit) => Some(Expr::Number(limit.clone())),
-            None => {
-                let open = self.spec.fixed.get(&Parameter::UMax) != Some(&Fixed::Infinite);
-                self.limits.u_max.filter(|_| open).map(|limit| self.field(limit))
-            }
-        }
+    /// The limits of one input.
+    fn limit_of(&self, index: usize) -> Bounds {
+        self.spec.own_limits(index).map_or_else(|| self.bounds(), Bounds::of)
     }
 }

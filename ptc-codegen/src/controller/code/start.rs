@@ -6,7 +6,7 @@ use super::{Builder, Field};
 use crate::algebra::BigRational;
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Start, Statement, Status, Test, Variable,
-    parameter_name,
+    limits_in_order, parameter_name,
 };
 use crate::controller::is_derived;
 use crate::controller::plan::Routine;
@@ -172,6 +172,7 @@ impl Builder<'_> {
                     tests.extend([above(), Test::AtMost(value(), self.number(greatest))]);
                 }
                 Domain::PositiveOrInfinite => tests.push(Test::Less(Expr::integer(0), value())),
+                Domain::BelowUMax | Domain::AboveUMin => {}
                 Domain::BelowTau => tests.push(above()),
                 Domain::Within => {
                     let Some((least, greatest)) = spec.bounds.get(&parameter) else { continue };
@@ -193,6 +194,9 @@ impl Builder<'_> {
         if spec.what == What::Controller && open {
             let [eps, tau] = of_time.map(|parameter| self.parameter(parameter));
             tests.push(Test::Less(eps, tau));
+        }
+        if spec.what == What::Controller {
+            tests.extend(limits_in_order(spec, &|parameter| self.parameter(parameter)));
         }
         tests
     }

@@ -2,12 +2,13 @@
 
 use super::Builder;
 use crate::code::{
-    Access, Expr, Finish, Function, Operator, Owner, Place, Shape, Statement, Status, Test,
+    Access, Bounds, Expr, Finish, Function, Operator, Owner, Place, Shape, Statement, Status, Test,
     Variable,
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
 use crate::parameter::Name;
+use crate::program::Least;
 use crate::request::{After, Guard};
 
 impl Builder<'_> {
@@ -116,20 +117,26 @@ impl Builder<'_> {
         }
     }
 
-    /// The end of a call that gives `v`, where v is within its bound.
+    /// The end of a call that gives `v`, where v is within its limits.
     pub(super) fn clipped(&self, within: Finish) -> Finish {
-        self.clipped_at(within, self.limits.u_max.map(|limit| self.field(limit)))
+        Self::clipped_at(within, &self.bounds())
     }
 
-    /// The same with this bound, if there is one.
-    pub(super) fn clipped_at(&self, within: Finish, limit: Option<Expr>) -> Finish {
-        let Some(limit) = limit else { return within };
-        let v = Expr::local("v");
-        let least = Expr::Neg(Box::new(limit.clone()));
-        let give = |value: &Expr| Finish::give(vec![value.clone()], Status::Saturated);
-        let (above, below) = (give(&limit), give(&least));
-        let rest = Finish::choose(Test::Less(v.clone(), least), below, within);
-        Finish::choose(Test::Less(limit, v), above, rest)
+    /// The same with these limits.
+    pub(super) fn clipped_at(within: Finish, limits: &Bounds) -> Finish {
+        let beyond: Vec<_> = limits.beyond(&Expr::local("v")).collect();
+        beyond.into_iter().rev().fold(within, |rest, (test, limit)| {
+            Finish::choose(test, Finish::give(vec![limit], Status::Saturated), rest)
+        })
+    }
+
+    /// The limits of u that all inputs share.
+    pub(super) fn bounds(&self) -> Bounds {
+        let most = self.limits.u_max.map(|limit| self.field(limit));
+        match self.limits.u_min {
+            Least::Opposite => Bounds::symmetric(most),
+            least => Bounds::between(least.value().map(|limit| self.field(limit)), most),
+        }
     }
 
     /// The statuses with which a function fails that gives u.

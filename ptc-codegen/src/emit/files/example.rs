@@ -90,6 +90,7 @@ impl Example {
     pub(super) fn value(&self, parameter: Parameter) -> f64 {
         match self.values.get(&parameter).and_then(Fixed::number) {
             Some(exact) => number::round(exact, self.precision),
+            None if parameter == Parameter::UMin => f64::NEG_INFINITY,
             None => f64::INFINITY,
         }
     }
@@ -110,6 +111,7 @@ fn default(spec: &Spec, parameter: Parameter) -> Option<Fixed> {
         }
         Parameter::StartTime => Some(0.into()),
         Parameter::UMax => fixed(UNBOUNDED),
+        Parameter::UMin => fixed(UNBOUNDED).map(|most| most.opposite()),
         Parameter::A | Parameter::M | Parameter::Named(_) => Some(1.into()),
         Parameter::Start => fixed("0.1"),
         Parameter::Rate(i) => exact(&integer(i64::try_from(i).unwrap_or(1))),
@@ -200,7 +202,8 @@ fn arrives(spec: &Spec, tau: f64) -> bool {
     let period = spec.promises.sample_time.as_ref().and_then(to_f64);
     let (Some(period), Some(eps)) = (period, value(Parameter::Eps)) else { return false };
     let unbounded = fixed(UNBOUNDED).as_ref().and_then(to_f64);
-    let clips = value(Parameter::UMax).is_some_and(|limit| Some(limit) < unbounded);
+    let radius = spec.radius(0).and_then(|limit| limit.to_f64());
+    let clips = radius.is_some_and(|limit| Some(limit) < unbounded);
     let steps = (tau / period).round();
     if spec.feedback != Feedback::Linear || clips || steps > STEPS {
         return false;

@@ -23,8 +23,9 @@ pub(super) struct Outline {
     pub(super) associated: bool,
     /// Whether the law is a function of the user's.
     pub(super) extern_law: bool,
-    /// Whether the gains hold u_max, and g.
+    /// Whether the gains hold u_max, u_min, and g.
     pub(super) run_time_limit: bool,
+    pub(super) run_time_lower: bool,
     pub(super) divides: bool,
     /// The run-time parameters one by one: local name, and place in the parameters.
     pub(super) locals: Vec<Local>,
@@ -64,6 +65,7 @@ impl Outline {
             associated: spec.what == What::Associated,
             extern_law: spec.feedback == Feedback::Extern,
             run_time_limit: program.gains.iter().any(|field| field.name == "u_max"),
+            run_time_lower: program.gains.iter().any(|field| field.name == "u_min"),
             divides: program.gains.iter().any(|field| field.name == "input_gain"),
             locals: program.init.iter().filter_map(copy).collect(),
             fields: program.fields.clone(),

@@ -9,7 +9,7 @@ mod share;
 #[cfg(test)]
 mod tests;
 
-use super::{Definition, Op, Program, Value};
+use super::{Definition, Least, Op, Program, Value};
 
 /// A pass over a program.
 #[derive(Clone, Copy, Debug)]
@@ -69,10 +69,14 @@ fn rebuild(
     new.gains = program.gains.iter().copied().map(to).collect();
     new.divisors = program.divisors.iter().copied().map(to).collect();
     new.bounds = program.bounds.iter().copied().map(to).collect();
+    new.lower = program.lower.iter().copied().map(to).collect();
     new.determinant = program.determinant.map(to);
     new.watched = program.watched.iter().copied().map(to).collect();
     new.limits.start_time = program.limits.start_time.map(to);
     new.limits.u_max = program.limits.u_max.map(to);
+    if let Least::Own(value) = &mut new.limits.u_min {
+        *value = to(*value);
+    }
     new.limits.past = program.limits.past.map(to);
     new.limits.late = to(program.limits.late);
     new.limits.hold_from = to(program.limits.hold_from);

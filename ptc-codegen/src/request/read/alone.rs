@@ -9,10 +9,11 @@ use crate::request::{After, Promises, Spec};
 use crate::syntax::real;
 
 /// The keys of a law, and what stands for each with an observer.
-const OF_LAW: [(&str, &str); 7] = [
+const OF_LAW: [(&str, &str); 8] = [
     ("tau", "the estimates are exact from sample `observer_samples` on"),
     ("eps", "`observer_eps` holds the gains of an observer"),
     ("u_max", "the observer is given u as it was applied"),
+    ("u_min", "the observer is given u as it was applied"),
     ("after", "`after_observer` says what follows sample `observer_samples`"),
     ("deadbeat", "an observer takes it from its poles"),
     ("error", "no check judges an observer alone"),
@@ -73,6 +74,7 @@ impl Reader<'_> {
             }
         }
         spec.fixed.retain(|parameter, _| matches!(parameter, Parameter::SampleTime | Parameter::A));
+        spec.u_min = false;
         spec.poles.clear();
         spec.after = After::Hold;
         spec.reference = None;

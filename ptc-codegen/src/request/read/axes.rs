@@ -7,7 +7,7 @@ use crate::expression::{self, Expression};
 use crate::limits::AXES;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Axes, Feedback, Reference, Spec, What};
-use crate::syntax::{Node, Value};
+use crate::syntax::{Node, Value, real};
 
 /// What is bounded alike on all axes, whose states have the same units.
 const BOUNDS: [&str; 6] = ["noise", "noise_rms", "sensor_step", "error", "x0_max", "x_max"];
@@ -71,6 +71,7 @@ impl<'a> Reader<'a> {
             poles: Vec::new(),
             greatest: Vec::new(),
             limits: Vec::new(),
+            lower: Vec::new(),
             input_gains: Vec::new(),
             laws,
             references: Vec::new(),
@@ -91,15 +92,7 @@ impl<'a> Reader<'a> {
                 axes.poles.push(poles);
             }
         }
-        for item in self.for_axes("limits", number) {
-            let limit = self.parameter("limits", Parameter::UMax, item);
-            if limit.as_ref().is_some_and(|limit| limit.number().is_none()) {
-                let help = "give a bound that u does not reach, or leave `limits` out for u_max = inf on all axes";
-                let message = "an axis without a bound beside others".to_owned();
-                self.wrong("limits", Some(item.place), message, help.to_owned());
-            }
-            axes.limits.extend(limit);
-        }
+        self.limits_of_axes(&mut axes);
         for item in self.for_axes("g", number) {
             let gain = self.input_gain_of(item, spec.n, &known);
             axes.input_gains.extend(gain);
@@ -107,7 +100,51 @@ impl<'a> Reader<'a> {
         if let Some(limit) = axes.limits.first() {
             spec.fixed.insert(Parameter::UMax, limit.clone());
         }
+        if let Some(limit) = axes.lower.first() {
+            spec.fixed.insert(Parameter::UMin, limit.clone());
+            spec.u_min = true;
+        }
         spec.axes = Some(axes);
+    }
+
+    /// The limits of u of each axis: a bound of |u|, or a pair.
+    fn limits_of_axes(&mut self, axes: &mut Axes) {
+        let all = self.for_axes("limits", axes.count);
+        let pairs = all.iter().any(|item| matches!(item.value, Value::List(_)));
+        for item in all {
+            let (least, most) = match &item.value {
+                Value::List(pair) => match self.pair_of_limits(item, pair) {
+                    Some(pair) => pair,
+                    None => continue,
+                },
+                _ => match self.parameter("limits", Parameter::UMax, item) {
+                    Some(most) => (most.opposite(), most),
+                    None => continue,
+                },
+            };
+            if least.number().is_none() || most.number().is_none() {
+                let help = "give a limit that u does not reach, or leave `limits` out for u_max = inf on all axes";
+                let message = "an axis without a limit beside others".to_owned();
+                self.wrong("limits", Some(item.place), message, help.to_owned());
+            }
+            axes.limits.push(most);
+            axes.lower.extend(pairs.then_some(least));
+        }
+    }
+
+    /// `[lower, upper]`.
+    fn pair_of_limits(&mut self, item: &Node, pair: &[Node]) -> Option<(Fixed, Fixed)> {
+        let values: Vec<_> = pair.iter().filter_map(real).collect();
+        if let [least, most] = values.as_slice()
+            && pair.len() == 2
+            && least.is_below(most)
+        {
+            return Some((least.clone(), most.clone()));
+        }
+        let message = format!("limits has {}, which is not a pair of limits", shown(&item.value));
+        let help = "give [lower, upper] with lower < upper, or one number, the bound of |u|";
+        self.wrong("limits", Some(item.place), message, help.to_owned());
+        None
     }
 
     /// Refuses what has no meaning for several axes, or beside none.
@@ -122,7 +159,7 @@ impl<'a> Reader<'a> {
                 // A number of axes that could not be read is a mistake already.
                 if number > 0 && !self.keys.contains_key("axes") && !self.has_coupled() {
                     let message = format!("`{key}` of each axis, and `axes` is not given");
-                    let one = if key == "limits" { "u_max" } else { "one value" };
+                    let one = if key == "limits" { "u_max and u_min" } else { "one value" };
                     let help = format!("give axes = {number}, or {one} for one chain");
                     self.wrong(key, Some(node.place), message, help);
                 }
@@ -203,6 +240,12 @@ impl<'a> Reader<'a> {
                 !axes.limits.is_empty(),
                 "`u_max` beside `limits`",
                 "give `limits` for each axis, or `u_max` for all",
+            ),
+            (
+                "u_min",
+                !axes.limits.is_empty(),
+                "`u_min` beside `limits`",
+                "give pairs, limits = [[lower, upper], ...], or `u_min` and `u_max` for all",
             ),
         ];
         self.against(&beside);

@@ -2,20 +2,20 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use super::{FixedValues, Reader, shown, suggestion};
 use crate::collect::set;
 use crate::diagnostic::{near_miss, shorten};
 use crate::expression::Expression;
 use crate::keys::KeyInfo;
-use crate::parameter::{Fixed, Parameter};
-use crate::request::{Feedback, Spec};
+use crate::parameter::{Domain, Fixed, Parameter};
+use crate::request::{After, Feedback, RUNTIME, Spec};
 use crate::syntax::{Node, Value, real};
 
 /// The parameters that every controller has.
-const COMMON: [Parameter; 4] =
-    [Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax];
+const COMMON: [Parameter; 5] =
+    [Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax, Parameter::UMin];
 
 /// The parameters that have a name of their own, `own` being those of the mapping.
 pub(crate) fn known(own: Vec<Parameter>) -> Vec<Parameter> {
@@ -31,11 +31,18 @@ impl Reader<'_> {
                 if parameter == Parameter::Eps && self.holds_nothing(node) {
                     continue;
                 }
+                if parameter == Parameter::UMin {
+                    spec.u_min = true;
+                    if matches!(&node.value, Value::Word(word) if word == RUNTIME) {
+                        continue;
+                    }
+                }
                 let value = self.parameter(parameter.key(), parameter, node);
                 spec.fixed.extend(value.map(|v| (parameter, v)));
             }
         }
         self.eps_below_tau(&spec.fixed);
+        self.limits_in_order(spec);
         // What a model has beside the law counts for its zero dynamics.
         let of_coupled = spec.coupled.iter().flat_map(|coupled| coupled.dynamics());
         let beside = spec.model.iter().flat_map(|model| &model.dynamics).chain(of_coupled);
@@ -187,14 +194,73 @@ impl Reader<'_> {
         parameter: Parameter,
         node: &Node,
     ) -> Option<Fixed> {
-        let value = real(node).filter(|value| parameter.domain().admits(value));
+        let domain = match parameter {
+            Parameter::UMax if self.keys.contains_key("u_min") => Domain::AboveUMin,
+            parameter => parameter.domain(),
+        };
+        let value = real(node).filter(|value| domain.admits(value));
         if value.is_some() {
             return value;
         }
+        if let (Parameter::UMax | Parameter::UMin, Value::List(pair)) = (parameter, &node.value)
+            && key != "limits"
+        {
+            let values: Vec<_> = pair.iter().filter_map(real).collect();
+            let help = match values.as_slice() {
+                [least, most] if pair.len() == 2 => {
+                    format!("limits are two keys: u_min = {least} and u_max = {most}")
+                }
+                _ => "with `axes` or several inputs `limits` has those of each".to_owned(),
+            };
+            self.wrong(key, Some(node.place), format!("{key} is one number"), help);
+            return None;
+        }
         let message = format!("{key} = {} is outside its domain", shown(&node.value));
-        let help = format!("{key} ({}) is {}", parameter.meaning(), parameter.domain().text());
+        let help = match parameter {
+            Parameter::UMax if key == "u_max" && domain == Domain::PositiveOrInfinite => {
+                format!(
+                    "{key} (bound of |u|) is {}; u_min beside it gives the lower limit",
+                    domain.text()
+                )
+            }
+            _ => format!("{key} ({}) is {}", parameter.meaning(), domain.text()),
+        };
         self.wrong(key, Some(node.place), message, help);
         None
+    }
+
+    /// Refuses a lower limit of u that is not below the upper one, as the precision holds them.
+    fn limits_in_order(&mut self, spec: &Spec) {
+        let [least, most] = [Parameter::UMin, Parameter::UMax].map(|p| spec.fixed.get(&p));
+        let rounded = |value: &Fixed| value.rounded(spec.precision);
+        if let (Some(least), Some(most)) = (least, most)
+            && (!least.is_below(most)
+                || (rounded(least).is_some() && rounded(least) == rounded(most)))
+        {
+            let place = self.keys.get("u_min").map(|node| node.place);
+            let message = format!("u_min = {least} is not below u_max = {most}");
+            let help = "u is held between u_min and u_max: give the lower limit as u_min";
+            self.wrong("u_min", place, message, help.to_owned());
+            return;
+        }
+        let outside = |limit: Option<&Fixed>, above: bool| match limit.and_then(Fixed::number) {
+            Some(limit) => {
+                if above {
+                    limit.is_positive()
+                } else {
+                    limit.is_negative()
+                }
+            }
+            None => false,
+        };
+        if spec.u_min && spec.after == After::Zero && (outside(least, true) || outside(most, false))
+        {
+            let place = self.keys.get("after").map(|node| node.place);
+            let message = "after = zero, and u = 0 is outside of u_min and u_max".to_owned();
+            let help =
+                "leave `after` out to hold the gains after the deadline, or take limits around 0";
+            self.wrong("after", place, message, help.to_owned());
+        }
     }
 
     fn eps_below_tau(&mut self, fixed: &FixedValues) {

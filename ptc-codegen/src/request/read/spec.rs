@@ -107,6 +107,7 @@ impl<'a> Reader<'a> {
             after: after.unwrap_or(After::Hold),
             fixed: law.gains,
             bounds: BTreeMap::new(),
+            u_min: false,
             poles: law.poles,
             promises,
             engine: None,

@@ -1,11 +1,9 @@
 //! The function `step`: u from what is measured, and its status.
 
-use std::ops::Neg;
-
 use super::super::model::AtSample;
 use super::Builder;
 use crate::code::{
-    Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
+    Access, Bounds, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::parameter::{Fixed, Parameter};
 use crate::request::After;
@@ -110,7 +108,7 @@ impl Builder<'_> {
         let v = Expr::local("v");
         let give = |value: &Expr, status| Finish::give(vec![value.clone()], status);
         let going = || Test::CountLess(Expr::local("elapsed"), samples.clone());
-        let (limit, zero) = (self.limit(), self.spec.after == After::Zero);
+        let (limits, zero) = (self.limits(), self.spec.after == After::Zero);
         let (tracks, held) = (give(&v, Status::Ok), give(&v, Status::Hold));
         let mut finish = match self.hold() {
             Some(hold) => {
@@ -120,14 +118,9 @@ impl Builder<'_> {
             None if zero => tracks,
             None => Finish::choose(going(), tracks, held),
         };
-        if let Some(limit) = limit {
-            let least = limit.clone().neg();
-            for (test, end) in [
-                (Test::Less(v.clone(), least.clone()), &least),
-                (Test::Less(limit.clone(), v.clone()), &limit),
-            ] {
-                finish = Finish::choose(test, give(end, Status::Saturated), finish);
-            }
+        let beyond: Vec<_> = limits.beyond(&v).collect();
+        for (test, limit) in beyond.into_iter().rev() {
+            finish = Finish::choose(test, give(&limit, Status::Saturated), finish);
         }
         match zero {
             true => Finish::choose(going(), finish, give(&Expr::integer(0), Status::After)),
@@ -135,13 +128,22 @@ impl Builder<'_> {
         }
     }
 
-    /// The bound of |u|; none for no bound.
-    pub(in crate::samples) fn limit(&mut self) -> Option<Expr> {
-        if let Some(Fixed::Infinite) = self.spec.fixed.get(&Parameter::UMax) {
+    /// The limits of u.
+    pub(in crate::samples) fn limits(&mut self) -> Bounds {
+        let most = self.limit(Parameter::UMax);
+        match self.spec.u_min {
+            false => Bounds::symmetric(most),
+            true => Bounds::between(self.limit(Parameter::UMin), most),
+        }
+    }
+
+    /// A limit of u, if there is one.
+    fn limit(&mut self, parameter: Parameter) -> Option<Expr> {
+        if let Some(Fixed::Infinite | Fixed::MinusInfinite) = self.spec.fixed.get(&parameter) {
             return None;
         }
-        let limit = self.parameter(Parameter::UMax);
-        Some(self.keep("u_max", "bound of |u|", limit))
+        let limit = self.parameter(parameter);
+        Some(self.keep(parameter.key(), self.spec.meaning(parameter), limit))
     }
 }
 

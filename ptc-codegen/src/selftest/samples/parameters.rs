@@ -2,6 +2,7 @@
 
 use super::super::Draw;
 use super::super::overflow::least;
+use super::super::parameters::in_order;
 use crate::algebra::BigRational;
 use crate::parameter::{Domain, Parameter};
 use crate::program::number::{round, settle};
@@ -36,6 +37,7 @@ impl<'a> Sets<'a> {
             Parameter::Samples => f64::from(self.least.saturating_mul(2).max(SAMPLES)),
             Parameter::SampleTime => 1.0 / 64.0,
             Parameter::UMax => f64::INFINITY,
+            Parameter::UMin => f64::NEG_INFINITY,
             Parameter::A => 1.0,
             // Those of poles at 1 right of the order: k_i = C(m, i-1) c^(m+1-i), c = m + 1.
             Parameter::Gain(i) => {
@@ -66,8 +68,9 @@ impl<'a> Sets<'a> {
 
     /// Sets that are legal and decide otherwise: u bounded, gains held, deadbeat where it is said.
     pub(super) fn others(&self) -> Vec<Vec<f64>> {
-        let changes: [(Parameter, f64); 5] = [
+        let changes: [(Parameter, f64); 6] = [
             (Parameter::UMax, 1.0),
+            (Parameter::UMin, -0.5),
             (Parameter::Eps, 0.125),
             (Parameter::Deadbeat, 20.0),
             (Parameter::A, 0.5),
@@ -76,7 +79,7 @@ impl<'a> Sets<'a> {
         let change = |(parameter, value): (Parameter, f64)| {
             let at = self.open.iter().position(|open| *open == parameter)?;
             let mut set = self.usual();
-            set[at] = value;
+            set[at] = settle(in_order(self.spec, parameter, value), self.spec.precision);
             Some(set)
         };
         changes.into_iter().filter_map(change).collect()
@@ -140,7 +143,7 @@ impl<'a> Sets<'a> {
             let size = 10f64.powf(draw.between(-range, range));
             let size = draw.of(&[size, size, self.spec.precision.greatest()]);
             let sign = match self.spec.domain(*parameter) {
-                Domain::Finite => draw.of(&[-1.0, 1.0]),
+                Domain::Finite | Domain::BelowUMax | Domain::AboveUMin => draw.of(&[-1.0, 1.0]),
                 _ => 1.0,
             };
             let ends = self.ends(*parameter).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));

@@ -5,7 +5,7 @@ use super::flow::{Tick, Which};
 use super::{At, LaneSide};
 use crate::program::kink::Kink;
 use crate::program::lanes::Pack;
-use crate::program::{Program, Value};
+use crate::program::{Limits, Program, Value};
 use crate::simulate::{Controller, Failure, Values};
 
 /// The same loop as [`Direct`](crate::simulate::Direct), where u stays within its bound.
@@ -14,7 +14,7 @@ pub struct DirectLanes {
     /// What `init` checks.
     controller: Controller,
     step: Value,
-    u_max: Option<Value>,
+    limits: Limits,
     law: Abreast,
     motion: Abreast,
     /// x_n'.
@@ -32,12 +32,12 @@ impl DirectLanes {
         (motion, of_motion): (&Program, &[Kink]),
     ) -> Option<Self> {
         let (n, rate) = (motion.watched.len(), *motion.watched.last()?);
-        let u_max = law.limits.u_max;
-        let outputs: Vec<_> = [law.step].into_iter().chain(u_max).collect();
+        let limits = law.limits;
+        let outputs: Vec<_> = [law.step].into_iter().chain(limits.of_u()).collect();
         Some(Self {
             controller: controller.clone(),
             step: law.step,
-            u_max,
+            limits,
             law: Abreast::new(law, &outputs, n)?,
             motion: Abreast::new(motion, &[rate], n)?,
             rate,
@@ -110,6 +110,8 @@ impl LaneSide for DirectLanes {
     }
 
     fn bound(&self) -> Option<Pack> {
-        self.u_max.map(|u_max| *self.law.lanes.get(u_max))
+        self.limits.of_u().next()?;
+        let get = |lane: usize| move |limit| self.law.lanes.get(limit).0[lane];
+        Some(Pack::of(|lane| self.limits.range(get(lane)).radius()))
     }
 }

@@ -77,7 +77,8 @@ impl RunningLanes {
         }
         let limits = program.limits;
         let (checks, armed) = controller.conditions();
-        let looked_at = [Some(program.step), limits.u_max, limits.past].into_iter().flatten();
+        let looked_at =
+            [Some(program.step), limits.past].into_iter().flatten().chain(limits.of_u());
         let checked = checks.iter().flat_map(|check| check.values());
         let outputs: Vec<_> = looked_at.chain(checked).chain(armed.iter().copied()).collect();
         let law = Abreast::new(program, &outputs, motion.order())?;
@@ -220,12 +221,10 @@ impl RunningLanes {
             let past = get(past);
             wanted = Pack::of(|lane| if past.0[lane] >= 0.0 { 0.0 } else { wanted.0[lane] });
         }
-        let Some(limit) = self.limits.u_max.map(get) else { return wanted };
-        Pack::of(|lane| match (wanted.0[lane], limit.0[lane]) {
-            (wanted, limit) if wanted > limit => limit,
-            (wanted, limit) if wanted < -limit => -limit,
-            (wanted, _) => wanted,
-        })
+        if self.limits.of_u().next().is_none() {
+            return wanted;
+        }
+        Pack::of(|lane| self.limits.range(|limit| get(limit).0[lane]).clip(wanted.0[lane]).0)
     }
 
     /// Moves the plants to their next samples under their inputs.

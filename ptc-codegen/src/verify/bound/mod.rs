@@ -42,7 +42,6 @@ use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::expression::Expression;
 use crate::expression::enclosure::{Interval, Range};
-use crate::parameter::{Fixed, Parameter};
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
 const CELLS: usize = 20_000;
@@ -157,11 +156,12 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
         Ok(prover) => prover,
         Err(why) => return all(why),
     };
-    // As long as |u| < u_max the loop is the linear one.
-    if let Some(most) = campaign.spec.fixed.get(&Parameter::UMax).and_then(Fixed::number) {
-        let unclipped = Kind::Input { upsilon: Expression::from(most.clone()) };
+    // As long as u is within its limits the loop is the linear one.
+    if let Some(most) = campaign.spec.radius(0) {
+        let unclipped = Kind::Input { upsilon: Expression::from(most) };
         if let Err(gap) = prover.of_kind(&unclipped, &values) {
-            return all(format!("u may be clipped by u_max: {}", gap.why));
+            let limits = if campaign.spec.u_min { "u_max or u_min" } else { "u_max" };
+            return all(format!("u may be clipped by {limits}: {}", gap.why));
         }
     }
     let scope = match Emitted::of(campaign, &mut prover) {

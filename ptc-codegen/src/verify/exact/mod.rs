@@ -59,17 +59,15 @@ impl Exact {
         let LinearLoop { gains, .. } = LinearLoop::of(campaign, &known).ok()?;
         drift(campaign, &known).ok()?;
         let is_free = |parameter: &Parameter| {
-            matches!(
-                parameter,
-                Parameter::Tau | Parameter::StartTime | Parameter::Eps | Parameter::UMax
-            )
+            matches!(parameter, Parameter::Tau | Parameter::StartTime | Parameter::Eps)
+                || parameter.is_limit()
         };
         let given = |parameter: &Parameter| spec.fixed.get(parameter).is_some_and(is_number);
         let settled = spec.parameters().iter().all(|own| is_free(own) || given(own));
         // The sums of f evaluate mu thousands of times, which costs more than the runs where it is iterated.
         let iterates = spec.is_iterated();
-        // Between the instants u may come to its bound.
-        let clips = spec.fixed.get(&Parameter::UMax).is_some_and(is_number);
+        // Between the instants u may come to a limit.
+        let clips = spec.radius(0).is_some();
         if !settled || iterates || clips || campaign.drawn().is_some() || !scales(campaign) {
             return None;
         }

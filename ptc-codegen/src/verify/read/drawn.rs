@@ -6,13 +6,13 @@ use crate::parameter::Parameter;
 use crate::plant::TABLE;
 
 impl Reader<'_> {
-    /// The parameters that may be intervals: what `init` and `arm` are given beside tau, eps and u_max, which
+    /// The parameters that may be intervals: what `init` and `arm` are given beside tau, eps and the limits of u, which
     /// have a meaning of their own. With a clock in samples all is computed from them beforehand.
     pub(super) fn may_be_drawn(&self) -> Vec<Parameter> {
         let spec = self.spec;
-        let others = [Parameter::Tau, Parameter::Eps, Parameter::UMax];
+        let others = [Parameter::Tau, Parameter::Eps];
         let mut all = spec.parameters();
-        all.retain(|p| spec.sampled().is_none() && !others.contains(p));
+        all.retain(|p| spec.sampled().is_none() && !others.contains(p) && !p.is_limit());
         all
     }
 

@@ -190,9 +190,10 @@ impl Reader<'_> {
         read: Expression,
     ) -> Option<Expression> {
         let Some(coupled) = &self.spec.coupled else { return Some(read) };
-        let own_limits = self.spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty());
-        let one = [Expression::from(Variable::Control), Parameter::UMax.into()];
-        let known = [false, !own_limits];
+        let shared = self.spec.own_limits(0).is_none();
+        let one =
+            [Expression::from(Variable::Control), Parameter::UMax.into(), Parameter::UMin.into()];
+        let known = [false, shared, shared];
         let wrong = one.iter().zip(known).find(|(one, known)| !known && read.any(&|e| e == *one));
         let Some((wrong, _)) = wrong else { return Some(read) };
         let message = format!("`{wrong}` is not known where there are several inputs");

@@ -20,13 +20,13 @@ impl Reader<'_> {
     ) {
         let (spec, plant) = (self.spec, self.plant);
         let integrands = self.integrands();
-        let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax];
+        let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime];
         let lacks = |p: &Parameter| {
             let fixed = spec.fixed.contains_key(p) || plant.gives(*p);
             // One that is given and not legal has been reported.
             let drawn = drawn.iter().any(|(symbol, _)| symbol == p)
                 || given.contains_key(p.spelling().as_str());
-            !fixed && !drawn && !of_run.contains(p)
+            !fixed && !drawn && !of_run.contains(p) && !p.is_limit()
         };
         let mut told: BTreeSet<Parameter> = BTreeSet::new();
         let mut tell = |key: &str, used: &mut dyn Iterator<Item = Parameter>, help: &str| {

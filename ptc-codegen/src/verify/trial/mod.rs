@@ -11,7 +11,7 @@ use super::batch::InLanes;
 use super::observer::{Here, Observer};
 use super::{Campaign, Kind, Level, Outcome, Setting, Status};
 use crate::check::examine::examine;
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
 use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sampled};
 use sides::both;
@@ -83,9 +83,9 @@ impl Trial {
         let lanes = match &closed {
             // A lane integrates components that decay alike; what is accumulated does not decay.
             Closed::Theorem(sides) if integrals.is_empty() => {
-                // A run that comes near its bound of u is none of lanes.
+                // A run that comes near a limit of u is none of lanes.
                 let mut free = spec.clone();
-                free.fixed.insert(Parameter::UMax, Fixed::Infinite);
+                free.remove_limits();
                 let infinite = Continuous::of(&free, &plant)?;
                 InLanes::of_theorem((&infinite, &sides.1), &observer, campaign)
             }

@@ -64,7 +64,7 @@ pub(super) fn chain(spec: &Spec, sensors: &[f64], force: f64) -> Spec {
         ..spec.clone()
     };
     // u is clipped, not w.
-    chain.fixed.insert(Parameter::UMax, Fixed::Infinite);
+    chain.remove_limits();
     if let Clock::Samples(sampled) = &mut chain.clock {
         sampled.measured = spec.n;
     }

@@ -1,12 +1,11 @@
 //! What is said of the bounds of the loops of a model.
 
-use super::super::outcome::{CLIPPED, NAME, followed, split};
+use super::super::outcome::{CLIPPED, NAME, followed, limit_of_u, split};
 use super::motion::Motion;
 use super::{Afterwards, Bounded, Output};
 use crate::check::{Outcome, Verdict, bounds};
 use crate::diagnostic::{digits, digits_up};
-use crate::parameter::{Fixed, Name, Parameter};
-use crate::program::number::round;
+use crate::parameter::Name;
 use crate::request::{Spec, one_or_each};
 
 /// The verdict on these bounds, and what they are.
@@ -27,7 +26,7 @@ pub(super) fn judged(
         let (worst, of) = (&found.worst[k], of_output(outputs, k));
         details.push(format!("{of}{}", force(&output.spec, outputs.len(), found.force[k])));
         details.extend(followed(&output.spec).map(|line| format!("{of}{line}")));
-        if k == 0 && !spec.fixed.contains_key(&Parameter::UMax) {
+        if k == 0 && spec.has_open_limit() {
             details.push("without a limit of u, which is left to run time".to_owned());
         }
         let parts = (0..output.spec.n).map(|i| split(&output.spec, worst, i));
@@ -87,26 +86,19 @@ fn above(outputs: &[Output], totals: &[Vec<f64>]) -> Option<(String, f64)> {
     None
 }
 
-/// The bound of each input, where it has one.
-fn limits(spec: &Spec) -> impl Iterator<Item = Option<f64>> {
-    let shared = spec.fixed.get(&Parameter::UMax).and_then(Fixed::number);
-    let of = move |j: usize| spec.limit(j).or(shared).map(|limit| round(limit, spec.precision));
-    (0..).map(of)
-}
-
 /// The first input that may be clipped.
 pub(super) fn clipped(spec: &Spec, u: &[f64]) -> Option<usize> {
-    u.iter().zip(limits(spec)).position(|(u, limit)| limit.is_some_and(|limit| *u >= limit))
+    let mut all = u.iter().enumerate();
+    all.position(|(j, u)| limit_of_u(spec, j).is_some_and(|(limit, _)| *u >= limit))
 }
 
 /// That an input may be above its bound.
 fn beyond_limit(spec: &Spec, inputs: &[Name], (j, u): (usize, f64)) -> String {
     let most = digits_up(u);
+    let (limit, key) = limit_of_u(spec, j).unwrap_or((f64::INFINITY, "u_max"));
     if inputs.len() == 1 {
-        return format!("|u| is only known to be below {most}, above u_max");
+        return format!("|u| is only known to be below {most}, above {key}");
     }
-    let key = if spec.limit(j).is_some() { "its limit" } else { "u_max" };
-    let limit = limits(spec).nth(j).flatten().unwrap_or(f64::INFINITY);
     let name = inputs[j].text();
     format!("|{name}| is only known to be below {most}, above {key} of {}", digits(limit))
 }

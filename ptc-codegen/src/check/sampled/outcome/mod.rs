@@ -14,6 +14,7 @@ use crate::check::{Outcome, Verdict, bounds, list};
 use crate::diagnostic::{digits, digits_up};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
+use crate::program::number::round;
 use crate::request::{After, PlantBounds, Reference, Spec};
 use assumed::assumed;
 
@@ -37,8 +38,7 @@ pub(super) fn outcome_of(
     if spec.model_in_samples().is_some() || spec.decoupled().is_some() {
         return (super::model::outcome(spec), None);
     }
-    let limited =
-        spec.fixed.get(&Parameter::UMax).is_some_and(|limit| !matches!(limit, Fixed::Infinite));
+    let limited = spec.radius(0).is_some();
     let eps = spec.fixed.contains_key(&Parameter::Eps);
     let found = Loop::new(spec, expanded).and_then(|closed| {
         if !eps {
@@ -133,21 +133,41 @@ fn within_rounding(worst: &Worst, state: usize) -> bool {
 /// Part of the peak of a state that rounding may leave at the end.
 const LOST: f64 = 1e-12;
 
+/// Largest |u| of an input that is never clipped, and the name of the limit that gives it.
+pub(super) fn limit_of_u(spec: &Spec, index: usize) -> Option<(f64, &'static str)> {
+    let radius = round(&spec.radius(index)?, spec.precision);
+    let own = spec.own_limits(index);
+    let least = match own {
+        Some(own) => own.least,
+        None => spec.fixed.get(&Parameter::UMin).filter(|_| spec.u_min),
+    };
+    let below = least.and_then(Fixed::number).map(|least| -round(least, spec.precision));
+    let name = match (own.is_some(), below == Some(radius)) {
+        (true, false) => "its limit",
+        (true, true) => "minus its lower limit",
+        (false, false) => "u_max",
+        (false, true) => "-u_min",
+    };
+    Some((radius, name))
+}
+
 /// Whether u may be clipped, and what is known of it.
 pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option<String>, bool) {
-    let limit = match spec.fixed.get(&Parameter::UMax) {
-        None => return (Some("without a limit of u, which is left to run time".to_owned()), false),
-        Some(Fixed::Infinite) => return (None, false),
+    let (limit, name) = match limit_of_u(spec, 0) {
+        None if spec.has_open_limit() => {
+            return (Some("without a limit of u, which is left to run time".to_owned()), false);
+        }
+        None => return (None, false),
         // What r^(n) takes of u is not known.
         Some(_) if spec.reference == Some(Reference::Input) => return (None, false),
-        Some(_) => closed.limit(),
+        Some((_, name)) => (closed.limit(), name),
     };
     match &worst.way {
         Some(way) if way.u < limit => {
-            (Some(format!("u is never clipped: |u| < u_max = {}", digits(limit))), false)
+            (Some(format!("u is never clipped: |u| < {name} = {}", digits(limit))), false)
         }
         Some(way) => (
-            Some(format!("|u| may reach {}, and u_max = {}", digits_up(way.u), digits(limit))),
+            Some(format!("|u| may reach {}, and {name} = {}", digits_up(way.u), digits(limit))),
             true,
         ),
         None => {

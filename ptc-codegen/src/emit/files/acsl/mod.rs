@@ -10,7 +10,7 @@ use crate::code::Code;
 use crate::controller::plan::Plan;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::{Input, Op, number};
-use crate::request::{Guard, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 /// The contracts of a controller, and its case splits.
 pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
@@ -160,6 +160,22 @@ fn domain(spec: &Spec, parameter: Parameter) -> Vec<String> {
             vec![finite, format!("{least} <= {place}"), format!("{place} <= {greatest}")]
         }
         Domain::PositiveOrInfinite => vec![format!("{place} > 0.0")],
+        Domain::BelowUMax | Domain::AboveUMin => {
+            let limit = |parameter| match spec.fixed.get(&parameter) {
+                Some(Fixed::Number { value, .. }) => {
+                    number::literal(number::round(value, spec.precision), Precision::F64)
+                }
+                Some(Fixed::Infinite) => "\\plus_infinity".to_owned(),
+                Some(Fixed::MinusInfinite) => "\\minus_infinity".to_owned(),
+                None => self::place("p->", parameter),
+            };
+            let (least, most) = (limit(Parameter::UMin), limit(Parameter::UMax));
+            let mut tests = vec![format!("{least} < {most}")];
+            if spec.after == After::Zero {
+                tests.extend([format!("{least} <= 0.0"), format!("0.0 <= {most}")]);
+            }
+            tests
+        }
         Domain::Within => {
             let bounds = spec.bounds.get(&parameter);
             let (least, greatest) = match bounds {

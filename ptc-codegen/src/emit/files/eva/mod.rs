@@ -57,6 +57,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
     let run_time_limit = open(Parameter::UMax);
     let u_max = spec.fixed.get(&Parameter::UMax).filter(|fixed| fixed.number().is_some());
     let fixed_limit = u_max.map(|fixed| text(rounded(fixed, spec)));
+    let lower = lower(spec, &prefix);
     let calls = calls(&name, frame, externs);
     let with = |argument: &str| {
         let having = calls.iter().filter(|call| call.arguments.iter().any(|a| a == argument));
@@ -74,6 +75,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         open_t0: open(Parameter::StartTime),
         run_time_limit,
         fixed_limit,
+        lower,
         handed: handed(&name, externs),
         null_calls: calls
             .iter()
@@ -104,6 +106,18 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         long: text(1e6),
     };
     apart(File { name: format!("{name}_eva.c"), text: tidy(&text_of(harness.render())) }, &name)
+}
+
+/// The lower limit of u where u_max is `limit`; one that is left to run time has that of its range.
+fn lower(spec: &Spec, prefix: &str) -> String {
+    if !spec.u_min {
+        return "-limit".to_owned();
+    }
+    match spec.fixed.get(&Parameter::UMin) {
+        Some(Fixed::MinusInfinite) => "\\minus_infinity".to_owned(),
+        Some(fixed) => literal(rounded(fixed, spec), spec.precision),
+        None => format!("{}_MIN", stem(prefix, Parameter::UMin)),
+    }
 }
 
 fn literal(value: f64, precision: Precision) -> String {
@@ -148,6 +162,8 @@ struct Harness<'a> {
     run_time_limit: bool,
     /// A bound of |u| that the design fixes.
     fixed_limit: Option<String>,
+    /// Lower limit of u in the assertion, as an expression.
+    lower: String,
     /// Arguments between state and u.
     handed: String,
     /// Functions of the C library that lack a contract.

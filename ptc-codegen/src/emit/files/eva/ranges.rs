@@ -42,6 +42,7 @@ pub(super) fn ranges(controller: &Controller<'_>, prefix: &str) -> Vec<Range> {
             (eps, eps)
         }
         Parameter::UMax => (10.0, 10.0),
+        Parameter::UMin => (-10.0, -10.0),
         Parameter::M => (1.5, 1.5),
         Parameter::Start => (0.25, 0.25),
         #[allow(clippy::cast_precision_loss)]

@@ -56,7 +56,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
     let kept = code.fields.iter().filter(|field| changed.contains(field.name.as_str()));
     let kept = kept.map(|field| {
         let input = field.name.strip_prefix('u').is_some_and(|rest| rest.parse::<u32>().is_ok());
-        let most = if input { limit.unwrap_or(LAW) } else { STATE };
+        let most = if input { most_input(spec).unwrap_or(LAW) } else { STATE };
         let number = field.shape == Shape::Real;
         Kept { name: field.name.clone(), bound: number.then(|| bound(&field.name, most)) }
     });
@@ -93,6 +93,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         run_time_limit: open(Parameter::UMax),
         limit_stem: stem(&prefix, Parameter::UMax),
         fixed_limit: limit.map(text),
+        lower: super::lower(spec, &prefix),
         given: if spec.sampled().is_some_and(|s| s.measures_states()) { "x" } else { "y" },
         y,
         r,
@@ -114,6 +115,12 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
     apart(File { name: format!("{name}_eva.c"), text: tidy(&text_of(harness.render())) }, &name)
 }
 
+/// Greatest size of an input within its limits, where both are fixed.
+fn most_input(spec: &Spec) -> Option<f64> {
+    let most = crate::program::range::Range::fixed(spec, 0).largest();
+    most.is_finite().then_some(most)
+}
+
 /// What each parameter that is open is drawn from in finite mode.
 fn ranges(spec: &Spec, prefix: &str) -> Vec<Range> {
     let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.highest_order()));
@@ -126,6 +133,7 @@ fn ranges(spec: &Spec, prefix: &str) -> Vec<Range> {
             Parameter::SampleTime => (number(1e-2), number(1e-2)),
             Parameter::Eps | Parameter::Deadbeat => (number(0.0), number(0.0)),
             Parameter::UMax => (number(LAW), number(LAW)),
+            Parameter::UMin => (number(-LAW), number(-LAW)),
             Parameter::Gain(_) => (number(-100.0), number(100.0)),
             _ => (number(1.0), number(1.0)),
         };
@@ -186,6 +194,8 @@ struct Harness<'a> {
     run_time_limit: bool,
     limit_stem: String,
     fixed_limit: Option<String>,
+    /// Lower limit of u in the assertion, as an expression.
+    lower: String,
     /// What is measured: its name, and the macros of its bounds.
     given: &'static str,
     y: Vec<String>,

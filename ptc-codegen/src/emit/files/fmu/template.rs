@@ -43,7 +43,7 @@ impl Judged {
             name: variable.name.clone(),
             place,
             test: test.clone(),
-            legal: format!("{} [{}], {legal}", about.meaning(), spec.unit(about)),
+            legal: format!("{} [{}], {legal}", spec.meaning(about), spec.unit(about)),
         })
     }
 }

@@ -78,7 +78,7 @@ fn exponent(parameter: Parameter, n: usize) -> Option<i64> {
         Parameter::A | Parameter::Rate(_) => Some(-1),
         Parameter::M | Parameter::Start | Parameter::Samples | Parameter::Deadbeat => Some(0),
         Parameter::Gain(i) => Some(order(i)? - 1 - order(n)?),
-        Parameter::UMax | Parameter::Named(_) => None,
+        Parameter::UMax | Parameter::UMin | Parameter::Named(_) => None,
     }
 }
 
@@ -179,9 +179,11 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         causality: "output",
         variability: "discrete",
         description:
-            "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to u_max, 3 after the \
-                      deadline"
-                .to_owned(),
+            match spec.u_min {
+                true => "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to u_max or u_min, 3 after the deadline",
+                false => "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to u_max, 3 after the deadline",
+            }
+            .to_owned(),
         kind2: "Integer",
         kind3: "Int32",
         dependencies: every.join(" "),
@@ -199,7 +201,7 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
     let (free, fixed): (Vec<_>, Vec<_>) =
         spec.parameters().into_iter().partition(|p| !spec.fixed.contains_key(p));
     let of_parameter = |parameter: Parameter, range: &str| {
-        let (meaning, unit) = (parameter.meaning(), spec.unit(parameter));
+        let (meaning, unit) = (spec.meaning(parameter), spec.unit(parameter));
         let count = parameter == Parameter::Samples;
         let value = example.value(parameter);
         let shown = if count { value.to_string() } else { example.literal(parameter) };
@@ -228,7 +230,10 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         } else if let Some((least, greatest)) = spec.ends(parameter) {
             let end = |value| number::literal(value, spec.precision);
             attributes.extend([("min", end(least)), ("max", end(greatest))]);
-        } else if spec.domain(parameter) != Domain::Finite {
+        } else if !matches!(
+            spec.domain(parameter),
+            Domain::Finite | Domain::BelowUMax | Domain::AboveUMin
+        ) {
             attributes.push(("min", "0".to_owned()));
         }
         let place = match parameter.index() {

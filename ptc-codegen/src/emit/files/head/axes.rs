@@ -17,8 +17,9 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
         Some(_) => (
             "output",
             format!(
-                "Outputs: {}, each with a law of its own, with this deadline and mapping; u_max is of the input of this number.",
-                axes.count
+                "Outputs: {}, each with a law of its own, with this deadline and mapping; {} of the input of this number.",
+                axes.count,
+                if axes.lower.is_empty() { "u_max is" } else { "u_min and u_max are" }
             ),
         ),
     };
@@ -32,7 +33,10 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
     };
     for index in 0..axes.count {
         let gains = axes.gains.get(index).map(|gains| format!("k = {}", list(gains)));
-        let limit = axes.limits.get(index).map(|limit| format!("u_max = {limit}"));
+        let limit = axes.limits.get(index).map(|limit| match axes.lower.get(index) {
+            Some(least) => format!("u_min = {least}, u_max = {limit}"),
+            None => format!("u_max = {limit}"),
+        });
         let gain = axes.input_gains.get(index).map(|g| format!("g = {g}"));
         let own: Vec<_> = [gains, limit, gain].into_iter().flatten().collect();
         if !own.is_empty() {
@@ -46,7 +50,7 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
 pub(super) fn have_own(spec: &Spec, parameter: Parameter) -> bool {
     spec.axes.as_ref().is_some_and(|axes| match parameter {
         Parameter::Gain(_) => !axes.gains.is_empty(),
-        Parameter::UMax => !axes.limits.is_empty(),
+        Parameter::UMax | Parameter::UMin => !axes.limits.is_empty(),
         _ => false,
     })
 }

@@ -6,7 +6,7 @@ use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::model::Coupled;
-use crate::parameter::{Fixed, Name, Parameter};
+use crate::parameter::Name;
 use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
 
 /// What becomes of the plant, and by which law; nothing for an observer alone.
@@ -64,7 +64,7 @@ pub(in crate::emit) fn lines(
     rest.push("Parameters:".to_owned());
     for parameter in spec.parameters().into_iter().filter(|p| !axes::have_own(spec, *p)) {
         let unit = spec.unit(parameter);
-        let (symbol, meaning) = (parameter.symbol(), parameter.meaning());
+        let (symbol, meaning) = (parameter.symbol(), spec.meaning(parameter));
         rest.push(match spec.fixed.get(&parameter) {
             Some(value) => format!("  {symbol} = {value} [{unit}], fixed: {meaning}"),
             None => format!("  {symbol} [{unit}]: {meaning}"),
@@ -177,10 +177,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
     if let Some(observer) = &sampled.observer {
         lines.push(estimates(observer));
     }
-    lines.push(match spec.fixed.get(&Parameter::UMax) {
-        Some(Fixed::Infinite) => "u is not clipped.",
-        _ => "|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it lasts.",
-    }.to_owned());
+    lines.push(time::limits_of_u(spec, "Clipping voids the deadline where it lasts."));
     let given = match spec.references() {
         0 => ["what is measured is", "measurements"],
         _ => ["what is measured and the reference are", "measurements and references"],

@@ -7,7 +7,8 @@ use crate::algebra::BigRational;
 use crate::code::{Code, Instance};
 use crate::expression::{Expression, Node};
 use crate::linear::{Linear, zero_order_hold};
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::Parameter;
+use crate::program::range::Range;
 use crate::request::{Sampled, Spec};
 use crate::samples;
 
@@ -20,7 +21,8 @@ const PART: f64 = 0.8;
 /// x1 at the start, and d, with which the largest |u| is at most [`PART`] of `u_max`: 1 and `force`,
 /// or less.
 pub(super) fn start(spec: &Spec, sampled: &Sampled, example: &Example, force: f64) -> (f64, f64) {
-    let limit = PART * example.value(Parameter::UMax);
+    let range = Range::of(spec, 0, &|parameter| example.value(parameter));
+    let limit = PART * range.radius();
     let Some(run) = Run::of(spec, sampled, example) else { return (1.0, force) };
     let (state, disturbed) = (run.peak(1.0, 0.0), run.peak(0.0, force));
     // A known f takes its part of u whatever d is.
@@ -57,7 +59,7 @@ impl Run {
     /// `None` if a number is beyond doubles.
     fn of(spec: &Spec, sampled: &Sampled, example: &Example) -> Option<Self> {
         let mut free = spec.clone();
-        free.fixed.insert(Parameter::UMax, Fixed::Infinite);
+        free.remove_limits();
         let code = samples::controller(&free, sampled, Vec::new());
         let given = free.run_time_parameters().map(|p| (p, example.value(p))).collect();
         let h = BigRational::from_float(example.value(Parameter::SampleTime))?;

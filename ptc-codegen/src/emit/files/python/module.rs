@@ -142,6 +142,7 @@ fn default(parameter: &Variable) -> &'static str {
     match (parameter.name.as_str(), parameter.shape.length()) {
         ("t0", None) => " = 0.0",
         ("u_max", None) => " = np.inf",
+        ("u_min", None) => " = -np.inf",
         _ => "",
     }
 }

@@ -168,6 +168,7 @@ impl Reader<'_> {
         }
         let orders = coupled.orders();
         let differ = orders.iter().any(|order| *order != orders[0]);
+        let has_limits = spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty());
         let beside = [
             (
                 "what",
@@ -195,9 +196,15 @@ impl Reader<'_> {
             ),
             (
                 "u_max",
-                spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty()),
+                has_limits,
                 "`u_max` beside `limits`",
                 "give `limits` for each input, or `u_max` for all",
+            ),
+            (
+                "u_min",
+                has_limits,
+                "`u_min` beside `limits`",
+                "give pairs, limits = [[lower, upper], ...], or `u_min` and `u_max` for all",
             ),
         ];
         self.against(&beside);

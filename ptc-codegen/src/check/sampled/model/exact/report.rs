@@ -7,7 +7,6 @@ use crate::algebra::BigRational;
 use crate::check::Outcome;
 use crate::check::sampled::worst::Bound;
 use crate::diagnostic::{digits, digits_up};
-use crate::parameter::Parameter;
 use crate::request::Spec;
 
 /// The verdict on these bounds, and what they are.
@@ -24,7 +23,7 @@ pub(super) fn judged(
     let limited = clipped(spec, &u);
     let (verdict, summary) = decided(spec, inputs, (&plant.outputs, &totals, &u), all);
     let mut details = vec![assumed(found)];
-    if !spec.fixed.contains_key(&Parameter::UMax) {
+    if spec.has_open_limit() {
         details.push("without a limit of u, which is left to run time".to_owned());
     }
     for (k, (output, worst)) in plant.outputs.iter().zip(&found.worst).enumerate() {

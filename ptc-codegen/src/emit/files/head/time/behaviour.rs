@@ -2,9 +2,9 @@
 
 use super::super::precision::{self, is_library};
 use super::super::{Controller, Language};
-use crate::parameter::{Fixed, Parameter};
 use crate::program::Op;
-use crate::request::{After, Feedback, Guard};
+use crate::program::range::Range;
+use crate::request::{After, Feedback, Guard, Spec};
 
 pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
     let spec = controller.spec();
@@ -24,11 +24,7 @@ pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<
             "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u is the result of the user-defined function after (status AFTER)."
         ),
     });
-    lines.push(match spec.fixed.get(&Parameter::UMax) {
-        Some(Fixed::Infinite) => "u is not clipped.".to_owned(),
-        _ => "|u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the deadline."
-            .to_owned(),
-    });
+    lines.push(limits_of_u(spec, "Prolonged saturation voids the deadline."));
     let [given, any] = match spec.references() {
         0 => ["t and x", "t or x"],
         _ => ["t, x and r", "t, x or r"],
@@ -53,4 +49,23 @@ pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<
     });
     lines.push(precision::line(spec, library));
     lines
+}
+
+/// Where u is clipped, and what this does to the deadline.
+pub(in crate::emit::files::head) fn limits_of_u(spec: &Spec, deadline: &str) -> String {
+    if spec.is_unlimited() {
+        return "u is not clipped.".to_owned();
+    }
+    if !spec.u_min {
+        return format!("|u| <= u_max: u is clipped to it (status SATURATED). {deadline}");
+    }
+    let inputs = spec.input_names().len();
+    let rests = (0..inputs).all(|index| Range::fixed(spec, index).contains(0.0));
+    let outside = match rests {
+        true => "",
+        false => " Calls that fail give u = 0, which is outside of these limits.",
+    };
+    format!(
+        "u_min <= u <= u_max: u is clipped to these limits (status SATURATED). {deadline}{outside}"
+    )
 }

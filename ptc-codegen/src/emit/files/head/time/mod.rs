@@ -13,6 +13,7 @@ use crate::parameter::Parameter;
 use crate::program::{Op, Stage, cost};
 use crate::request::{Feedback, Spec, What};
 use behaviour::behaviour;
+pub(super) use behaviour::limits_of_u;
 use purpose::purpose;
 
 /// Lines of the head, without comment signs.
