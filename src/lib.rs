@@ -91,7 +91,7 @@ pub use error::Error;
 /// | --- | --- | --- | --- |
 /// | `n` | order of the chain of integrators | an integer 1..=16 | must be given, but beside a model |
 /// | `axes` | number of chains with one deadline that each call gives u for | an integer 1..=16 | one chain |
-/// | `limits` | bounds of \|u\| of each axis, in place of `u_max` | a number > 0 for each axis | `u_max` for all |
+/// | `limits` | limits of u of each axis, in place of `u_max` and `u_min` | for each axis a number > 0, the bound of \|u\|, or a pair `[lower, upper]` | `u_max` for all |
 /// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`, `soft`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
@@ -122,7 +122,8 @@ pub use error::Error;
 /// | `tau` | prescribed settling time in s | a number > 0 | run time |
 /// | `t0` | start time in s | a finite number | run time |
 /// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
-/// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
+/// | `u_max` | bound of \|u\|, or beside `u_min` the upper limit of u | a number > 0, beside `u_min` any above it; `inf` leaves the clipping out | run time |
+/// | `u_min` | lower limit of u | a number < `u_max`, `-inf`; or `runtime`: a run-time parameter | -`u_max` |
 /// | `after` | what follows the deadline | `hold`: the gains stay; `zero`: u = 0; `extern`: `step` takes a closure of x and t | `hold` |
 /// | `sample_time` | sample period of the loop in s; sets the default of `eps` | a number > 0 | |
 /// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, or one for each state, with `x0_max`; with several outputs in samples also a list for each | |

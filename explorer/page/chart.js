@@ -7,7 +7,7 @@ const MARGIN = { left: 58, right: 12, top: 26, bottom: 34 };
 /** Most decades of a logarithmic axis. */
 const DECADES = 14;
 
-/** A figure of a panel `{name, bound, of, steps}` of all runs, `width` pixels wide. */
+/** A figure of a panel `{name, bounds, of, steps}` of all runs, `width` pixels wide. */
 export function chart(panel, runs, { width, logarithmic, read }) {
   const shown = (y) => (logarithmic ? (y ? Math.log10(Math.abs(y)) : NaN) : y);
   const across = [Math.min(...runs.map((run) => run.t[0])), Math.max(...runs.map(end))];
@@ -23,8 +23,8 @@ export function chart(panel, runs, { width, logarithmic, read }) {
     ]),
     ...steps(across, width < 340 ? 4 : 6).map((t) => drawn("text", { x: toX(t), y: HEIGHT - 18, "text-anchor": "middle" }, short(t, 4))),
   ];
-  const bounds = logarithmic ? [panel.bound] : [panel.bound, panel.bound && -panel.bound];
-  const limits = bounds.filter((bound) => bound && shown(bound) <= up[1] && shown(bound) >= up[0])
+  const bounds = panel.bounds.filter(Number.isFinite).map((bound) => (logarithmic ? Math.abs(bound) : bound));
+  const limits = [...new Set(bounds)].filter((bound) => shown(bound) <= up[1] && shown(bound) >= up[0])
     .map((bound) => drawn("path", { class: "bound", d: `M${MARGIN.left} ${toY(shown(bound))}h${inner.width}` }));
   const lines = runs.map((run) => drawn("path", { class: `line run${run.index % 6}`, d: path(run, panel, shown, toX, toY, inside) }));
   const ends = [...new Set(runs.map((run) => run.t0 + run.tau))].map((t) => drawn("path", { class: "deadline", d: `M${toX(t)} ${MARGIN.top}v${inner.height}` }));

@@ -26,8 +26,8 @@ export function draw() {
   $("legend").replaceChildren(...(answered.problem ? [element("li", { class: "problem" }, answered.problem)] : all.map(entry)));
   const by = $("log").checked;
   const panels = drawn.length === 0 ? [] : [
-    ...answered.states.map((name, j) => ({ name, bound: answered.x_max[j], of: (one) => one.x[j] })),
-    ...answered.inputs.map((name, k) => ({ name, bound: drawn[0].u_max[k], of: (one) => one.u[k], steps: true })),
+    ...answered.states.map((name, j) => ({ name, bounds: [answered.x_max[j], answered.x_max[j] && -answered.x_max[j]], of: (one) => one.x[j] })),
+    ...answered.inputs.map((name, k) => ({ name, bounds: [drawn[0].u_max[k], drawn[0].u_min[k]], of: (one) => one.u[k], steps: true })),
   ];
   const space = $("charts").clientWidth;
   const columns = Math.max(1, Math.min(panels.length, Math.floor((space + GAP) / (WIDTH + GAP))));

@@ -84,7 +84,9 @@ fn one(
             told["tau"] = json!(values.get(Parameter::Tau));
             told["t0"] = json!(values.get(Parameter::StartTime));
             // A bound that is infinite becomes null.
-            told["u_max"] = json!(values.limits(spec));
+            let limits = values.limits(spec);
+            told["u_max"] = json!(limits.iter().map(|limits| limits.most).collect::<Vec<_>>());
+            told["u_min"] = json!(limits.iter().map(|limits| limits.least).collect::<Vec<_>>());
             told["refused_by"] = json!(refusals);
             told["assumed"] = json!(assumed);
             told

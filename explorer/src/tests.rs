@@ -99,6 +99,7 @@ fn every_input_of_a_plant_is_run() {
     assert_eq!(runs["inputs"], json!(["M1", "M2"]));
     let run = &runs["series"][0];
     assert_eq!(run["u_max"], json!([120.0, 60.0]));
+    assert_eq!(run["u_min"], json!([-120.0, -60.0]));
     let count = run["t"].as_array().expect("times").len();
     for input in 0..2 {
         let u = run["u"][input].as_array().expect("an input");

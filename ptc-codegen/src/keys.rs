@@ -348,7 +348,7 @@ pub static KEYS: [KeyInfo; 55] = [
 ];
 
 /// Keys whose names parameters may have too, as they had before these were keys.
-pub const PARAMETERS_TOO: [&str; 4] = ["inputs", "outputs", "inertia", "bias"];
+pub const PARAMETERS_TOO: [&str; 5] = ["inputs", "outputs", "inertia", "bias", "u_min"];
 
 /// The keys of the table `[plant]` that are no symbols.
 pub static PLANT_KEYS: [KeyInfo; 3] = [

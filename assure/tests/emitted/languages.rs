@@ -18,7 +18,24 @@ use support::{folder, in_pairs, run, write};
 
 fn controllers() -> Vec<Spec> {
     let of_families = families().map(|family| Spec::new(2, family));
-    let features: [&[(&str, &str)]; 9] = [
+    let features: [&[(&str, &str)]; 12] = [
+        &[("n", "2"), ("mu", "exp"), ("name", "apart"), ("u_min", "runtime")],
+        &[
+            ("n", "2"),
+            ("mu", "rational"),
+            ("name", "duty"),
+            ("u_max", "1"),
+            ("u_min", "0"),
+            ("guard", "result"),
+        ],
+        &[
+            ("n", "3"),
+            ("mu", "exp"),
+            ("name", "one_sided"),
+            ("u_max", "inf"),
+            ("u_min", "-1/3"),
+            ("precision", "f32"),
+        ],
         &[
             ("n", "3"),
             ("mu", "tanh"),

@@ -43,7 +43,10 @@ fn failures(folder: &Path, spec: &Spec) -> u32 {
 /// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
 fn kinds() -> Vec<Spec> {
     let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
-    let kinds: [&[(&str, &str)]; 19] = [
+    let kinds: [&[(&str, &str)]; 22] = [
+        &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
+        &[("n", "2"), ("mu", "rational"), ("u_max", "-1"), ("u_min", "-3"), ("poles", "-4,-5")],
+        &[("n", "2"), ("mu", "exp"), ("u_min", "-inf"), ("guard", "result"), ("after", "zero")],
         &[("n", "3"), ("mu", "exp")],
         &[("n", "4"), ("mu", "rational"), ("precision", "f32")],
         &[("n", "2"), ("mu", "exp_sum")],

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::code::parameter_name;
 use crate::lower::Plant;
-use crate::program::{Input, Op, Program, Stage, Value};
+use crate::parameter::Parameter;
+use crate::program::{Input, Least, Op, Program, Stage, Value};
 
 /// The emitted functions that compute something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,6 +112,11 @@ impl<'a> Plan<'a> {
         let name = self.names.entry(value).or_insert_with(|| format!("f{}", value.0)).clone();
         let meaning = match (&definition.name, &definition.op) {
             (Some((_, meaning)), _) => meaning.clone(),
+            (None, Op::Input(Input::Parameter(Parameter::UMax)))
+                if self.program.limits.u_min != Least::Opposite =>
+            {
+                Parameter::UPPER_LIMIT.to_owned()
+            }
             (None, Op::Input(Input::Parameter(parameter))) => parameter.meaning().to_owned(),
             (None, Op::Input(Input::StartTime)) => "start time".to_owned(),
             (None, Op::Input(Input::StateAtStart(_))) => "state at the start".to_owned(),

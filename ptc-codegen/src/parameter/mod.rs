@@ -230,6 +230,9 @@ impl Parameter {
         }
     }
 
+    /// Meaning of `UMax` beside `UMin`.
+    pub(crate) const UPPER_LIMIT: &str = "upper limit of u";
+
     /// Meaning in a few words.
     pub fn meaning(self) -> &'static str {
         match self {

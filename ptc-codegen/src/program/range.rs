@@ -36,6 +36,11 @@ impl Range {
         self.least <= u && u <= self.most
     }
 
+    /// Whether a value is at a limit or beyond, but for a `share` of the limit.
+    pub fn nears(self, u: f64, share: f64) -> bool {
+        u >= self.most - share * self.most.abs() || u <= self.least + share * self.least.abs()
+    }
+
     /// Largest b such that |u| <= b keeps u within the limits; not positive where u = 0 is not inside.
     pub fn radius(self) -> f64 {
         self.most.min(-self.least)

@@ -30,7 +30,7 @@ impl Spec {
     /// Meaning of a parameter in a few words.
     pub fn meaning(&self, parameter: Parameter) -> &'static str {
         match parameter {
-            Parameter::UMax if self.u_min => "upper limit of u",
+            Parameter::UMax if self.u_min => Parameter::UPPER_LIMIT,
             parameter => parameter.meaning(),
         }
     }

@@ -13,6 +13,7 @@ mod examined;
 mod expanded;
 #[cfg(unix)]
 mod fmu;
+mod limits_apart;
 mod loop_of_exact;
 mod loop_of_linear;
 mod loop_of_model;

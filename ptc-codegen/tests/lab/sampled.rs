@@ -117,6 +117,7 @@ fn the_controller_in_the_loop_is_the_emitted_c() {
     let mut seen = std::collections::BTreeSet::new();
     for (index, own) in [
         "n = 2\nmu = \"exp(a=1)\"\ngains = [12, 7]\neps = 0.02\nu_max = 4\n",
+        "n = 2\nmu = \"exp(a=1)\"\ngains = [12, 7]\neps = 0.02\nu_max = 4\nu_min = -0.5\n",
         "n = 3\nmu = \"rational(a=2)\"\npoles = [-2, -3, -4]\neps = 0.05\nu_max = inf\nafter = \"zero\"\n",
         "n = 2\nmu = \"tanh(a=0.5)\"\npoles = [-5, -6]\ng = \"2 + x1^2\"\neps = 0.02\nu_max = 9\nprecision = \"f32\"\n",
         "n = 2\nmu = \"power(a=1,m=2)\"\npi0 = \"-3*xi1 - 4*xi2 - xi1_0*0\"\neps = 0.1\nu_max = 30\nguard = \"result\"\n",

@@ -6,6 +6,7 @@ mod design;
 mod examine;
 mod heads;
 mod identities;
+mod limits_apart;
 mod overflow;
 mod plcopen;
 mod spelling;

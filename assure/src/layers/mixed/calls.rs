@@ -91,6 +91,7 @@ fn value(parameter: Parameter) -> f64 {
         Parameter::StartTime => 0.0,
         Parameter::Eps => 0.015_625,
         Parameter::UMax => 24.0,
+        Parameter::UMin => -3.0,
         Parameter::Gain(i) => 10.0 + f64::from(u32::try_from(i).expect("a small number")),
         Parameter::Rate(i) => 0.75 + f64::from(u32::try_from(i).expect("a small number")) / 8.0,
         Parameter::Named(_) => 1.75,

@@ -197,9 +197,18 @@ fn gains_of_axes(draw: &mut Draw<'_>, axes: usize) {
     if draw.one_in(3) {
         let all = list(draw, &["5", "20", "0.5"]);
         draw.give("limits", all);
+    } else if draw.one_in(4) {
+        let all = list(draw, &["[0,5]", "[-20,3]", "0.5"]);
+        draw.give("limits", format!("[{all}]"));
     } else {
-        draw.perhaps(3, "u_max", &["inf", "5"]);
+        limits(draw);
     }
+}
+
+/// The limits of u that all inputs share.
+fn limits(draw: &mut Draw<'_>) {
+    draw.perhaps(3, "u_max", &["inf", "5"]);
+    draw.perhaps(4, "u_min", &["-1", "0", "0.5", "-inf", "runtime"]);
 }
 
 fn mapping(draw: &mut Draw<'_>, in_samples: bool) {

@@ -31,6 +31,14 @@ pub(super) fn specs() -> Vec<Spec> {
             &[("axes", "1"), ("name", "alone"), ("limits", "5")],
         ),
         with(&own, &[("axes", "3"), ("name", "own")]),
+        with(
+            &[("n", "2"), ("mu", "rational")],
+            &[("axes", "3"), ("name", "apart"), ("limits", "[[-1,5],[0,3],2]")],
+        ),
+        with(
+            &[("n", "2"), ("mu", "exp(a=1)")],
+            &[("axes", "2"), ("name", "apart_shared"), ("u_min", "runtime"), ("guard", "none")],
+        ),
         with(&own, &[("axes", "3"), ("name", "follows"), ("reference", "input")]),
         with(&own, &[("axes", "3"), ("name", "small"), ("precision", "f32")]),
         with(&own, &[("axes", "3"), ("name", "trusting"), ("guard", "none")]),
@@ -95,6 +103,8 @@ pub(super) fn coupled() -> Vec<Spec> {
         with(&mixed, &[("name", "mixed_small"), ("precision", "f32"), ("limits", "20,0.5")]),
         with(&mixed, &[("name", "mixed_trusting"), ("guard", "none"), ("u_max", "inf")]),
         with(&mixed, &[("name", "mixed_half"), ("guard", "result")]),
+        with(&mixed, &[("name", "mixed_apart"), ("limits", "[[0,20],[-0.5,30]]")]),
+        with(&mixed, &[("name", "mixed_open"), ("u_min", "runtime")]),
         spec(&[
             ("mu", "rational"),
             ("name", "three"),

@@ -1,13 +1,14 @@
 //! What is kept of a run in memory: all of a short one, and of a long one what a picture can show.
 
+use crate::program::range::Range;
 use crate::reference::Status;
 use crate::simulate::record::Row;
 
 /// Most parts of a run, an even number. A run that acts at every instant has fewer rows.
 const PARTS: usize = 1 << 14;
 
-/// |u| this near to its bound is at it.
-const AT_BOUND: f64 = 1.0 - 1e-9;
+/// A u this near to a limit, relative to it, is at the limit.
+const AT_LIMIT: f64 = 1e-9;
 
 /// Rows in a row of which the first is kept, with the bounds of what all of them hold.
 struct Part {
@@ -23,7 +24,7 @@ pub(super) struct Kept {
     stride: usize,
     count: usize,
     last: Option<Row>,
-    limits: Vec<f64>,
+    limits: Vec<Range>,
     /// The largest size of each input, and when.
     pub(super) peaks: Vec<(f64, f64)>,
     /// How long an input is at its bound, counted from each instant to the next, in s.
@@ -33,8 +34,8 @@ pub(super) struct Kept {
 }
 
 impl Kept {
-    /// A run of no row as yet, of inputs with these bounds.
-    pub(super) fn new(limits: Vec<f64>) -> Self {
+    /// A run of no row as yet, of inputs with these limits.
+    pub(super) fn new(limits: Vec<Range>) -> Self {
         Self {
             parts: Vec::new(),
             stride: 1,
@@ -101,7 +102,8 @@ impl Kept {
     }
 
     fn is_at_bound(&self, row: &Row) -> bool {
-        row.u.iter().zip(&self.limits).any(|(u, most)| u.abs() >= AT_BOUND * most)
+        let mut all = row.u.iter().zip(&self.limits);
+        all.any(|(u, limits)| limits.nears(*u, AT_LIMIT))
     }
 
     /// The last row.

@@ -129,7 +129,7 @@ pub(super) static ERRORS: [Explanation; 29] = [
         "repeated-key",
         "A key is given twice.",
         ("n = 2\nmu = \"exp\"\ntau = 1\n\n[params]\ntau = 2\n", CHECK),
-        "remove one of the two; tau, t0, eps and u_max may be at the top or under [params]",
+        "remove one of the two; tau, t0, eps, u_max and u_min may be at the top or under [params]",
     ),
     flags(
         "reserved-name",

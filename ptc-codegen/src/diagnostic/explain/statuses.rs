@@ -5,7 +5,7 @@ use super::Explanation;
 pub(super) static STATUSES: [Explanation; 7] = [
     Explanation {
         code: "PTC_OK",
-        means: "The law is active. u is that of the law, within u_max.",
+        means: "The law is active. u is that of the law, within its limits.",
         design: "",
         example: "a step between t0 and t0 + tau - eps",
         fix: "nothing is wrong",
@@ -19,7 +19,7 @@ pub(super) static STATUSES: [Explanation; 7] = [
     },
     Explanation {
         code: "PTC_SATURATED",
-        means: "The law requires more than u_max. u is clipped to it; this wins over PTC_HOLD and PTC_AFTER.",
+        means: "The law requires more than u_max, or less than u_min, which is -u_max where it is not given. u is clipped to the limit; this wins over PTC_HOLD and PTC_AFTER.",
         design: "",
         example: "a large initial state, or one that a disturbance moved away shortly before the deadline",
         fix: "prolonged saturation voids the deadline: take a longer tau, slower poles, a larger eps or a stronger actuator; `simulate` shows how long it lasts",

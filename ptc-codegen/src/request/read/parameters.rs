@@ -17,9 +17,10 @@ use crate::syntax::{Node, Value, real};
 const COMMON: [Parameter; 5] =
     [Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax, Parameter::UMin];
 
-/// The parameters that have a name of their own, `own` being those of the mapping.
+/// The parameters that have a name of their own in expressions, `own` being those of the mapping. A user's parameter may
+/// be called `u_min`.
 pub(crate) fn known(own: Vec<Parameter>) -> Vec<Parameter> {
-    COMMON.into_iter().chain(own).collect()
+    COMMON.into_iter().filter(|common| *common != Parameter::UMin).chain(own).collect()
 }
 
 impl Reader<'_> {

@@ -191,9 +191,8 @@ impl Reader<'_> {
     ) -> Option<Expression> {
         let Some(coupled) = &self.spec.coupled else { return Some(read) };
         let shared = self.spec.own_limits(0).is_none();
-        let one =
-            [Expression::from(Variable::Control), Parameter::UMax.into(), Parameter::UMin.into()];
-        let known = [false, shared, shared];
+        let one = [Expression::from(Variable::Control), Parameter::UMax.into()];
+        let known = [false, shared];
         let wrong = one.iter().zip(known).find(|(one, known)| !known && read.any(&|e| e == *one));
         let Some((wrong, _)) = wrong else { return Some(read) };
         let message = format!("`{wrong}` is not known where there are several inputs");
