@@ -23,25 +23,6 @@ const MOTOR: [(&str, &str); 11] = [
 ];
 
 const DESIGNS: [Keys; 28] = [
-    // Limits of u that are not symmetric: left to run time, around 0, and above it.
-    &[("n", "2"), ("mu", "exp"), ("name", "apart"), ("u_min", "runtime")],
-    &[
-        ("n", "2"),
-        ("mu", "exp(a=1)"),
-        ("name", "duty"),
-        ("poles", "-4,-5,-6"),
-        ("sample_time", "1e-2"),
-        ("tau", "0.4"),
-        ("delay", "1"),
-        ("measured", "x1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6"),
-        ("precision", "f32"),
-        ("after", "zero"),
-        ("u_max", "1"),
-        ("u_min", "0"),
-    ],
-    &[("n", "1"), ("mu", "exp"), ("name", "thrust"), ("u_min", "1/3"), ("guard", "none")],
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
     &[
@@ -243,6 +224,24 @@ const DESIGNS: [Keys; 28] = [
         ("B", "[1,2]"),
         ("model.output", "[-2,1]"),
     ],
+    // Limits of u that are not symmetric: left to run time, around 0, and above it.
+    &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("poles", "-4,-5,-6"),
+        ("sample_time", "1e-2"),
+        ("tau", "0.4"),
+        ("delay", "1"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6"),
+        ("precision", "f32"),
+        ("after", "zero"),
+        ("u_max", "1"),
+        ("u_min", "0"),
+    ],
+    &[("n", "1"), ("mu", "exp"), ("u_min", "1/3"), ("guard", "none")],
 ];
 
 /// Plants with several inputs: of different orders with held gains, a mechanical one with all left to run time,
