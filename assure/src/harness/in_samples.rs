@@ -22,7 +22,7 @@ const MOTOR: [(&str, &str); 11] = [
     ("after_observer", "-90+20i,-90-20i,-100,-120"),
 ];
 
-const DESIGNS: [Keys; 28] = [
+const DESIGNS: [Keys; 25] = [
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
     &[
@@ -224,7 +224,10 @@ const DESIGNS: [Keys; 28] = [
         ("B", "[1,2]"),
         ("model.output", "[-2,1]"),
     ],
-    // Limits of u that are not symmetric: left to run time, around 0, and above it.
+];
+
+/// Limits of u that are not symmetric: left to run time, around 0, and above it.
+const APART: [Keys; 3] = [
     &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
     &[
         ("n", "2"),
@@ -397,7 +400,9 @@ pub fn kind(spec: &Spec) -> &'static str {
 
 /// All of them.
 pub fn controllers() -> Vec<Spec> {
-    DESIGNS.iter().enumerate().map(|(index, keys)| named(index, keys)).collect()
+    let behind = DESIGNS.len() + OF_INPUTS.len();
+    let all = (0..).zip(DESIGNS).chain((behind..).zip(APART));
+    all.map(|(index, keys)| named(index, keys)).collect()
 }
 
 /// Those of plants with several inputs and of axes, which not every language and tool takes.
