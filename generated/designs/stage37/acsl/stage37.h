@@ -1,0 +1,136 @@
+/*
+ * Prescribed-time controller stage37: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu exp --name stage37 --clock samples --eps=0 --u-min=runtime
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h [s]: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: upper limit of u
+ *   u_min [unit of u]: lower limit of u
+ *   a [1/s]: rate of stretched time
+ *   k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+ *   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
+ *       deadline where it lasts.
+ * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
+ *       poles, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE37_H
+#define STAGE37_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage37_params {
+    uint32_t samples; /* samples N from the start to rest [samples], at least 2 */
+    double h; /* sample period [s], from 1e-150 to 1e150 */
+    double u_max; /* upper limit of u [unit of u], > u_min, infinity allowed */
+    double u_min; /* lower limit of u [unit of u], < u_max, -infinity allowed */
+    double a; /* rate of stretched time [1/s], from 1e-150 to 1e150 */
+    double k[2]; /* gains k_i of pi0 = -sum k_i xi_i [1/s^2], finite */
+    double deadbeat; /* samples to go at which deadbeat takes over, 0 for a safe default [samples], finite */
+} stage37_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage37 {
+    uint32_t start; /* tick at which it was armed */
+    uint32_t samples; /* samples from the start to rest */
+    double deadbeat; /* samples to go at which deadbeat takes over */
+    double w1_1; /* weight of a state in the law */
+    double w1_2; /* weight of a state in the law */
+    double w2_2; /* weight of a state in the law */
+    double b_1; /* weight of a state in the law */
+    double b_2; /* weight of a state in the law */
+    double u_max; /* upper limit of u */
+    double u_min; /* lower limit of u */
+} stage37;
+
+/*@ predicate stage37_set(stage37 *c) =
+      \is_finite(c->deadbeat)
+      && \is_finite(c->w1_1)
+      && \is_finite(c->w1_2)
+      && \is_finite(c->w2_2)
+      && \is_finite(c->b_1)
+      && \is_finite(c->b_2);
+ */
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*@ requires self == \null || \valid(self);
+    requires params == \null || \valid_read(params);
+    assigns *self;
+    ensures \result == PTC_OK || \result == PTC_E_PARAM;
+    ensures \result == PTC_OK ==> stage37_set(self);
+ */
+ptc_status stage37_init(stage37 *self, const stage37_params *params);
+
+/* Starts again: the deadline is N samples after tick `k`. */
+/*@ requires self == \null || \valid(self);
+    requires self == \null || stage37_set(self);
+    assigns *self;
+    ensures \result == PTC_OK || \result == PTC_E_INPUT;
+    ensures \result >= 0 ==> stage37_set(self);
+ */
+ptc_status stage37_arm(stage37 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
+ * and nothing has changed.
+ */
+/*@ requires self == \null || \valid_read(self);
+    requires x == \null || \valid_read(x + (0 .. 1));
+    requires u == \null || \valid(u);
+    requires self == \null || stage37_set(self);
+    assigns *u;
+    ensures \result == PTC_SATURATED || \result == PTC_OK || \result == PTC_HOLD || \result == PTC_E_RANGE || \result == PTC_E_INPUT;
+ */
+ptc_status stage37_step(const stage37 *self, uint32_t k, const double x[2], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,231 @@
+/*
+ * Prescribed-time controller stage37: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu exp --name stage37 --clock samples --eps=0 --u-min=runtime
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h [s]: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: upper limit of u
+ *   u_min [unit of u]: lower limit of u
+ *   a [1/s]: rate of stretched time
+ *   k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+ *   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
+ *       deadline where it lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
+ *       poles, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE37_HPP
+#define STAGE37_HPP
+
+#include <array>
+#include <cfloat>
+#include <cstdint>
+#include <limits>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage37Params {
+    std::uint32_t samples{}; ///< samples N from the start to rest [samples], at least 2
+    double h{}; ///< sample period [s], from 1e-150 to 1e150
+    double u_max{}; ///< upper limit of u [unit of u], > u_min, infinity allowed
+    double u_min{}; ///< lower limit of u [unit of u], < u_max, -infinity allowed
+    double a{}; ///< rate of stretched time [1/s], from 1e-150 to 1e150
+    std::array<double, 2> k{}; ///< gains k_i of pi0 = -sum k_i xi_i [1/s^2], finite
+    double deadbeat{}; ///< samples to go at which deadbeat takes over, 0 for a safe default [samples], finite
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage37 {
+public:
+    using Params = Stage37Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!((1U < params.samples)
+                && (1e-150 <= params.h)
+                && (params.h <= 1e150)
+                && (1e-150 <= params.a)
+                && (params.a <= 1e150)
+                && finite(params.k[0])
+                && finite(params.k[1])
+                && finite(params.deadbeat)
+                && (0.0 <= params.deadbeat)
+                && (params.u_min < params.u_max))) {
+            return Status::Param;
+        }
+        const std::uint32_t samples = params.samples;
+        const double s1 = ((params.k[1] / params.a) - 1.0) + 2.0;
+        const double s2 = (s1 < 4.0) ? 4.0 : s1;
+        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double s3 = -(params.k[0] / (params.a * params.a));
+        const double w1_1 = s3 * (1.0 / (params.h * params.h));
+        const double s4 = (-0.5) * (-(params.k[0] / (params.a * params.a)));
+        const double w1_2 = s4 * (1.0 / params.h);
+        const double w2_2 = (1.0 - (params.k[1] / params.a)) * (1.0 / params.h);
+        const double b_1 = -(1.0 / (params.h * params.h));
+        const double b_2 = (-1.5) * (1.0 / params.h);
+        const double u_max = params.u_max;
+        const double u_min = params.u_min;
+        if (!(finite(deadbeat)
+                && finite(w1_1)
+                && finite(w1_2)
+                && finite(w2_2)
+                && finite(b_1)
+                && finite(b_2)
+                && (1e-200 <= params.h * params.h)
+                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+            return Status::Param;
+        }
+        start_ = 0U;
+        samples_ = samples;
+        deadbeat_ = deadbeat;
+        w1_1_ = w1_1;
+        w1_2_ = w1_2;
+        w2_2_ = w2_2;
+        b_1_ = b_1;
+        b_2_ = b_2;
+        u_max_ = u_max;
+        u_min_ = u_min;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and the state x = (x1, x1', ...).
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 2>& x) const noexcept
+    {
+        if (!(finite(x[0]) && finite(x[1]))) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0 = static_cast<double>(left);
+        double v{};
+        if (deadbeat_ < m0) {
+            // The exact law in samples.
+            const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+            const double z2 = w2_2_ * x2;
+            v = ((z1 / m0) + z2) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            v = (b_1_ * x1) + (b_2_ * x2);
+        }
+        if (finite(v)) {
+            if (u_max_ < v) {
+                return {u_max_, Status::Saturated};
+            } else if (v < u_min_) {
+                return {u_min_, Status::Saturated};
+            } else if (elapsed < samples_) {
+                return {v, Status::Ok};
+            } else {
+                return {v, Status::Hold};
+            }
+        } else {
+            return {0.0, Status::Range};
+        }
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    std::uint32_t samples_{}; // samples from the start to rest
+    double deadbeat_{}; // samples to go at which deadbeat takes over
+    double w1_1_{}; // weight of a state in the law
+    double w1_2_{}; // weight of a state in the law
+    double w2_2_{}; // weight of a state in the law
+    double b_1_{}; // weight of a state in the law
+    double b_2_{}; // weight of a state in the law
+    double u_max_{}; // upper limit of u
+    double u_min_{}; // lower limit of u
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,57 @@
+function [u, status] = stage37_step(self, k, x) %#codegen
+%STAGE37_STEP u from tick `k`, which may wrap, and the state x = (x1, x1', ...).
+%
+%   [u, status] = stage37_step(self, k, x), with self from stage37_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+x = double(x);
+if ~(isfinite(x(1)) && isfinite(x(2)))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+x1 = x(1);
+x2 = x(2);
+left = self.samples - elapsed;
+m0 = double(left);
+if self.deadbeat < m0
+    % The exact law in samples.
+    z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
+    z2 = self.w2_2 * x2;
+    v = ((z1 / m0) + z2) / (m0 - 1.0);
+else
+    % Deadbeat.
+    v = (self.b_1 * x1) + (self.b_2 * x2);
+end
+if isfinite(v)
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < self.u_min
+        u = self.u_min;
+        status = int32(2);
+    elseif elapsed < self.samples
+        u = v;
+        status = int32(0);
+    else
+        u = v;
+        status = int32(1);
+    end
+else
+    status = int32(-3);
+end
+end

@@ -1,0 +1,214 @@
+"""
+Prescribed-time controller stage37: order n = 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 2 --mu exp --name stage37 --clock samples --eps=0 --u-min=runtime
+Version 0.1.0.
+
+Plant: x1' = x2, x2' = u; u held from sample to sample.
+Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+      sample period, as long as u is not clipped and nothing else acts on the plant.
+Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+      the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+      over.
+
+Parameters:
+  samples [samples]: samples N from the start to rest
+  h [s]: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  u_max [unit of u]: upper limit of u
+  u_min [unit of u]: lower limit of u
+  a [1/s]: rate of stretched time
+  k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+  k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+  deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
+      deadline where it lasts.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
+      poles, and |u| is bounded.
+  sampling: not checked: the law is exact in samples, at any period.
+  deadline: not checked: the law is exact in samples, at any period.
+  loop: not checked: `samples` is left to run time.
+  envelope: not checked: it does not examine a clock in samples.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "Stage37", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+    samples: int
+    """samples N from the start to rest [samples], at least 2"""
+    h: float
+    """sample period [s], from 1e-150 to 1e150"""
+    u_max: float = np.inf
+    """upper limit of u [unit of u], > u_min, infinity allowed"""
+    u_min: float = -np.inf
+    """lower limit of u [unit of u], < u_max, -infinity allowed"""
+    a: float
+    """rate of stretched time [1/s], from 1e-150 to 1e150"""
+    k: Sequence[float]
+    """gains k_i of pi0 = -sum k_i xi_i [1/s^2], finite"""
+    deadbeat: float
+    """samples to go at which deadbeat takes over, 0 for a safe default [samples], finite"""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+class Stage37:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            given_samples = params.samples.__index__()
+            if given_samples != given_samples & _WRAP:
+                raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
+            given_h = _R(params.h)
+            given_u_max = _R(params.u_max)
+            given_u_min = _R(params.u_min)
+            given_a = _R(params.a)
+            given_k = _numbers(params.k, 2, "params.k")
+            given_deadbeat = _R(params.deadbeat)
+            if not (1 < given_samples):
+                raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
+            if not (1e-150 <= given_h <= 1e150):
+                raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
+            if not (1e-150 <= given_a <= 1e150):
+                raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
+            if not np.isfinite(given_k[0]):
+                raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
+            if not np.isfinite(given_k[1]):
+                raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
+            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+                raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
+            if not (given_u_min < given_u_max):
+                raise ValueError(f"params.u_min is {params.u_min}; legal: < u_max")
+            samples = given_samples
+            s1 = ((given_k[1] / given_a) - 1.0) + 2.0
+            s2 = max(s1, _R(4.0))
+            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            s3 = -(given_k[0] / (given_a * given_a))
+            w1_1 = s3 * (1.0 / (given_h * given_h))
+            s4 = (-0.5) * (-(given_k[0] / (given_a * given_a)))
+            w1_2 = s4 * (1.0 / given_h)
+            w2_2 = (1.0 - (given_k[1] / given_a)) * (1.0 / given_h)
+            b_1 = -(1.0 / (given_h * given_h))
+            b_2 = (-1.5) * (1.0 / given_h)
+            u_max = given_u_max
+            u_min = given_u_min
+            if not (
+                np.isfinite(deadbeat)
+                and np.isfinite(w1_1)
+                and np.isfinite(w1_2)
+                and np.isfinite(w2_2)
+                and np.isfinite(b_1)
+                and np.isfinite(b_2)
+                and (1e-200 <= given_h * given_h)
+                and (1e-200 <= 1.0 / (given_h * given_h))
+            ):
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            self._start = 0
+            self._samples = samples
+            self._deadbeat = deadbeat
+            self._w1_1 = w1_1
+            self._w1_2 = w1_2
+            self._w2_2 = w2_2
+            self._b_1 = b_1
+            self._b_2 = b_2
+            self._u_max = u_max
+            self._u_min = u_min
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`."""
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, x: ArrayLike) -> Control:
+        """u from tick `k`, which may wrap, and the state x = (x1, x1', ...).
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            x = _numbers(x, 2, "x")
+            if not (np.isfinite(x[0]) and np.isfinite(x[1])):
+                return Control(_R(0.0), Status.INPUT)
+            elapsed = (k - self._start) & _WRAP
+            x1 = x[0]
+            x2 = x[1]
+            left = max(self._samples - elapsed, 0)
+            m0 = _R(left)
+            if self._deadbeat < m0:
+                # The exact law in samples.
+                z1 = (self._w1_1 * x1) + (self._w1_2 * x2)
+                z2 = self._w2_2 * x2
+                v = ((z1 / m0) + z2) / (m0 - 1.0)
+            else:
+                # Deadbeat.
+                v = (self._b_1 * x1) + (self._b_2 * x2)
+            if np.isfinite(v):
+                if self._u_max < v:
+                    return Control(self._u_max, Status.SATURATED)
+                elif v < self._u_min:
+                    return Control(self._u_min, Status.SATURATED)
+                elif elapsed < self._samples:
+                    return Control(v, Status.OK)
+                else:
+                    return Control(v, Status.HOLD)
+            else:
+                return Control(_R(0.0), Status.RANGE)

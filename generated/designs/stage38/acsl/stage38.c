@@ -1,0 +1,196 @@
+/* Prescribed-time controller stage38: see stage38.h. DO NOT EDIT. */
+#include "stage38.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+#if !defined(PTC_FINITE_F32)
+#if defined(isfinite) && !defined(__MINGW32__)
+#define PTC_FINITE_F32(x) (isfinite(x) != 0)
+#else
+#define PTC_FINITE_F32(x) (fabsf(x) <= FLT_MAX)
+#endif
+#endif
+
+ptc_status stage38_init(stage38 *self, const stage38_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    (void)params;
+    if (self != NULL) {
+        self->start = 0U;
+        self->u1 = 0.0f;
+        self->u2 = 0.0f;
+        self->seen = 0U;
+        self->x1_hat = 0.0f;
+        self->x2_hat = 0.0f;
+        self->d_hat = 0.0f;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage38_arm(stage38 *self, uint32_t k)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (self != NULL) {
+        self->start = k;
+        status = PTC_OK;
+    }
+    return status;
+}
+
+ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0f;
+    }
+    if ((self != NULL) && (y != NULL) && (u != NULL)) {
+        if (PTC_FINITE_F32(y[0])) {
+            const uint32_t elapsed = k - self->start;
+
+            /* Predict. */
+            const float s1 = self->x1_hat + (0.01f * self->x2_hat) + (5e-5f * self->d_hat);
+            const float p1 = s1 + (5e-5f * self->u2);
+            const float p2 = self->x2_hat + (0.01f * self->d_hat) + (0.01f * self->u2);
+            const float p3 = self->d_hat;
+
+            /* Correct by what is measured. */
+            float base;
+            float miss;
+            if (self->seen == 0U) {
+                base = y[0];
+                miss = 0.0f;
+            } else {
+                base = p1;
+                miss = y[0] - p1;
+            }
+            const uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+            const float o0 = (float)left_o;
+            float l1;
+            float l2;
+            float l3;
+            if (8.0f < o0) {
+                const float r0 = 1.0f / o0;
+                const float r1 = 1.0f / (o0 - 1.0f);
+                const float r2 = 1.0f / (o0 - 2.0f);
+                l1 = ((((120.0f * r0) - 60.0f) * r1) + 12.0f) * r2;
+                l2 = (((-10800.0f) * r0) + 3600.0f) * r1 * r2;
+                l3 = 240000.0f * r0 * r1 * r2;
+            } else if (left_o == 8U) {
+                l1 = 1.0f;
+                l2 = 42.857143f;
+                l3 = 1428.5714f;
+            } else if (left_o == 7U) {
+                l1 = 1.0f;
+                l2 = 85.71429f;
+                l3 = -2857.1428f;
+            } else {
+                l1 = 1.0f;
+                l2 = 150.0f;
+                l3 = 10000.0f;
+            }
+            const float x1 = base + (l1 * miss);
+            const float x2 = p2 + (l2 * miss);
+            const float d = p3 + (l3 * miss);
+            float v;
+            if (elapsed < 32U) {
+                /* The exact law in samples. */
+                const float m0 = (float)(40U - elapsed);
+                const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
+                const float z2 = (-6000.0f) * x2;
+                const float z3 = (-12.0f) * (self->u1 + d);
+                const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
+                v = (s2 + (self->u1 + d)) - d;
+            } else {
+                /* Deadbeat. */
+                v = ((((-10000.0f) * x1) - (250.0f * x2)) - (2.0f * (self->u1 + d))) - d;
+            }
+            status = PTC_E_RANGE;
+            if (PTC_FINITE_F32(v)) {
+                float u_now;
+                if (elapsed < 40U) {
+                    if (1.0f < v) {
+                        u_now = 1.0f;
+                    } else if (v < 0.0f) {
+                        u_now = 0.0f;
+                    } else {
+                        u_now = v;
+                    }
+                } else {
+                    u_now = 0.0f;
+                }
+                self->u2 = self->u1;
+                self->u1 = u_now;
+                self->x1_hat = x1;
+                self->x2_hat = x2;
+                self->d_hat = d;
+                self->seen = 1U;
+                *u = u_now;
+                if (elapsed < 40U) {
+                    if ((1.0f < v) || (v < 0.0f)) {
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_OK;
+                    }
+                } else {
+                    status = PTC_AFTER;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage38_estimate(const stage38 *self, float xhat[2])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (xhat != NULL)) {
+        xhat[0] = self->x1_hat;
+        xhat[1] = self->x2_hat;
+        status = PTC_OK;
+    } else {
+        if (xhat != NULL) {
+            for (uint32_t i = 0U; i < 2U; i++) {
+                xhat[i] = 0.0f;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status stage38_disturbance(const stage38 *self, float *d)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (d != NULL)) {
+        *d = self->d_hat;
+        status = PTC_OK;
+    }
+    return status;
+}

@@ -1,0 +1,262 @@
+/*
+ * Prescribed-time controller stage38: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
+ * Version 0.1.0.
+ *
+ * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+ *       sample late.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples = 40 [samples], fixed: samples N from the start to rest
+ *   h = 1e-2 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 1 [unit of u], fixed: upper limit of u
+ *   u_min = 0 [unit of u], fixed: lower limit of u
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on u = 0 (status AFTER).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
+ *       deadline where it lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ * Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample 40 from any state: deadbeat ends the loop, whatever the
+ *       poles, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE38_HPP
+#define STAGE38_HPP
+
+#include <array>
+#include <cfloat>
+#include <cstdint>
+#include <limits>
+
+/* What this file requires of its compiler. */
+#if (defined(FLT_MANT_DIG) && (FLT_MANT_DIG != 24))
+#error "float is not IEEE 754 binary32 here"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD > 0) && (FLT_EVAL_METHOD < 3)
+#error "float is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage38Params {
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage38 {
+public:
+    using Params = Stage38Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        start_ = 0U;
+        u1_ = 0.0f;
+        u2_ = 0.0f;
+        seen_ = 0U;
+        x1_hat_ = 0.0f;
+        x2_hat_ = 0.0f;
+        d_hat_ = 0.0f;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<float> step(std::uint32_t k, const std::array<float, 1>& y) noexcept
+    {
+        if (!finite(y[0])) {
+            return {0.0f, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const float s1 = x1_hat_ + (0.01f * x2_hat_) + (5e-5f * d_hat_);
+        const float p1 = s1 + (5e-5f * u2_);
+        const float p2 = x2_hat_ + (0.01f * d_hat_) + (0.01f * u2_);
+        const float p3 = d_hat_;
+
+        // Correct by what is measured.
+        float base{};
+        float miss{};
+        if (seen_ == 0U) {
+            base = y[0];
+            miss = 0.0f;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const float o0 = static_cast<float>(left_o);
+        float l1{};
+        float l2{};
+        float l3{};
+        if (8.0f < o0) {
+            const float r0 = 1.0f / o0;
+            const float r1 = 1.0f / (o0 - 1.0f);
+            const float r2 = 1.0f / (o0 - 2.0f);
+            l1 = ((((120.0f * r0) - 60.0f) * r1) + 12.0f) * r2;
+            l2 = (((-10800.0f) * r0) + 3600.0f) * r1 * r2;
+            l3 = 240000.0f * r0 * r1 * r2;
+        } else if (left_o == 8U) {
+            l1 = 1.0f;
+            l2 = 42.857143f;
+            l3 = 1428.5714f;
+        } else if (left_o == 7U) {
+            l1 = 1.0f;
+            l2 = 85.71429f;
+            l3 = -2857.1428f;
+        } else {
+            l1 = 1.0f;
+            l2 = 150.0f;
+            l3 = 10000.0f;
+        }
+        const float x1 = base + (l1 * miss);
+        const float x2 = p2 + (l2 * miss);
+        const float d = p3 + (l3 * miss);
+        float v{};
+        if (elapsed < 32U) {
+            // The exact law in samples.
+            const float m0 = static_cast<float>(40U - elapsed);
+            const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
+            const float z2 = (-6000.0f) * x2;
+            const float z3 = (-12.0f) * (u1_ + d);
+            const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
+            v = (s2 + (u1_ + d)) - d;
+        } else {
+            // Deadbeat.
+            v = ((((-10000.0f) * x1) - (250.0f * x2)) - (2.0f * (u1_ + d))) - d;
+        }
+        if (!finite(v)) {
+            return {0.0f, Status::Range};
+        }
+        float u_now{};
+        if (elapsed < 40U) {
+            if (1.0f < v) {
+                u_now = 1.0f;
+            } else if (v < 0.0f) {
+                u_now = 0.0f;
+            } else {
+                u_now = v;
+            }
+        } else {
+            u_now = 0.0f;
+        }
+        u2_ = u1_;
+        u1_ = u_now;
+        x1_hat_ = x1;
+        x2_hat_ = x2;
+        d_hat_ = d;
+        seen_ = 1U;
+        if (elapsed < 40U) {
+            if ((1.0f < v) || (v < 0.0f)) {
+                return {u_now, Status::Saturated};
+            } else {
+                return {u_now, Status::Ok};
+            }
+        } else {
+            return {u_now, Status::After};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<float, 2> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr float disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(float v) noexcept
+    {
+        return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    float u1_{}; // input of the last sample
+    float u2_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    float x1_hat_{}; // estimate of x1
+    float x2_hat_{}; // estimate of x2
+    float d_hat_{}; // estimate of d
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,215 @@
+"""
+Prescribed-time controller stage38: order n = 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
+Version 0.1.0.
+
+Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+      sample late.
+Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+      sample period, as long as u is not clipped and nothing else acts on the plant.
+Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+      the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+      over.
+
+Parameters:
+  samples = 40 [samples], fixed: samples N from the start to rest
+  h = 1e-2 [s], fixed: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  u_max = 1 [unit of u], fixed: upper limit of u
+  u_min = 0 [unit of u], fixed: lower limit of u
+  a = 1 [1/s], fixed: rate of stretched time
+  k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on u = 0 (status AFTER).
+The estimates are exact from sample N/2 after the start on where the measurement is; with
+      noise or sensor_step given, or observer_eps, the gains of the observer are then held
+      below deadbeat.
+u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
+      deadline where it lasts.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: at rest at sample 40 from any state: deadbeat ends the loop, whatever the
+      poles, and |u| is bounded.
+  sampling: not checked: the law is exact in samples, at any period.
+  deadline: not checked: the law is exact in samples, at any period.
+  loop: not checked: `x0_max` is not given.
+  envelope: not checked: it does not examine a clock in samples.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "Stage38", "Status"]
+
+_R = np.float32
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float32]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float32
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+class Stage38:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            self._start = 0
+            self._u1 = _R(0.0)
+            self._u2 = _R(0.0)
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._d_hat = _R(0.0)
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
+        are kept.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        k = k.__index__() & _WRAP
+        self._start = k
+
+    def step(self, k: int, y: ArrayLike) -> Control:
+        """u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for
+        each tick.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            y = _numbers(y, 1, "y")
+            if not np.isfinite(y[0]):
+                return Control(_R(0.0), Status.INPUT)
+            elapsed = (k - self._start) & _WRAP
+
+            # Predict.
+            s1 = self._x1_hat + (_R(0.009999999776482582) * self._x2_hat) + (_R(4.999999873689376e-5) * self._d_hat)
+            p1 = s1 + (_R(4.999999873689376e-5) * self._u2)
+            p2 = self._x2_hat + (_R(0.009999999776482582) * self._d_hat) + (_R(0.009999999776482582) * self._u2)
+            p3 = self._d_hat
+
+            # Correct by what is measured.
+            if self._seen == 0:
+                base = y[0]
+                miss = _R(0.0)
+            else:
+                base = p1
+                miss = y[0] - p1
+            left_o = max(20 - elapsed, 0)
+            o0 = _R(left_o)
+            if _R(8.0) < o0:
+                r0 = _R(1.0) / o0
+                r1 = _R(1.0) / (o0 - _R(1.0))
+                r2 = _R(1.0) / (o0 - _R(2.0))
+                l1 = ((((_R(120.0) * r0) - _R(60.0)) * r1) + _R(12.0)) * r2
+                l2 = (((-_R(10800.0)) * r0) + _R(3600.0)) * r1 * r2
+                l3 = _R(240000.0) * r0 * r1 * r2
+            elif left_o == 8:
+                l1 = _R(1.0)
+                l2 = _R(42.85714340209961)
+                l3 = _R(1428.5714111328125)
+            elif left_o == 7:
+                l1 = _R(1.0)
+                l2 = _R(85.71428680419922)
+                l3 = -_R(2857.142822265625)
+            else:
+                l1 = _R(1.0)
+                l2 = _R(150.0)
+                l3 = _R(10000.0)
+            x1 = base + (l1 * miss)
+            x2 = p2 + (l2 * miss)
+            d = p3 + (l3 * miss)
+            if elapsed < 32:
+                # The exact law in samples.
+                m0 = _R((40 - elapsed) & _WRAP)
+                z1 = ((-_R(1200000.0)) * x1) + (_R(6000.0) * x2)
+                z2 = (-_R(6000.0)) * x2
+                z3 = (-_R(12.0)) * (self._u1 + d)
+                s2 = ((((z1 / m0) + z2) / (m0 - _R(1.0))) + z3) / (m0 - _R(2.0))
+                v = (s2 + (self._u1 + d)) - d
+            else:
+                # Deadbeat.
+                v = ((((-_R(10000.0)) * x1) - (_R(250.0) * x2)) - (_R(2.0) * (self._u1 + d))) - d
+            if not np.isfinite(v):
+                return Control(_R(0.0), Status.RANGE)
+            if elapsed < 40:
+                if _R(1.0) < v:
+                    u_now = _R(1.0)
+                elif v < _R(0.0):
+                    u_now = _R(0.0)
+                else:
+                    u_now = v
+            else:
+                u_now = _R(0.0)
+            self._u2 = self._u1
+            self._u1 = u_now
+            self._x1_hat = x1
+            self._x2_hat = x2
+            self._d_hat = d
+            self._seen = 1
+            if elapsed < 40:
+                if (_R(1.0) < v) or (v < _R(0.0)):
+                    return Control(u_now, Status.SATURATED)
+                else:
+                    return Control(u_now, Status.OK)
+            else:
+                return Control(u_now, Status.AFTER)
+
+    def estimate(self) -> Array:
+        """The estimate of the state at the last sample."""
+        return np.array([self._x1_hat, self._x2_hat], dtype=_R)
+
+    def disturbance(self) -> np.float32:
+        """The estimate of the constant that is added to u."""
+        return self._d_hat

@@ -1,0 +1,282 @@
+//! Prescribed-time controller stage38: order n = 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
+//! Version 0.1.0.
+//!
+//! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+//!       sample late.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+//!       over.
+//!
+//! Parameters:
+//!   samples = 40 [samples], fixed: samples N from the start to rest
+//!   h = 1e-2 [s], fixed: sample period
+//!   eps = 0 [s], fixed: time-to-go at which the gains are held
+//!   u_max = 1 [unit of u], fixed: upper limit of u
+//!   u_min = 0 [unit of u], fixed: lower limit of u
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on u = 0 (status AFTER).
+//! The estimates are exact from sample N/2 after the start on where the measurement is; with
+//!       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+//!       below deadbeat.
+//! u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
+//!       deadline where it lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: at rest at sample 40 from any state: deadbeat ends the loop, whatever the
+//!       poles, and |u| is bounded.
+//!   sampling: not checked: the law is exact in samples, at any period.
+//!   deadline: not checked: the law is exact in samples, at any period.
+//!   loop: not checked: `x0_max` is not given.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f32> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Stage38`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage38Params {}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage38 {
+    /// tick at which it was armed.
+    start: u32,
+    /// input of the last sample.
+    u1: f32,
+    /// input of 2 samples ago.
+    u2: f32,
+    /// 1 once y has been measured.
+    seen: u32,
+    /// estimate of x1.
+    x1_hat: f32,
+    /// estimate of x2.
+    x2_hat: f32,
+    /// estimate of d.
+    d_hat: f32,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Stage38 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: Stage38Params) -> Result<Self, Error> {
+        Ok(Self {
+            start: 0,
+            u1: 0.0,
+            u2: 0.0,
+            seen: 0,
+            x1_hat: 0.0,
+            x2_hat: 0.0,
+            d_hat: 0.0,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&mut self, k: u32, y: &[f32; 1]) -> Result<Control<f32>, Error> {
+        if !y[0].is_finite() {
+            return Err(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // Predict.
+        let s1 = self.x1_hat + (0.01 * self.x2_hat) + (5e-5 * self.d_hat);
+        let p1 = s1 + (5e-5 * self.u2);
+        let p2 = self.x2_hat + (0.01 * self.d_hat) + (0.01 * self.u2);
+        let p3 = self.d_hat;
+
+        // Correct by what is measured.
+        let base: f32;
+        let miss: f32;
+        if self.seen == 0 {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        let left_o = 20_u32.saturating_sub(elapsed);
+        let o0 = left_o as f32;
+        let l1: f32;
+        let l2: f32;
+        let l3: f32;
+        if 8.0 < o0 {
+            let r0 = 1.0 / o0;
+            let r1 = 1.0 / (o0 - 1.0);
+            let r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+            l2 = (((-10800.0) * r0) + 3600.0) * r1 * r2;
+            l3 = 240000.0 * r0 * r1 * r2;
+        } else if left_o == 8 {
+            l1 = 1.0;
+            l2 = 42.857143;
+            l3 = 1428.5714;
+        } else if left_o == 7 {
+            l1 = 1.0;
+            l2 = 85.71429;
+            l3 = -2857.1428;
+        } else {
+            l1 = 1.0;
+            l2 = 150.0;
+            l3 = 10000.0;
+        }
+        let x1 = base + (l1 * miss);
+        let x2 = p2 + (l2 * miss);
+        let d = p3 + (l3 * miss);
+        let v: f32;
+        if elapsed < 32 {
+            // The exact law in samples.
+            let m0 = 40_u32.wrapping_sub(elapsed) as f32;
+            let z1 = ((-1200000.0) * x1) + (6000.0 * x2);
+            let z2 = (-6000.0) * x2;
+            let z3 = (-12.0) * (self.u1 + d);
+            let s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+            v = (s2 + (self.u1 + d)) - d;
+        } else {
+            // Deadbeat.
+            v = ((((-10000.0) * x1) - (250.0 * x2)) - (2.0 * (self.u1 + d))) - d;
+        }
+        if !v.is_finite() {
+            return Err(Error::Range);
+        }
+        let u_now: f32;
+        if elapsed < 40 {
+            if 1.0 < v {
+                u_now = 1.0;
+            } else if v < 0.0 {
+                u_now = 0.0;
+            } else {
+                u_now = v;
+            }
+        } else {
+            u_now = 0.0;
+        }
+        self.u2 = self.u1;
+        self.u1 = u_now;
+        self.x1_hat = x1;
+        self.x2_hat = x2;
+        self.d_hat = d;
+        self.seen = 1;
+        let status = if elapsed < 40 {
+            if (1.0 < v) || (v < 0.0) {
+                Status::Saturated
+            } else {
+                Status::Ok
+            }
+        } else {
+            Status::After
+        };
+        Ok(Control { u: u_now, status })
+    }
+
+    /// The estimate of the state at the last sample.
+    #[inline]
+    pub fn estimate(&self) -> [f32; 2] {
+        [self.x1_hat, self.x2_hat]
+    }
+
+    /// The estimate of the constant that is added to u.
+    #[inline]
+    pub fn disturbance(&self) -> f32 {
+        self.d_hat
+    }
+}

@@ -1,0 +1,27 @@
+/*
+ * Self-test of the prescribed-time controller stage38, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1 --selftest
+ * Version 0.1.0.
+ *
+ * 3 sets of parameters with 46 calls, 0 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ */
+#ifndef STAGE38_SELFTEST_H
+#define STAGE38_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t stage38_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
