@@ -140,7 +140,7 @@ impl Reader<'_> {
         let written = &self.text[range.clone()];
         let value = match written {
             "inf" | "+inf" => Some(Fixed::Infinite),
-            "-inf" => Some(Fixed::MinusInfinite),
+            "-inf" if legal(key).contains(written) => Some(Fixed::MinusInfinite),
             _ => number(&written.replace('_', "")),
         };
         if let Some(value) = value {

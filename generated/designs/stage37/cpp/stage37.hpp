@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --mu exp --name stage37 --clock samples --eps=0 --u-min=runtime
- * Version 0.1.0.
+ * Version 0.1.0, design 52db9e966f9a.
  *
  * Plant: x1' = x2, x2' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE37_HPP
-#define STAGE37_HPP
+#ifndef STAGE37_39723297_HPP
+#define STAGE37_39723297_HPP
 
 #include <array>
 #include <cfloat>

@@ -18,7 +18,7 @@ function self = stage37_init(params) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 2 --mu exp --name stage37 --clock samples --eps=0 --u-min=runtime
-% Version 0.1.0.
+% Version 0.1.0, design 52db9e966f9a.
 %
 % Plant: x1' = x2, x2' = u; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

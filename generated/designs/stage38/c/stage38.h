@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
- * Version 0.1.0.
+ * Version 0.1.0, design 60f839fb746e.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -45,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_H
-#define STAGE38_H
+#ifndef STAGE38_6DCEB376_H
+#define STAGE38_6DCEB376_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 1 --mu exp --name stage39 --clock samples --guard none --eps=0 --u-min=1/3
- * Version 0.1.0.
+ * Version 0.1.0, design b570853f0025.
  *
  * Plant: x1' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE39_H
-#define STAGE39_H
+#ifndef STAGE39_66B017C6_H
+#define STAGE39_66B017C6_H
 
 #include <stdint.h>
 

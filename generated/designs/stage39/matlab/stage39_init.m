@@ -17,7 +17,7 @@ function self = stage39_init(params) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 1 --mu exp --name stage39 --clock samples --guard none --eps=0 --u-min=1/3
-% Version 0.1.0.
+% Version 0.1.0, design b570853f0025.
 %
 % Plant: x1' = u; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ec09fe7d-8492-34d7-e3ce-1bd48a09dbd4}"
+#define TOKEN "{dbe67a14-ac25-0efd-1449-7a29256f400c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

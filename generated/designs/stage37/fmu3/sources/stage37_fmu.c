@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{67ee11d4-ddbd-2082-91b0-fcaa04be0478}"
+#define TOKEN "{f0f8c6c8-c0ac-a75f-ee43-76ff730d7e20}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{1971dcbd-115e-daa4-cf76-05dea5040bda}"
+#define TOKEN "{7aa112e7-1941-7b53-9e25-d3d0f0cde88c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a53c4673-3a8e-8b70-e2f3-f2037927c6a7}"
+#define TOKEN "{fbc80834-cad7-248c-1277-f3242750b189}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

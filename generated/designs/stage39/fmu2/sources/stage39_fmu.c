@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4276f603-8861-8ada-a9e5-d4e52acf206c}"
+#define TOKEN "{d345c0fa-876d-86b4-cf2c-01aa585ef437}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{31d1ba95-1d6c-76e8-17e3-23fd64940458}"
+#define TOKEN "{096f35ee-5cef-0a4b-12f4-80fd599496f5}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
