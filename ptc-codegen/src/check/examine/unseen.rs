@@ -44,7 +44,7 @@ impl Report {
             if promises.noise.is_empty() && promises.sensor_step.is_empty() {
                 all.push("noise".to_owned());
             }
-            if !self.spec.fixed.contains_key(&Parameter::UMax) && self.spec.axes.is_none() {
+            if self.spec.has_open_limit() && self.spec.axes.is_none() {
                 all.push("a limit of u".to_owned());
             }
         }
