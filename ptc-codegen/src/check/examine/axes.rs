@@ -38,7 +38,7 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
                 _ => envelope::outcome(spec, expanded),
             },
         });
-        outcomes.push(zeros::of_coupled(&spec, coupled));
+        outcomes.push(zeros::of_coupled(spec, coupled));
     }
     let by_value = |(_, value): &(Parameter, Fixed)| value.number().cloned();
     let greatest = reports.iter().filter_map(|report| report.greatest.clone()).min_by_key(by_value);

@@ -19,7 +19,7 @@ pub(super) fn law(report: &Report) -> Group {
     let mut formulas = vec![equal(name("z"), product(s, name("x")))];
     let row = |(j, row)| equal(sub(name("row"), number(j)), number(row));
     formulas.extend((1..).zip(&numbers.rows).map(row));
-    formulas.extend(numbers.deadbeat.map(|from| deadbeat(from)));
+    formulas.extend(numbers.deadbeat.map(deadbeat));
     if spec.loop_order() > spec.n {
         told.push_str(" Behind the states x holds the inputs under way, the latest first.");
     }
