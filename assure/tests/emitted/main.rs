@@ -11,6 +11,7 @@ mod design_properties;
 mod expressions;
 mod format;
 mod goldens;
+mod hosts;
 mod identities;
 mod injection;
 mod languages;

@@ -173,3 +173,74 @@ fn the_project_refuses_what_structured_text_refuses() {
         assert!(found[0].message.contains(message), "{found:?}");
     }
 }
+
+/// What MatIEC, the compiler of Beremiz and OpenPLC, does not take: types without a name, derived types among temporary
+/// variables, a declaration without its semicolon, literals beyond those of a REAL, and FOR loops of one round.
+#[test]
+fn structured_text_keeps_to_what_matiec_takes() {
+    let mut literals = 0;
+    for text in DESIGNS {
+        let st = emitted(text, Language::StructuredText);
+        let (_, code) = st.split_once("*)").expect("a head");
+        let mut temporary = false;
+        for line in code.lines().map(|line| line.split("(*").next().unwrap_or(line).trim()) {
+            temporary = (temporary || line == "VAR_TEMP") && line != "END_VAR";
+            let elementary = ["BOOL;", "INT;", "DINT;", "UDINT;", "REAL;", "LREAL;"];
+            let declared = line.contains(" : ");
+            assert!(
+                !temporary || !declared || elementary.iter().any(|e| line.ends_with(e)),
+                "{line}"
+            );
+            assert!(!line.contains("ARRAY[") || line.starts_with("TYPE "), "{line}");
+            assert_ne!(line, "END_STRUCT", "{text}");
+            if let Some((_, ends)) = line.split_once("FOR ").filter(|_| !line.contains("END_")) {
+                let (from, to) = ends.split_once(" TO ").expect("ends");
+                let count = |end: &str| end.rsplit('#').next().and_then(|n| n.parse::<u32>().ok());
+                let first = from.split(":= ").nth(1).and_then(count).expect("a number");
+                let last = to.split(' ').next().and_then(count).expect("a number");
+                assert!(first < last, "{line}");
+            }
+            for literal in line.split("REAL#").skip(1) {
+                let number = |c: char| c.is_ascii_digit() || ".E+-".contains(c);
+                let digits: String = literal.chars().take_while(|c| number(*c)).collect();
+                let value: f64 = digits.trim_end_matches(['+', '-']).parse().expect("a number");
+                let real = f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX);
+                assert!(value == 0.0 || real.contains(&value), "{line}");
+                literals += 1;
+            }
+        }
+    }
+    assert!(literals > 100, "{literals}");
+}
+
+/// Each number beyond the range of a REAL is a product that is exact, also where a compiler rounds its factors to a REAL
+/// before it looks for an overflow.
+#[test]
+fn wide_numbers_are_exact_products() {
+    let st = emitted(DESIGNS[0], Language::StructuredText);
+    let mut found = 0;
+    for (name, comment) in
+        st.lines().filter_map(|line| line.trim().split_once(" : LREAL; (* LREAL#"))
+    {
+        let wanted: f64 = comment.trim_end_matches(" *)").parse().expect("a number");
+        let assigned = st.split_once(&format!("{name} := ")).expect("a statement").1;
+        let product = assigned.split_once(';').expect("an end").0;
+        let value =
+            |text: &str| text.trim().trim_start_matches("LREAL#").parse::<f64>().expect("a number");
+        let factor = |text: &str| {
+            let text = text.trim().trim_matches(['(', ')']);
+            text.split(" - ").map(value).reduce(|a, b| a - b).expect("a number")
+        };
+        let exact = product.split('*').map(factor).reduce(|a, b| a * b).expect("factors");
+        assert_eq!(exact.to_bits(), wanted.to_bits(), "{name}: {product}");
+        let single = |text: &str| {
+            let text = text.trim().trim_matches(['(', ')']);
+            let rounded = text.split(" - ").map(|part| f64::from(value(part) as f32));
+            rounded.reduce(|a, b| a - b).expect("a number")
+        };
+        let rounded = product.split('*').map(single).reduce(|a, b| a * b).expect("factors");
+        assert!(rounded.is_finite() && rounded > 0.0, "{name}: {product}");
+        found += 1;
+    }
+    assert!(found >= 4, "{found}");
+}

@@ -42,7 +42,12 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     }
     let to =
         request.resolved.as_deref().map(|path| outputs.file("--resolved", path)).transpose()?;
-    let source = request.spec.0.with_design(request.design.design.as_deref())?;
+    let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
+    let gives_precision = source.parse().entries.iter().any(|entry| entry.key == "precision");
+    if request.project == Some(Project::Arduino) && !gives_precision {
+        // double has 32 bits on boards with an AVR.
+        source.give("precision", "f32");
+    }
     let given = source.parse();
     let mut spec = given.read()?;
     let expanded = request.engine.engine.prepare(&mut spec)?;
