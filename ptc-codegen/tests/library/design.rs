@@ -314,7 +314,7 @@ fn the_template_tells_what_verify_reads() {
     let of_others = ["upsilon", "error", "h", "low", "high"].map(|key| format!("# {key} = "));
     kept.retain(|line| !of_others.iter().any(|key| line.starts_with(key)));
     let lines: Vec<_> = kept.iter().map(|line| line.trim_start_matches("# ")).collect();
-    let top = "n = 1\nmu = \"exp(a=1)\"\ngains = [3]\n[plant]\nf = \"gust\"\ngust = [-1, 1]\n[disturbance]\n";
+    let top = "n = 1\nmu = \"exp(a=1)\"\n[plant]\nf = \"gust\"\ngust = [-1, 1]\n[disturbance]\n";
     let (entries, found, _) = read(&format!("{top}{}", lines.join("\n")));
     assert!(found.is_empty(), "{found:?}");
     let spec = request::read(&entries).expect("a spec");
