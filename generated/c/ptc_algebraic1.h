@@ -63,8 +63,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC1_745896F9_H
-#define PTC_ALGEBRAIC1_745896F9_H
+#ifndef PTC_ALGEBRAIC1_C5164E11_H
+#define PTC_ALGEBRAIC1_C5164E11_H
 
 #ifdef __cplusplus
 extern "C" {

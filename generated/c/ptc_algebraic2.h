@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 7 additions or comparisons, 10
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC2_224CA6CB_H
-#define PTC_ALGEBRAIC2_224CA6CB_H
+#ifndef PTC_ALGEBRAIC2_9924AF6C_H
+#define PTC_ALGEBRAIC2_9924AF6C_H
 
 #ifdef __cplusplus
 extern "C" {

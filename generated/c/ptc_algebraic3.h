@@ -76,8 +76,8 @@
  * Operations of one step, without input checks and clipping: 11 additions or comparisons, 15
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC3_A774E241_H
-#define PTC_ALGEBRAIC3_A774E241_H
+#ifndef PTC_ALGEBRAIC3_569D0BD9_H
+#define PTC_ALGEBRAIC3_569D0BD9_H
 
 #ifdef __cplusplus
 extern "C" {

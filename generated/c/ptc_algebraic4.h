@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 22
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC4_8186BC23_H
-#define PTC_ALGEBRAIC4_8186BC23_H
+#ifndef PTC_ALGEBRAIC4_B8A7CD89_H
+#define PTC_ALGEBRAIC4_B8A7CD89_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -94,8 +94,8 @@
  * Operations of one step, without input checks and clipping: 31 additions or comparisons, 36
  *       multiplications, 2 divisions, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC5_27F9A6AE_H
-#define PTC_ALGEBRAIC5_27F9A6AE_H
+#ifndef PTC_ALGEBRAIC5_D66353C6_H
+#define PTC_ALGEBRAIC5_D66353C6_H
 
 #ifdef __cplusplus
 extern "C" {

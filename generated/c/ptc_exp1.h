@@ -61,8 +61,8 @@
  * Operations of one step, without input checks and clipping: 3 additions or comparisons, 1
  *       multiplication, 1 division.
  */
-#ifndef PTC_EXP1_030CF504_H
-#define PTC_EXP1_030CF504_H
+#ifndef PTC_EXP1_0B4B3DBA_H
+#define PTC_EXP1_0B4B3DBA_H
 
 #ifdef __cplusplus
 extern "C" {

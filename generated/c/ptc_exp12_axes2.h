@@ -100,8 +100,8 @@
  * Operations of one step, without input checks and clipping: 25 additions or comparisons, 52
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP12_AXES2_9663B26C_H
-#define PTC_EXP12_AXES2_9663B26C_H
+#ifndef PTC_EXP12_AXES2_F18F67F1_H
+#define PTC_EXP12_AXES2_F18F67F1_H
 
 #ifdef __cplusplus
 extern "C" {

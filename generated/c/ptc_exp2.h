@@ -65,8 +65,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 4
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP2_40C66C4E_H
-#define PTC_EXP2_40C66C4E_H
+#ifndef PTC_EXP2_D875127C_H
+#define PTC_EXP2_D875127C_H
 
 #ifdef __cplusplus
 extern "C" {

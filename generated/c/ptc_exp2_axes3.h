@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP2_AXES3_C1D31DC4_H
-#define PTC_EXP2_AXES3_C1D31DC4_H
+#ifndef PTC_EXP2_AXES3_1D2CB14E_H
+#define PTC_EXP2_AXES3_1D2CB14E_H
 
 #ifdef __cplusplus
 extern "C" {

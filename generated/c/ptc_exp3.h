@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_AB9990B2_H
-#define PTC_EXP3_AB9990B2_H
+#ifndef PTC_EXP3_F96B00FC_H
+#define PTC_EXP3_F96B00FC_H
 
 #ifdef __cplusplus
 extern "C" {

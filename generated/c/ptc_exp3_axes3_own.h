@@ -75,8 +75,8 @@
  * Operations of one step, without input checks and clipping: 9 additions or comparisons, 20
  *       multiplications, 4 divisions.
  */
-#ifndef PTC_EXP3_AXES3_OWN_9C5267FC_H
-#define PTC_EXP3_AXES3_OWN_9C5267FC_H
+#ifndef PTC_EXP3_AXES3_OWN_20A12591_H
+#define PTC_EXP3_AXES3_OWN_20A12591_H
 
 #include <stdint.h>
 

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_F32_6DD4C8CF_H
-#define PTC_EXP3_F32_6DD4C8CF_H
+#ifndef PTC_EXP3_F32_B58B0063_H
+#define PTC_EXP3_F32_B58B0063_H
 
 #ifdef __cplusplus
 extern "C" {

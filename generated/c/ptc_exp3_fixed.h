@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_FIXED_5697A7DD_H
-#define PTC_EXP3_FIXED_5697A7DD_H
+#ifndef PTC_EXP3_FIXED_559409F1_H
+#define PTC_EXP3_FIXED_559409F1_H
 
 #ifdef __cplusplus
 extern "C" {

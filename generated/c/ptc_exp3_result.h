@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_RESULT_AE0C623A_H
-#define PTC_EXP3_RESULT_AE0C623A_H
+#ifndef PTC_EXP3_RESULT_1043C9A6_H
+#define PTC_EXP3_RESULT_1043C9A6_H
 
 #ifdef __cplusplus
 extern "C" {

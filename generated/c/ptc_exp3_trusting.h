@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_TRUSTING_EADACE01_H
-#define PTC_EXP3_TRUSTING_EADACE01_H
+#ifndef PTC_EXP3_TRUSTING_FA4AACCD_H
+#define PTC_EXP3_TRUSTING_FA4AACCD_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -78,8 +78,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 8
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP4_81E4B187_H
-#define PTC_EXP4_81E4B187_H
+#ifndef PTC_EXP4_AE0FF0F2_H
+#define PTC_EXP4_AE0FF0F2_H
 
 #ifdef __cplusplus
 extern "C" {

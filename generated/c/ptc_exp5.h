@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 7 additions or comparisons, 10
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP5_473559F2_H
-#define PTC_EXP5_473559F2_H
+#ifndef PTC_EXP5_94777A0E_H
+#define PTC_EXP5_94777A0E_H
 
 #ifdef __cplusplus
 extern "C" {

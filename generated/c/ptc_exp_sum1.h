@@ -64,8 +64,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM1_0982C37F_H
-#define PTC_EXP_SUM1_0982C37F_H
+#ifndef PTC_EXP_SUM1_7260A687_H
+#define PTC_EXP_SUM1_7260A687_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -67,8 +67,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_D6C18D0A_H
-#define PTC_EXP_SUM2_D6C18D0A_H
+#ifndef PTC_EXP_SUM2_2BB32E71_H
+#define PTC_EXP_SUM2_2BB32E71_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -67,8 +67,8 @@
  *       multiplications, 5 divisions, 7 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_OF_THREE_C13E6AB4_H
-#define PTC_EXP_SUM2_OF_THREE_C13E6AB4_H
+#ifndef PTC_EXP_SUM2_OF_THREE_4EF02E3B_H
+#define PTC_EXP_SUM2_OF_THREE_4EF02E3B_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -73,8 +73,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM3_0DC97FC3_H
-#define PTC_EXP_SUM3_0DC97FC3_H
+#ifndef PTC_EXP_SUM3_BA297004_H
+#define PTC_EXP_SUM3_BA297004_H
 
 #ifdef __cplusplus
 extern "C" {

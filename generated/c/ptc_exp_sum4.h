@@ -78,8 +78,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM4_945CA9FC_H
-#define PTC_EXP_SUM4_945CA9FC_H
+#ifndef PTC_EXP_SUM4_1EB57F6F_H
+#define PTC_EXP_SUM4_1EB57F6F_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -84,8 +84,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM5_2F0FDAE8_H
-#define PTC_EXP_SUM5_2F0FDAE8_H
+#ifndef PTC_EXP_SUM5_F4FF0353_H
+#define PTC_EXP_SUM5_F4FF0353_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -92,8 +92,8 @@
  *       182 multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM9_IN_LOOPS_B414AEFF_H
-#define PTC_EXP_SUM9_IN_LOOPS_B414AEFF_H
+#ifndef PTC_EXP_SUM9_IN_LOOPS_8C5AA82E_H
+#define PTC_EXP_SUM9_IN_LOOPS_8C5AA82E_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -57,8 +57,8 @@
  * Operations of one step, without input checks and clipping: 10 additions or comparisons, 11
  *       multiplications, 3 divisions.
  */
-#ifndef PTC_OWN_KAPPA2_45B46E05_H
-#define PTC_OWN_KAPPA2_45B46E05_H
+#ifndef PTC_OWN_KAPPA2_A7760CCB_H
+#define PTC_OWN_KAPPA2_A7760CCB_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -56,8 +56,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_OWN_LAW1_LATCHED_6A220127_H
-#define PTC_OWN_LAW1_LATCHED_6A220127_H
+#ifndef PTC_OWN_LAW1_LATCHED_93F03BB5_H
+#define PTC_OWN_LAW1_LATCHED_93F03BB5_H
 
 #ifdef __cplusplus
 extern "C" {

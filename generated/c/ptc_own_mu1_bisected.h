@@ -58,8 +58,8 @@
  *       multiplications, 7 divisions, 2 square roots, 2 function calls. One round of the
  *       iteration is counted; it takes at most 100.
  */
-#ifndef PTC_OWN_MU1_BISECTED_92E32495_H
-#define PTC_OWN_MU1_BISECTED_92E32495_H
+#ifndef PTC_OWN_MU1_BISECTED_E24AB115_H
+#define PTC_OWN_MU1_BISECTED_E24AB115_H
 
 #ifdef __cplusplus
 extern "C" {

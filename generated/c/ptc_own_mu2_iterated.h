@@ -59,8 +59,8 @@
  *       multiplications, 12 divisions, 3 function calls. One round of the iteration is
  *       counted; it takes at most 100.
  */
-#ifndef PTC_OWN_MU2_ITERATED_C9BF9C5A_H
-#define PTC_OWN_MU2_ITERATED_C9BF9C5A_H
+#ifndef PTC_OWN_MU2_ITERATED_1E7D2FDA_H
+#define PTC_OWN_MU2_ITERATED_1E7D2FDA_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -65,8 +65,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 2
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef PTC_POWER1_8B97AF69_H
-#define PTC_POWER1_8B97AF69_H
+#ifndef PTC_POWER1_C12F817B_H
+#define PTC_POWER1_C12F817B_H
 
 #ifdef __cplusplus
 extern "C" {

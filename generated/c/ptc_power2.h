@@ -69,8 +69,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 8
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER2_C4F0B42B_H
-#define PTC_POWER2_C4F0B42B_H
+#ifndef PTC_POWER2_63AAA70F_H
+#define PTC_POWER2_63AAA70F_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 10
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_POWER2_BY_ROOT_423E5F91_H
-#define PTC_POWER2_BY_ROOT_423E5F91_H
+#ifndef PTC_POWER2_BY_ROOT_EE09B4D5_H
+#define PTC_POWER2_BY_ROOT_EE09B4D5_H
 
 #ifdef __cplusplus
 extern "C" {

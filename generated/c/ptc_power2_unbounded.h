@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 8
  *       multiplications, 1 division.
  */
-#ifndef PTC_POWER2_UNBOUNDED_CF5F7F29_H
-#define PTC_POWER2_UNBOUNDED_CF5F7F29_H
+#ifndef PTC_POWER2_UNBOUNDED_358BAEB6_H
+#define PTC_POWER2_UNBOUNDED_358BAEB6_H
 
 #ifdef __cplusplus
 extern "C" {

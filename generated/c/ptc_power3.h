@@ -76,8 +76,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 13
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER3_E4FF48C6_H
-#define PTC_POWER3_E4FF48C6_H
+#ifndef PTC_POWER3_DBEC38E8_H
+#define PTC_POWER3_DBEC38E8_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 12 additions or comparisons, 18
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER4_B8D38CEB_H
-#define PTC_POWER4_B8D38CEB_H
+#ifndef PTC_POWER4_16C82D76_H
+#define PTC_POWER4_16C82D76_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -92,8 +92,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 25
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER5_6FB5AD72_H
-#define PTC_POWER5_6FB5AD72_H
+#ifndef PTC_POWER5_24709FCF_H
+#define PTC_POWER5_24709FCF_H
 
 #ifdef __cplusplus
 extern "C" {

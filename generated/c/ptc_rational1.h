@@ -61,8 +61,8 @@
  * Operations of one step, without input checks and clipping: 3 additions or comparisons, 2
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL1_BA9CD264_H
-#define PTC_RATIONAL1_BA9CD264_H
+#ifndef PTC_RATIONAL1_706D6F7D_H
+#define PTC_RATIONAL1_706D6F7D_H
 
 #ifdef __cplusplus
 extern "C" {

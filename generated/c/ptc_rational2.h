@@ -65,8 +65,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL2_534F39A0_H
-#define PTC_RATIONAL2_534F39A0_H
+#ifndef PTC_RATIONAL2_8A451B09_H
+#define PTC_RATIONAL2_8A451B09_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 7
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_RATIONAL2_INPUT_GAIN_D2A8F424_H
-#define PTC_RATIONAL2_INPUT_GAIN_D2A8F424_H
+#ifndef PTC_RATIONAL2_INPUT_GAIN_88B9891B_H
+#define PTC_RATIONAL2_INPUT_GAIN_88B9891B_H
 
 #ifdef __cplusplus
 extern "C" {

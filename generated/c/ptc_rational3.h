@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL3_C95C9D2E_H
-#define PTC_RATIONAL3_C95C9D2E_H
+#ifndef PTC_RATIONAL3_C5667B9D_H
+#define PTC_RATIONAL3_C5667B9D_H
 
 #ifdef __cplusplus
 extern "C" {

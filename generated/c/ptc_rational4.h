@@ -78,8 +78,8 @@
  * Operations of one step, without input checks and clipping: 12 additions or comparisons, 15
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL4_C79F439D_H
-#define PTC_RATIONAL4_C79F439D_H
+#ifndef PTC_RATIONAL4_61ADD17D_H
+#define PTC_RATIONAL4_61ADD17D_H
 
 #ifdef __cplusplus
 extern "C" {

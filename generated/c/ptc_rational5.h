@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 20
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL5_55F0B5AD_H
-#define PTC_RATIONAL5_55F0B5AD_H
+#ifndef PTC_RATIONAL5_6AAE13EC_H
+#define PTC_RATIONAL5_6AAE13EC_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -64,8 +64,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef PTC_SOFT1_2895C953_H
-#define PTC_SOFT1_2895C953_H
+#ifndef PTC_SOFT1_14248B96_H
+#define PTC_SOFT1_14248B96_H
 
 #ifdef __cplusplus
 extern "C" {

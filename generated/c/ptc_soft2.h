@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 10 additions or comparisons, 9
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT2_C0A63E5C_H
-#define PTC_SOFT2_C0A63E5C_H
+#ifndef PTC_SOFT2_47AEC7BF_H
+#define PTC_SOFT2_47AEC7BF_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -75,8 +75,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 13
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT3_B4930714_H
-#define PTC_SOFT3_B4930714_H
+#ifndef PTC_SOFT3_61FC28CE_H
+#define PTC_SOFT3_61FC28CE_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -81,8 +81,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 18
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT4_7BE6892E_H
-#define PTC_SOFT4_7BE6892E_H
+#ifndef PTC_SOFT4_4911EE04_H
+#define PTC_SOFT4_4911EE04_H
 
 #ifdef __cplusplus
 extern "C" {

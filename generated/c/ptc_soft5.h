@@ -89,8 +89,8 @@
  * Operations of one step, without input checks and clipping: 22 additions or comparisons, 24
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT5_2ADD9B6D_H
-#define PTC_SOFT5_2ADD9B6D_H
+#ifndef PTC_SOFT5_10D18492_H
+#define PTC_SOFT5_10D18492_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -62,8 +62,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 23
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN1_FC222BE7_H
-#define PTC_TAN1_FC222BE7_H
+#ifndef PTC_TAN1_C89B10DF_H
+#define PTC_TAN1_C89B10DF_H
 
 #ifdef __cplusplus
 extern "C" {

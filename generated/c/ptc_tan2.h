@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 23 additions or comparisons, 29
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN2_DB8745B8_H
-#define PTC_TAN2_DB8745B8_H
+#ifndef PTC_TAN2_5A58BA3F_H
+#define PTC_TAN2_5A58BA3F_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -75,8 +75,8 @@
  * Operations of one step, without input checks and clipping: 28 additions or comparisons, 35
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN3_63B670FB_H
-#define PTC_TAN3_63B670FB_H
+#ifndef PTC_TAN3_0F7D34B1_H
+#define PTC_TAN3_0F7D34B1_H
 
 #ifdef __cplusplus
 extern "C" {

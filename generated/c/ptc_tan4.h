@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 35 additions or comparisons, 42
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN4_1F7B89BA_H
-#define PTC_TAN4_1F7B89BA_H
+#ifndef PTC_TAN4_18B75D32_H
+#define PTC_TAN4_18B75D32_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -98,8 +98,8 @@
  * Operations of one step, without input checks and clipping: 44 additions or comparisons, 52
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN5_5A41915B_H
-#define PTC_TAN5_5A41915B_H
+#ifndef PTC_TAN5_E23F54B5_H
+#define PTC_TAN5_E23F54B5_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -62,8 +62,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH1_2E8AC520_H
-#define PTC_TANH1_2E8AC520_H
+#ifndef PTC_TANH1_8FBFBA53_H
+#define PTC_TANH1_8FBFBA53_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH2_4E1C02C5_H
-#define PTC_TANH2_4E1C02C5_H
+#ifndef PTC_TANH2_6CB2F4BB_H
+#define PTC_TANH2_6CB2F4BB_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 9 additions or comparisons, 10
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH3_13119B6F_H
-#define PTC_TANH3_13119B6F_H
+#ifndef PTC_TANH3_40EF25D8_H
+#define PTC_TANH3_40EF25D8_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_B582AFD3_H
-#define PTC_TANH3_EXTERN_B582AFD3_H
+#ifndef PTC_TANH3_EXTERN_BDDDC31C_H
+#define PTC_TANH3_EXTERN_BDDDC31C_H
 
 #ifdef __cplusplus
 extern "C" {

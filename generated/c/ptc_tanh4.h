@@ -80,8 +80,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH4_B0AEDC26_H
-#define PTC_TANH4_B0AEDC26_H
+#ifndef PTC_TANH4_F61D8C42_H
+#define PTC_TANH4_F61D8C42_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -93,8 +93,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 24
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_TANH5_130E8877_H
-#define PTC_TANH5_130E8877_H
+#ifndef PTC_TANH5_B94AE30B_H
+#define PTC_TANH5_B94AE30B_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_28259679_HPP
-#define PTC_EXP3_28259679_HPP
+#ifndef PTC_EXP3_27C65B62_HPP
+#define PTC_EXP3_27C65B62_HPP
 
 #include <array>
 #include <cfloat>

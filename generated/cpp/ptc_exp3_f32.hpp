@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_F32_76DE796A_HPP
-#define PTC_EXP3_F32_76DE796A_HPP
+#ifndef PTC_EXP3_F32_88480A8D_HPP
+#define PTC_EXP3_F32_88480A8D_HPP
 
 #include <array>
 #include <cfloat>

@@ -66,8 +66,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_8728D28D_HPP
-#define PTC_EXP_SUM2_8728D28D_HPP
+#ifndef PTC_EXP_SUM2_4F18133F_HPP
+#define PTC_EXP_SUM2_4F18133F_HPP
 
 #include <array>
 #include <cfloat>

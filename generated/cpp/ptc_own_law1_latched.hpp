@@ -55,8 +55,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_OWN_LAW1_LATCHED_9BB41407_HPP
-#define PTC_OWN_LAW1_LATCHED_9BB41407_HPP
+#ifndef PTC_OWN_LAW1_LATCHED_EA1A6D70_HPP
+#define PTC_OWN_LAW1_LATCHED_EA1A6D70_HPP
 
 #include <array>
 #include <cfloat>

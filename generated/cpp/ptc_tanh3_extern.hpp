@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_7BA00C7C_HPP
-#define PTC_TANH3_EXTERN_7BA00C7C_HPP
+#ifndef PTC_TANH3_EXTERN_C830E521_HPP
+#define PTC_TANH3_EXTERN_C830E521_HPP
 
 #include <array>
 #include <cfloat>
