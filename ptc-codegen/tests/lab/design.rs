@@ -34,7 +34,7 @@ fn numbers(design: &str, key: &str) -> Vec<f64> {
 fn is_taken(folder: &Path) {
     let (code, told, wrong) = run(folder, &["verify", "roll.toml"]);
     assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
-    assert!(told.ends_with("every objective holds\n"), "{told}");
+    assert!(told.contains("\nevery objective holds"), "{told}");
     // Nor is it refuted by draws of another seed.
     let fresh = ["verify", "roll.toml", "--seed=9281", "--scenarios=300"];
     let (code, told, wrong) = run(folder, &fresh);

@@ -14,6 +14,7 @@ mod expanded;
 #[cfg(unix)]
 mod fmu;
 mod limits_apart;
+mod loop_edges;
 mod loop_of_exact;
 mod loop_of_linear;
 mod loop_of_model;

@@ -167,7 +167,7 @@ impl Loop<'_> {
         let states =
             states.ok_or("an error of one sample may grow without a bound that is found")?;
         let way = if way { sampled.way(self.samples, reach) } else { None };
-        let reached = states.iter().map(|b| b.attained() - b.reference - b.rounding).collect();
+        let reached = states.iter().map(|b| b.at_least() - b.rounding).collect();
         Ok(Worst { states, reached, samples: self.samples, way, after: None })
     }
 }

@@ -28,14 +28,18 @@ const KNOWN: usize = 20_000;
 const OF_TIME: f64 = 4.0;
 
 /// Bounds over a run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Followed {
     /// Of |r|, |r'|, ..., and of |rho|, or what stands for them, and how far each may be off as the program computes it.
     pub(super) numbers: Vec<Near>,
     /// Of |r^(n+1)|, where r^(n) - rho goes with it by the distance from the middle of a sample.
     pub(super) slope: f64,
-    /// r^(n+1) in the middle of each sample until the deadline; empty where it is not known, or samples are many.
-    pub(super) slopes: Vec<Near>,
+    /// r^(n+1) and r^(n+2) in the middle of each sample until the deadline; empty where they are not known, or samples are
+    /// many.
+    pub(super) known: Vec<[Near; 2]>,
+    /// Of |r^(n+2)|, and of what is left of |r^(n) - rho| beside both.
+    pub(super) curve: f64,
+    pub(super) left: f64,
     /// Of what is left of |r^(n) - rho| beside it.
     pub(super) rest: f64,
     /// Of all of |r^(n) - rho|.
@@ -66,8 +70,7 @@ impl Followed {
             }
             Some(Reference::Input) => {
                 let numbers = vec![(0.0, 0.0); n + 1];
-                let slopes = Vec::new();
-                return Ok(Some(Self { numbers, slope: 0.0, slopes, rest: 0.0, most: 0.0 }));
+                return Ok(Some(Self { numbers, ..Self::default() }));
             }
         };
         let known = |value| exact(value).ok_or("tau or the sample period is left to run time");
@@ -93,18 +96,26 @@ impl Followed {
         let program = plant(spec, &further);
         let middles: Vec<_> = (0..samples.unwrap_or(0)).map(|k| middle_of(k) * period).collect();
         let at_middles = values_of(spec, program.clone(), &middles).unwrap_or_default();
-        let slopes: Vec<_> = at_middles.iter().map(|values| centre(values[0].exact, 0.0)).collect();
+        let known =
+            at_middles.iter().map(|own| [0, 1].map(|order: usize| centre(own[order].exact, 0.0)));
+        // What is left of both is that of one order more, where that has a bound.
+        let third = derivatives(given, n + 3).ok();
+        let third = third.map(|all| own.followed(&all[3..=n + 3]).pop().into_iter().collect());
+        let third = third.and_then(|last: Vec<_>| over(spec, plant(spec, &last), &cells).ok());
+        let third = third.and_then(|all| all.first().copied());
+        let known: Vec<_> = if third.is_some() { known.collect() } else { Vec::new() };
         let further = over(spec, program, &cells);
         let further = further.map_err(|order| lacks(n + 1 + order.min(1)))?;
         let [slope, curve] = [0, 1].map(|order: usize| further[order].0);
         let most = 0.5 * h * slope * ROUNDED;
-        let (slope, slopes, rest) = match own.delay.is_whole() {
-            true => (slope, slopes, 0.125 * h * h * curve * ROUNDED),
+        let (slope, known, rest) = match own.delay.is_whole() {
+            true => (slope, known, 0.125 * h * h * curve * ROUNDED),
             // Two inputs act in a sample, the older one from before the start on: any signal.
             false => (0.0, Vec::new(), most),
         };
+        let left = third.map_or(0.0, |(third, _)| h * h * h * third / 48.0 * ROUNDED);
         let numbers = below.iter().copied().chain([rate]).collect();
-        Ok(Some(Self { numbers, slope, slopes, rest, most }))
+        Ok(Some(Self { numbers, slope, known, curve, left, rest, most }))
     }
 
     /// Bound of |r^(order)|, and of |rho| for n.

@@ -31,8 +31,14 @@ pub(super) struct Moved {
     /// Where estimates of a chain are kept, and of which state; `None` for another plant.
     estimates: Option<Vec<(usize, usize)>>,
     slope: f64,
-    /// r^(n+1) in the middle of each sample, where it is known.
-    slopes: Vec<Near>,
+    /// r^(n+1) and r^(n+2) in the middle of each sample, where they are known.
+    known: Vec<[Near; 2]>,
+    /// What r^(n+2) = 1 adds to each state in a sample, by the square of that distance; `None` for another plant than a
+    /// chain, where any signal stands for it.
+    bent: Option<Vec<Near>>,
+    curve: f64,
+    /// Bound of what is left of |r^(n) - rho| beside both.
+    left: f64,
     rest: f64,
     /// What rho adds where the input gain is not that of the law.
     wrong: f64,
@@ -97,7 +103,10 @@ impl Moved {
             plant: filled(&response.most),
             estimates: None,
             slope: followed.slope,
-            slopes: followed.slopes.clone(),
+            bent: None,
+            curve: 0.0,
+            left: 0.0,
+            known: followed.known.clone(),
             rest: followed.rest,
             wrong,
             input,
@@ -142,6 +151,18 @@ impl Moved {
         let turned = |m: usize| if m.is_multiple_of(2) { slant(m) } else { -slant(m) };
         let kept = of(&estimates, &turned);
         slanted[chain.n..].copy_from_slice(&kept[chain.n..]);
+        // The integral of (s - h/2)^2/2 against s^m/m!.
+        let bend = |m: usize| {
+            let [one, two, three] = [1, 2, 3].map(|more| real(m + more));
+            h * h * h * chain.shares[m] * (1.0 / three - 1.0 / two + 0.25 / one) / 2.0
+        };
+        let turned = |m: usize| if m.is_multiple_of(2) { bend(m) } else { -bend(m) };
+        let kept = of(&estimates, &turned);
+        let mut bent = of(&plant, &bend);
+        bent[chain.n..].copy_from_slice(&kept[chain.n..]);
+        // The sum cancels.
+        bent.iter_mut()
+            .for_each(|(value, error)| *error += 1e-14 * h * h * h + 1e-13 * value.abs());
         let all = [plant.as_slice(), &estimates].concat();
         let rate = followed.size(n);
         let wrong = off(gain, known) * rate;
@@ -152,7 +173,10 @@ impl Moved {
             plant: of(&plant, &share),
             estimates: Some(estimates),
             slope: followed.slope,
-            slopes: followed.slopes.clone(),
+            bent: Some(bent),
+            curve: followed.curve,
+            left: followed.left,
+            known: followed.known.clone(),
             rest: followed.rest,
             wrong,
             input: (Range::from(rate) / known.size()).high(),
@@ -173,16 +197,27 @@ impl Moved {
             }
         };
         let slanted = along(row, &self.slanted);
-        let (known, slope) = self.slopes.get(k).copied().unwrap_or((0.0, self.slope));
-        let most = slope * slanted.abs()
-            + any(self.rest, self.estimates.as_deref().unwrap_or_default())
-            + any(self.wrong, &[]);
-        (known * slanted, most)
+        let estimates = self.estimates.as_deref().unwrap_or_default();
+        let wrong = any(self.wrong, &[]);
+        match (self.known.get(k), &self.bent) {
+            (Some([(slope, about), (curve, near)]), Some(bent)) => {
+                let bent = along(row, bent);
+                let most = about * slanted.abs() + near * bent.abs() + any(self.left, estimates);
+                (slope * slanted + curve * bent, most + wrong)
+            }
+            (Some([(slope, about), _]), None) => {
+                (slope * slanted, about * slanted.abs() + any(self.rest, estimates) + wrong)
+            }
+            (None, _) => (0.0, self.slope * slanted.abs() + any(self.rest, estimates) + wrong),
+        }
     }
 
     /// The columns of its causes with their bounds.
-    pub(super) fn causes(&self) -> [(&Vec<Near>, f64); 3] {
-        [(&self.slanted, self.slope), (&self.whole, self.rest), (&self.plant, self.wrong)]
+    pub(super) fn causes(&self) -> Vec<(&Vec<Near>, f64)> {
+        let bent = self.bent.iter().map(|bent| (bent, self.curve));
+        let all =
+            [(&self.slanted, self.slope), (&self.whole, self.rest), (&self.plant, self.wrong)];
+        all.into_iter().chain(bent).collect()
     }
 }
 

@@ -145,7 +145,7 @@ impl Sampled {
                 // What rho takes may be of the other sign.
                 let rate = self.moved.as_ref().map_or(0.0, |moved| moved.input);
                 way.u = way.u.max(bound.total() + rate);
-                way.u_attained = way.u_attained.max(bound.attained() - bound.reference - rate);
+                way.u_attained = way.u_attained.max(bound.at_least() - rate);
                 way.u_rms = way.u_rms.max(bound.rms);
             }
             let here = |i: usize| match reach {

@@ -66,7 +66,7 @@ pub(super) fn outcome_of(
 
 fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
-    let nominal = worst.states.iter().map(|bound| bound.attained() - bound.reference);
+    let nominal = worst.states.iter().map(|bound| bound.at_least());
     let nominal: Vec<_> = nominal.collect();
     let wanted = closed.errors();
     let given = !spec.promises.error.is_empty();

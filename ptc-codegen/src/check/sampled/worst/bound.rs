@@ -41,12 +41,23 @@ impl Bound {
     /// What the worst signals reach, but for rounding, with the input gain in the middle of its interval,
     /// samples in time and a reference that r^(n) of each sample follows.
     pub fn attained(&self) -> f64 {
-        self.centre().abs() + self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
+        self.centre().abs() + self.middle[2].abs() + self.chosen()
     }
 
-    /// The value in the middle of all that is bounded.
+    /// What the worst signals reach at least, but for rounding. What a reference makes of it is no signal that is chosen, and
+    /// only counts against it.
+    pub(in crate::check::sampled) fn at_least(&self) -> f64 {
+        (self.centre().abs() - self.middle[2].abs()).max(0.0) + self.chosen() - self.reference
+    }
+
+    /// What signals add whose signs are chosen.
+    fn chosen(&self) -> f64 {
+        self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
+    }
+
+    /// The value in the middle of all that is bounded, without a reference.
     fn centre(&self) -> f64 {
-        self.middle.iter().sum()
+        self.middle[0] + self.middle[1]
     }
 
     /// What the value itself is within.
