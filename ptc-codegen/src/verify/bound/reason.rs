@@ -54,7 +54,8 @@ impl Gap {
         let why = format!(
             "the cells that may be looked at are used up at {place}: too little room there"
         );
-        Self { why, place: Some(Place { share, tau }) }
+        // Smaller cells might have proved it.
+        Self { why, place: None }
     }
 }
 
