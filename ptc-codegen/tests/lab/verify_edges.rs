@@ -142,9 +142,7 @@ fn simulated(noise: [f64; 2]) -> Vec<[([f64; 3], f64); 3]> {
             *x = next(*x, control(k, *x) + force);
         }
         noises.iter_mut().for_each(|x| *x = next(*x, control(k, *x)));
-        for j in 0..2 {
-            noises.push(next([0.0, 0.0], gains(k)[j] * noise[j]));
-        }
+        noises.extend(gains(k).iter().zip(noise).map(|(gain, own)| next([0.0; 2], gain * own)));
     }
     all
 }
