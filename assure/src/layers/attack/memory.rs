@@ -23,7 +23,7 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
     let period = format!("--sample-time={:e}", 1.0 / f64::from(samples));
     let run =
         ["simulate", FILE, "--x0=1", "--plant=d=0", &period, "--plot=run.svg", "-o", "run.csv"];
-    let mut fits = |program: &Path, arguments: &[&str]| -> Result<Option<String>> {
+    let fits = |program: &Path, arguments: &[&str]| -> Result<Option<String>> {
         let words: Vec<_> = arguments.iter().map(|word| (*word).to_owned()).collect();
         let end = limited_to((memory, SECONDS), program, &words, &folder)?;
         let told = String::from_utf8_lossy(&end.stderr);
