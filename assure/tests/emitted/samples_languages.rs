@@ -84,6 +84,7 @@ fn calls(design: &Design, random: &mut Random) -> Vec<Call> {
                 (Shape::Reals(n), _) => values.extend((0..n).map(|i| 6.0 + i as f64)),
                 (_, "h") => values.push(random.between(0.004, 0.014)),
                 (_, "deadbeat") => values.push(0.0),
+                (_, "u_min") => values.push(random.between(-1.5, 0.4)),
                 _ => values.push(random.between(0.5, 3.5)),
             }
         }
