@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=2)" --name a_name_that_fills_half_of_a_line_alone_4 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --eps=0 --after zero
- * Version 0.1.0.
+ * Version 0.1.0, design 077043d15f79.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_B63ECA65_HPP
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_B63ECA65_HPP
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_513C301F_HPP
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_513C301F_HPP
 
 #include <array>
 #include <cfloat>

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage --poles=-4,-5,-6
- * Version 0.1.0.
+ * Version 0.1.0, design ea927afcd2d5.
  *
  * Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
  *       in U/s^3.
@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_085642BF_H
-#define STAGE_085642BF_H
+#ifndef STAGE_E8F8E002_H
+#define STAGE_E8F8E002_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage --poles=-4,-5,-6
- * Version 0.1.0.
+ * Version 0.1.0, design ea927afcd2d5.
  *
  * Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
  *       in U/s^3.
@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_0C51773B_HPP
-#define STAGE_0C51773B_HPP
+#ifndef STAGE_A3D8489D_HPP
+#define STAGE_A3D8489D_HPP
 
 #include <array>
 #include <cfloat>

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)"
- * Version 0.1.0.
+ * Version 0.1.0, design 083a85e9f77c.
  *
  * Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
  *       in U/s^3.
@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_5CA7ACC0_H
-#define PTC_EXP3_5CA7ACC0_H
+#ifndef PTC_EXP3_2E2C1528_H
+#define PTC_EXP3_2E2C1528_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)"
-//! Version 0.1.0.
+//! Version 0.1.0, design 083a85e9f77c.
 //!
 //! Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
 //!       in U/s^3.

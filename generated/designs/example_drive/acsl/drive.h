@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name drive --tau=0.4 --u-max=24 --poles=-4,-5,-6 --states="q, w, i" --input=V --output="q" --dynamics="w, (k*i - b*w)/J, (V - R*i - k*w)/L" --param J=2e-5 --param L=2e-3 --param R=1.2 --param b=1e-5 --param k=0.03
- * Version 0.1.0.
+ * Version 0.1.0, design c35b1c6c3590.
  *
  * Plant, with the input V: q' = w, w' = (k*i - b*w)/J, i' = (V - R*i - k*w)/L, output q. Time
  *       in s.
@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_1A969A81_H
-#define DRIVE_1A969A81_H
+#ifndef DRIVE_E725911D_H
+#define DRIVE_E725911D_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name drive --tau=0.4 --u-max=24 --poles=-4,-5,-6 --states="q, w, i" --input=V --output="q" --dynamics="w, (k*i - b*w)/J, (V - R*i - k*w)/L" --param J=2e-5 --param L=2e-3 --param R=1.2 --param b=1e-5 --param k=0.03
-//! Version 0.1.0.
+//! Version 0.1.0, design c35b1c6c3590.
 //!
 //! Plant, with the input V: q' = w, w' = (k*i - b*w)/J, i' = (V - R*i - k*w)/L, output q. Time
 //!       in s.

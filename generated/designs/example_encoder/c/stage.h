@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0 --u-max=6 --poles=-4,-5,-6 --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
- * Version 0.1.0.
+ * Version 0.1.0, design de8a83daaa40.
  *
  * Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_5A61022E_H
-#define STAGE_5A61022E_H
+#ifndef STAGE_9A531A63_H
+#define STAGE_9A531A63_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name gantry --tau=1.5 --t0=0 --eps=1.20e-2 --limits=900,400,150 --poles="[[-4,-5],[-4,-5],[-6,-7]]" --g="[1/m1, 1/m2, 1/m3]" --param m1=120 --param m2=45 --param m3=12 --sample-time=1e-3
- * Version 0.1.0.
+ * Version 0.1.0, design 0cb419fd96c4.
  *
  * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
  * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_8D8389C3_H
-#define GANTRY_8D8389C3_H
+#ifndef GANTRY_27CB5523_H
+#define GANTRY_27CB5523_H
 
 #include <stdint.h>
 

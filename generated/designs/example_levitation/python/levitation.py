@@ -3,7 +3,7 @@ Prescribed-time controller levitation: order n = 3, mapping exp.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --n 3 --mu "exp(a=1)" --name levitation --eps=1e-3 --poles=-4,-5,-6 --states="z, v, i" --input=u --output="z" --dynamics="v, grav*(1 - ((1 + i/i0)/(1 + z/z0))^2), (u - R*i)/L" --param grav=9.81 --param "i0=[0.1,5]" --param "z0=[5e-3,2e-2]" --x-max=2e-3,1,0.05
-Version 0.1.0.
+Version 0.1.0, design 44fd77ede031.
 
 Plant, with the input u: z' = v, v' = grav*(1 - ((1 + i/i0)/(1 + z/z0))^2), i' = (u -
       R*i)/L, output z. Time in s.

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name motor --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=150 --observer-eps=0.04 --tau=0.4 --eps=0.02 --u-max=24 --poles=-4,-5,-6,-7 --sample-time=1e-3 --delay=1 --sensor-step=6e-6
-//! Version 0.1.0.
+//! Version 0.1.0, design c4f0b0da5e5e.
 //!
 //! Plant: x' = A x + B (u + d), d constant and unknown of --A and --B above; u held from
 //!       sample to sample, one sample late, y = C x.

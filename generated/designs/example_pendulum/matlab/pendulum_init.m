@@ -12,7 +12,7 @@ function self = pendulum_init(params) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name pendulum --tau=0.8 --eps=6.00e-3 --u-max=25 --poles=-3,-4 --states="q, w" --input=M --output="q" --dynamics="w, (M - drag*w)/(m*l^2) - grav/l*sin(q)" --param drag=0.02 --param grav=9.81 --param l=0.5 --param m=1 --sample-time=1e-3 --noise=1e-4,1e-3
-% Version 0.1.0.
+% Version 0.1.0, design d3c8a839e63d.
 %
 % Plant, with the input M: q' = w, w' = (M - drag*w)/(m*l^2) - grav/l*sin(q), output q. Time
 %       in s.

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --axes 4 --mu "exp(a=1)" --name quadrotor --tau=2 --t0=0 --eps=0.02 --limits=8,0.4,0.4,0.1 --poles="[[-4,-5],[-6,-7],[-6,-7],[-4,-5]]" --g="[1/m, 1/Ix, 1/Iy, 1/Iz]" --reference input --param Ix=0.012 --param Iy=0.013 --param Iz=0.022 --param m=1.2 --sample-time=1e-3
- * Version 0.1.0.
+ * Version 0.1.0, design b1624acb7533.
  *
  * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
  * Goal: x = (r, r', ...) of the reference that each call is given at the deadline t0 + tau
@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_A287DAE4_HPP
-#define QUADROTOR_A287DAE4_HPP
+#ifndef QUADROTOR_5A01C6EE_HPP
+#define QUADROTOR_5A01C6EE_HPP
 
 #include <array>
 #include <cfloat>

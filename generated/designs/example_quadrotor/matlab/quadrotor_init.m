@@ -9,7 +9,7 @@ function self = quadrotor_init(~) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 2 --axes 4 --mu "exp(a=1)" --name quadrotor --tau=2 --t0=0 --eps=0.02 --limits=8,0.4,0.4,0.1 --poles="[[-4,-5],[-6,-7],[-6,-7],[-4,-5]]" --g="[1/m, 1/Ix, 1/Iy, 1/Iz]" --reference input --param Ix=0.012 --param Iy=0.013 --param Iz=0.022 --param m=1.2 --sample-time=1e-3
-% Version 0.1.0.
+% Version 0.1.0, design b1624acb7533.
 %
 % Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
 % Goal: x = (r, r', ...) of the reference that each call is given at the deadline t0 + tau

@@ -3,7 +3,7 @@ Prescribed-time controller tank: outputs of order 1, 2, mapping exp.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --mu "exp(a=1)" --name tank --tau=30 --eps=0.5 --limits=2,50 --poles="[[-4],[-3,-4]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)"
-Version 0.1.0.
+Version 0.1.0, design fe2997e7a062.
 
 Plant, with the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h),
       output 1 = h, output 2 = e. Time in s.

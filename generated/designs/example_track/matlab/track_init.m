@@ -9,7 +9,7 @@ function self = track_init(~) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name track --tau=1 --t0=0 --eps=4.42e-2 --u-max=50 --poles=-4,-5 --g="2/3" --reference="1/10*sin(2*t + phase)" --param phase=0.3 --sample-time=1e-3 --error=1e-3,1e-2 --x0-max=0.5,0.5
-% Version 0.1.0.
+% Version 0.1.0, design fc9bf2044aac.
 %
 % Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
 % Goal: x = (r, r', ...) of the reference r(t) at the deadline t0 + tau from any state at t0,

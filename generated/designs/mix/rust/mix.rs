@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --mu "exp(a=1)" --name mix --poles="[[-4,-5],[-3]]" --states="p, v, h" --inputs=a,b --outputs="p, h" --dynamics="v, -v + (2 + sin(p))*a + h*b, v*h + h*a + (2 + h^2)*b"
-//! Version 0.1.0.
+//! Version 0.1.0, design 096280cbf9e2.
 //!
 //! Plant, with the inputs a, b: p' = v, v' = -v + (2 + sin(p))*a + h*b, h' = v*h + h*a + (2 +
 //!       h^2)*b, output 1 = p, output 2 = h. Time in s.

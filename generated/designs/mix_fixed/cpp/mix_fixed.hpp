@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --mu "exp(a=1)" --name mix_fixed --guard result --tau=1 --eps=1e-2 --limits=40,15 --poles="[[-4,-5],[-3]]" --states="p, v, h" --inputs=a,b --outputs="p, h" --dynamics="v, -v + (2 + sin(p))*a + h*b, v*h + h*a + (2 + h^2)*b"
- * Version 0.1.0.
+ * Version 0.1.0, design 63889dce100a.
  *
  * Plant, with the inputs a, b: p' = v, v' = -v + (2 + sin(p))*a + h*b, h' = v*h + h*a + (2 +
  *       h^2)*b, output 1 = p, output 2 = h. Time in s.
@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_FIXED_088C1028_HPP
-#define MIX_FIXED_088C1028_HPP
+#ifndef MIX_FIXED_137B1FCC_HPP
+#define MIX_FIXED_137B1FCC_HPP
 
 #include <array>
 #include <cfloat>

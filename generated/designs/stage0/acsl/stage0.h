@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 1 --mu exp --name stage0 --clock samples --eps=0
- * Version 0.1.0.
+ * Version 0.1.0, design 14ec59d52490.
  *
  * Plant: x1' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE0_413EDB22_H
-#define STAGE0_413EDB22_H
+#ifndef STAGE0_4CB461BB_H
+#define STAGE0_4CB461BB_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 1 --mu exp --name stage0 --clock samples --eps=0
- * Version 0.1.0.
+ * Version 0.1.0, design 14ec59d52490.
  *
  * Plant: x1' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -38,8 +38,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE0_2DD81012_HPP
-#define STAGE0_2DD81012_HPP
+#ifndef STAGE0_663E0FB4_HPP
+#define STAGE0_663E0FB4_HPP
 
 #include <array>
 #include <cfloat>

@@ -3,7 +3,7 @@ Prescribed-time controller stage0: order n = 1, clock in samples.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --n 1 --mu exp --name stage0 --clock samples --eps=0
-Version 0.1.0.
+Version 0.1.0, design 14ec59d52490.
 
 Plant: x1' = u; u held from sample to sample.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

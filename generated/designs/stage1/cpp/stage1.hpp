@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --mu exp --name stage1 --clock samples --precision f32 --eps=0 --after zero
- * Version 0.1.0.
+ * Version 0.1.0, design 3500be80ffee.
  *
  * Plant: x1' = x2, x2' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE1_982A14D1_HPP
-#define STAGE1_982A14D1_HPP
+#ifndef STAGE1_5D2DC70C_HPP
+#define STAGE1_5D2DC70C_HPP
 
 #include <array>
 #include <cfloat>

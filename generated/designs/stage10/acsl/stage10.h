@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1.3)" --name stage10 --clock samples --deadbeat=20 --precision f32 --eps=0
- * Version 0.1.0.
+ * Version 0.1.0, design 53d11c790cfa.
  *
  * Plant: x1' = x2, x2' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -41,8 +41,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE10_D7DFBDFE_H
-#define STAGE10_D7DFBDFE_H
+#ifndef STAGE10_CA8084D7_H
+#define STAGE10_CA8084D7_H
 
 #include <stdint.h>
 

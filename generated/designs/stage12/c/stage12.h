@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage12 --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0],[0,0,1]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --after-observer=-90+20i,-90-20i,-100,-120 --eps=0 --sample-time=1e-3 --delay=1
- * Version 0.1.0.
+ * Version 0.1.0, design 69fef31f4d23.
  *
  * Plant: x' = A x + B (u + d), d constant and unknown of --A and --B above; u held from
  *       sample to sample, one sample late, y = C x.
@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_93CE7861_H
-#define STAGE12_93CE7861_H
+#ifndef STAGE12_AB5325F1_H
+#define STAGE12_AB5325F1_H
 
 #include <stdint.h>
 

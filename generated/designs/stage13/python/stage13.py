@@ -3,7 +3,7 @@ Prescribed-time controller stage13: order n = 2, clock in samples.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage13 --clock samples --A="[[0,1],[49,-0.1]]" --B="[0.1,-1.3]" --C="[[1,0.5],[0.2,-1]]" --precision f32 --eps=0 --after zero --sample-time=0.01
-Version 0.1.0.
+Version 0.1.0, design 66f29bb0af19.
 
 Plant: x' = A x + B u of --A and --B above; u held from sample to sample, y = C x.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

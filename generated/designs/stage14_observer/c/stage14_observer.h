@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+1i,-5-1i --observer-samples=12
- * Version 0.1.0.
+ * Version 0.1.0, design d1ea1cd2ee5c.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
  * Goal: the estimates of the state are exact up to rounding from sample 12 after the start
@@ -36,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE14_OBSERVER_35338F6D_H
-#define STAGE14_OBSERVER_35338F6D_H
+#ifndef STAGE14_OBSERVER_FDBEAF80_H
+#define STAGE14_OBSERVER_FDBEAF80_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@ Prescribed-time observer stage15_observer: order n = 2, clock in samples.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --n 2 --mu "exp(a=1.5)" --name stage15 --what observer --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=9 --observer-eps=0.05 --precision f32 --f="-981/100" --g="1/2" --delay=1.5
-Version 0.1.0.
+Version 0.1.0, design fa54d2fef2e7.
 
 Plant: x1' = x2, x2' = f + g (u + d), d constant and unknown; u held from sample to sample,
       1.5 samples late.

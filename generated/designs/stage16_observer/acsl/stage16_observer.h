@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage16 --what observer --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0],[0,0,1]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --after-observer=-90+20i,-90-20i,-100,-120 --sample-time=1e-3 --delay=1
- * Version 0.1.0.
+ * Version 0.1.0, design 76c16d95e916.
  *
  * Plant: x' = A x + B (u + d), d constant and unknown of --A and --B above; u held from
  *       sample to sample, one sample late, y = C x.
@@ -37,8 +37,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE16_OBSERVER_BD289E25_H
-#define STAGE16_OBSERVER_BD289E25_H
+#ifndef STAGE16_OBSERVER_3E7833FB_H
+#define STAGE16_OBSERVER_3E7833FB_H
 
 #include <stdint.h>
 

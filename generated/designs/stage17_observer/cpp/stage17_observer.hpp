@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage17 --what observer --clock samples --disturbance constant --observer-poles=-4,-5 --observer-samples=8 --guard none
- * Version 0.1.0.
+ * Version 0.1.0, design da56a9ae4fbe.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample.
  * Goal: the estimates of the state and of d are exact up to rounding from sample 8 after the
@@ -35,8 +35,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE17_OBSERVER_726B7069_HPP
-#define STAGE17_OBSERVER_726B7069_HPP
+#ifndef STAGE17_OBSERVER_7B101CF7_HPP
+#define STAGE17_OBSERVER_7B101CF7_HPP
 
 #include <array>
 #include <cfloat>

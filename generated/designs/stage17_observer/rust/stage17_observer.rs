@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage17 --what observer --clock samples --disturbance constant --observer-poles=-4,-5 --observer-samples=8 --guard none
-//! Version 0.1.0.
+//! Version 0.1.0, design da56a9ae4fbe.
 //!
 //! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample.
 //! Goal: the estimates of the state and of d are exact up to rounding from sample 8 after the

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage19 --clock samples --precision f32 --guard none --eps=0 --u-max=inf --states="q, w, i" --input=V --output="q" --dynamics="w, i/(1 + q^2) - w/4, 50*(V - 2*i - w)" --after zero
- * Version 0.1.0.
+ * Version 0.1.0, design 837b86fb35a8.
  *
  * Plant: the input V: q' = w, w' = i/(1 + q^2) - w/4, i' = 50*(V - 2*i - w), output q; u held
  *       from sample to sample.
@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_E77BF638_HPP
-#define STAGE19_E77BF638_HPP
+#ifndef STAGE19_0D9B1558_HPP
+#define STAGE19_0D9B1558_HPP
 
 #include <array>
 #include <cfloat>

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
- * Version 0.1.0.
+ * Version 0.1.0, design 75680df23c07.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_C1F043D9_H
-#define STAGE2_C1F043D9_H
+#ifndef STAGE2_FE9C062A_H
+#define STAGE2_FE9C062A_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
- * Version 0.1.0.
+ * Version 0.1.0, design 75680df23c07.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_72F5A095_HPP
-#define STAGE2_72F5A095_HPP
+#ifndef STAGE2_0BBE3C45_HPP
+#define STAGE2_0BBE3C45_HPP
 
 #include <array>
 #include <cfloat>

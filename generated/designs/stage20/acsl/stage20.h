@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage20 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --eps=0 --f="1/4" --g="1/2" --reference input --delay=1.25
- * Version 0.1.0.
+ * Version 0.1.0, design c90aea54cafb.
  *
  * Plant: x1' = x2, x2' = f + g (u + d), d constant and unknown; u held from sample to sample,
  *       1.25 samples late.
@@ -53,8 +53,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE20_42B6192D_H
-#define STAGE20_42B6192D_H
+#ifndef STAGE20_0E9E2FCF_H
+#define STAGE20_0E9E2FCF_H
 
 #include <stdint.h>
 

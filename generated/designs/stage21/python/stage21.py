@@ -3,7 +3,7 @@ Prescribed-time controller stage21: order n = 3, clock in samples.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --n 3 --mu "exp(a=1)" --name stage21 --clock samples --eps=0 --g="2" --reference="size*dt^2/(1 + t^2)" --delay=0.25
-Version 0.1.0.
+Version 0.1.0, design 0b4602f00880.
 
 Plant: x1' = x2, ..., x3' = g u; u held from sample to sample, 0.25 samples late.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

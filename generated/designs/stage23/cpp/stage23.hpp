@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --observer-poles=-4,-5,-6 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
- * Version 0.1.0.
+ * Version 0.1.0, design 4c3c000d67d1.
  *
  * Plant: x' = A x + B u of --A and --B above; u held from sample to sample, one sample late,
  *       y = C x.
@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_B7AC7ECE_HPP
-#define STAGE23_B7AC7ECE_HPP
+#ifndef STAGE23_6D74AC41_HPP
+#define STAGE23_6D74AC41_HPP
 
 #include <array>
 #include <cfloat>

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
- * Version 0.1.0.
+ * Version 0.1.0, design 50bc8ccf34e5.
  *
  * Plant: x' = A x + B u of --A and --B above; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -51,8 +51,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_83ABA4D3_H
-#define STAGE24_83ABA4D3_H
+#ifndef STAGE24_136198C4_H
+#define STAGE24_136198C4_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01
- * Version 0.1.0.
+ * Version 0.1.0, design 1919fd9b1618.
  *
  * Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
  *       = h, output 2 = e; u held from sample to sample.
@@ -56,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE25_0191198A_H
-#define STAGE25_0191198A_H
+#ifndef STAGE25_1F1C4577_H
+#define STAGE25_1F1C4577_H
 
 #include <stdint.h>
 

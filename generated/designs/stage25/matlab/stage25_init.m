@@ -9,7 +9,7 @@ function self = stage25_init(~) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01
-% Version 0.1.0.
+% Version 0.1.0, design 1919fd9b1618.
 %
 % Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
 %       = h, output 2 = e; u held from sample to sample.

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --mu exp --name stage26 --clock samples --precision f32 --guard none --eps=0 --states="q1, q2, w1, w2" --inputs=F1,F2 --inertia="[[m + q2^2, q2], [q2, 1]]" --bias="m*q2*w1*w2, w1^2/2 - q1"
- * Version 0.1.0.
+ * Version 0.1.0, design 7cc34530b578.
  *
  * Plant: the inputs F1, F2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[m + q2^2,
  *       q2], [q2, 1]], bias = [m*q2*w1*w2, w1^2/2 - q1]; u held from sample to sample.
@@ -55,8 +55,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE26_8E9A976B_HPP
-#define STAGE26_8E9A976B_HPP
+#ifndef STAGE26_0A6A13DD_HPP
+#define STAGE26_0A6A13DD_HPP
 
 #include <array>
 #include <cfloat>

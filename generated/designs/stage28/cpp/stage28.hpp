@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --mu "exp(a=1)" --name stage28 --clock samples --deadbeat=9 --eps=0 --gains="[[3],[4.5]]" --states="a, b" --inputs=A,B --outputs="a, b" --dynamics="A*(b - 1), A + B - k*a"
- * Version 0.1.0.
+ * Version 0.1.0, design e8fd88f575ec.
  *
  * Plant: the inputs A, B: a' = A*(b - 1), b' = A + B - k*a, output 1 = a, output 2 = b; u
  *       held from sample to sample.
@@ -55,8 +55,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_0D46DCFD_HPP
-#define STAGE28_0D46DCFD_HPP
+#ifndef STAGE28_744DA0AA_HPP
+#define STAGE28_744DA0AA_HPP
 
 #include <array>
 #include <cfloat>

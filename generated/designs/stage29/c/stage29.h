@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01
- * Version 0.1.0.
+ * Version 0.1.0, design 42ca6e30ad8a.
  *
  * Plant: x1' = x2, x2' = g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -41,8 +41,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE29_A0CE6B18_H
-#define STAGE29_A0CE6B18_H
+#ifndef STAGE29_2F755408_H
+#define STAGE29_2F755408_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage3 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
- * Version 0.1.0.
+ * Version 0.1.0, design f20e905317e3.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -43,8 +43,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE3_16A2F8D3_HPP
-#define STAGE3_16A2F8D3_HPP
+#ifndef STAGE3_B0CA101E_HPP
+#define STAGE3_B0CA101E_HPP
 
 #include <array>
 #include <cfloat>

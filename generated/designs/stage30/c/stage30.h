@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --axes 2 --mu exp --name stage30 --clock samples --precision f32 --eps=0.02 --g="3"
- * Version 0.1.0.
+ * Version 0.1.0, design 466927f5ebf7.
  *
  * Plant: x1' = x2, ..., x3' = g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE30_46389BD4_H
-#define STAGE30_46389BD4_H
+#ifndef STAGE30_8F2B0FC4_H
+#define STAGE30_8F2B0FC4_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@ Prescribed-time controller stage30: order n = 3, clock in samples.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --n 3 --axes 2 --mu exp --name stage30 --clock samples --precision f32 --eps=0.02 --g="3"
-Version 0.1.0.
+Version 0.1.0, design 466927f5ebf7.
 
 Plant: x1' = x2, ..., x3' = g u; u held from sample to sample.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

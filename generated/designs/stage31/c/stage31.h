@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
- * Version 0.1.0.
+ * Version 0.1.0, design fcdcaf715040.
  *
  * Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
  *       = h, output 2 = e; u held from sample to sample.
@@ -63,8 +63,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_9CE2BAC3_H
-#define STAGE31_9CE2BAC3_H
+#ifndef STAGE31_4DD53135_H
+#define STAGE31_4DD53135_H
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@ Prescribed-time controller stage32: outputs of order 2, 2, clock in samples.
 
 DO NOT EDIT. Made by:
   ptc-codegen emit --lang python --mu exp --name stage32 --clock samples --tau=0.3 --eps=0.04 --states="q1, q2, w1, w2" --inputs=F1,F2 --inertia="[[m + q2^2, q2], [q2, 1]]" --bias="m*q2*w1*w2, w1^2/2 - q1" --reference="size*dt^2/(1 + t^2), 0" --sample-time=0.01
-Version 0.1.0.
+Version 0.1.0, design 241446d65458.
 
 Plant: the inputs F1, F2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[m + q2^2,
       q2], [q2, 1]], bias = [m*q2*w1*w2, w1^2/2 - q1]; u held from sample to sample.

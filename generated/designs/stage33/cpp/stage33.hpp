@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --axes 3 --mu "exp(a=1)" --name stage33 --clock samples --precision f32 --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --reference="1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)" --sample-time=0.01
- * Version 0.1.0.
+ * Version 0.1.0, design ed4024b345c9.
  *
  * Plant: x1' = x2, x2' = g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -52,8 +52,8 @@
  *   loop: not checked: axis 1: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE33_3EC18071_HPP
-#define STAGE33_3EC18071_HPP
+#ifndef STAGE33_4218861B_HPP
+#define STAGE33_4218861B_HPP
 
 #include <array>
 #include <cfloat>

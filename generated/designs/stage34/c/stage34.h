@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --axes 2 --mu exp --name stage34 --clock samples --guard none --eps=0 --g="3" --reference input
- * Version 0.1.0.
+ * Version 0.1.0, design 0d8dd7fc9d15.
  *
  * Plant: x1' = x2, ..., x3' = g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -49,8 +49,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE34_23E52ABB_H
-#define STAGE34_23E52ABB_H
+#ifndef STAGE34_1EABC03C_H
+#define STAGE34_1EABC03C_H
 
 #include <stdint.h>
 

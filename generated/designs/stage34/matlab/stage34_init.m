@@ -17,7 +17,7 @@ function self = stage34_init(params) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 3 --axes 2 --mu exp --name stage34 --clock samples --guard none --eps=0 --g="3" --reference input
-% Version 0.1.0.
+% Version 0.1.0, design 0d8dd7fc9d15.
 %
 % Plant: x1' = x2, ..., x3' = g u; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

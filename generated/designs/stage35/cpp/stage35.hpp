@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --mu "exp(a=1)" --name stage35 --clock samples --tau=0.3 --eps=0 --limits=20,30 --poles="[[-3,-4],[-4]]" --states="s, v, i" --inputs=F,V --outputs="s, i" --dynamics="v, 3*i - 2*s - v/2 + F, V - 4*i + s/8" --sample-time=0.01
- * Version 0.1.0.
+ * Version 0.1.0, design 28ee8693b5c2.
  *
  * Plant: the inputs F, V: s' = v, v' = 3*i - 2*s - v/2 + F, i' = V - 4*i + s/8, output 1 = s,
  *       output 2 = i; u held from sample to sample.
@@ -52,8 +52,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 1, whose sum is the number of states.
  */
-#ifndef STAGE35_5990B78A_HPP
-#define STAGE35_5990B78A_HPP
+#ifndef STAGE35_8B2D7CFA_HPP
+#define STAGE35_8B2D7CFA_HPP
 
 #include <array>
 #include <cfloat>

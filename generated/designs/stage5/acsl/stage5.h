@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 4 --mu exp --name stage5 --clock samples --guard none --eps=0.01 --delay=2
- * Version 0.1.0.
+ * Version 0.1.0, design af29f716abf2.
  *
  * Plant: x1' = x2, ..., x4' = u; u held from sample to sample, 2 samples late.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE5_FA398538_H
-#define STAGE5_FA398538_H
+#ifndef STAGE5_5A42C484_H
+#define STAGE5_5A42C484_H
 
 #include <stdint.h>
 

@@ -17,7 +17,7 @@ function self = stage5_init(params) %#codegen
 %
 % DO NOT EDIT. Made by:
 %   ptc-codegen emit --lang matlab --n 4 --mu exp --name stage5 --clock samples --guard none --eps=0.01 --delay=2
-% Version 0.1.0.
+% Version 0.1.0, design af29f716abf2.
 %
 % Plant: x1' = x2, ..., x4' = u; u held from sample to sample, 2 samples late.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

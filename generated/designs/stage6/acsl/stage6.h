@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
- * Version 0.1.0.
+ * Version 0.1.0, design 634a64923afb.
  *
  * Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_E601E83B_H
-#define STAGE6_E601E83B_H
+#ifndef STAGE6_C0A9B47E_H
+#define STAGE6_C0A9B47E_H
 
 #include <stdint.h>
 

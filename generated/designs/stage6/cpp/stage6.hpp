@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
- * Version 0.1.0.
+ * Version 0.1.0, design 634a64923afb.
  *
  * Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_AE7DA7B3_HPP
-#define STAGE6_AE7DA7B3_HPP
+#ifndef STAGE6_5E3CC48A_HPP
+#define STAGE6_5E3CC48A_HPP
 
 #include <array>
 #include <cfloat>

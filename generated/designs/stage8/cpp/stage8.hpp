@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage8 --clock samples --tau=0.03 --eps=0.005 --u-max=3 --poles=-4,-5 --after zero --sample-time=1e-3
- * Version 0.1.0.
+ * Version 0.1.0, design 2d9dd723208a.
  *
  * Plant: x1' = x2, x2' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE8_CA59B55C_HPP
-#define STAGE8_CA59B55C_HPP
+#ifndef STAGE8_BF47FE5C_HPP
+#define STAGE8_BF47FE5C_HPP
 
 #include <array>
 #include <cfloat>

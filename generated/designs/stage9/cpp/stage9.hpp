@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage9 --clock samples --measured=x1 --observer-poles=-4,-5,-6 --observer-eps=0.05 --eps=0.02 --u-max=1e3 --delay=1
- * Version 0.1.0.
+ * Version 0.1.0, design a9f2dd91a5f7.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample, one sample late.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE9_CFB8C51A_HPP
-#define STAGE9_CFB8C51A_HPP
+#ifndef STAGE9_F741F1EB_HPP
+#define STAGE9_F741F1EB_HPP
 
 #include <array>
 #include <cfloat>

@@ -3,7 +3,7 @@
 //! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name stage9 --clock samples --measured=x1 --observer-poles=-4,-5,-6 --observer-eps=0.05 --eps=0.02 --u-max=1e3 --delay=1
-//! Version 0.1.0.
+//! Version 0.1.0, design a9f2dd91a5f7.
 //!
 //! Plant: x1' = x2, ..., x3' = u; u held from sample to sample, one sample late.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{3d1fe2d1-a397-d4b8-3b3d-eaa300e50411}"
+#define TOKEN "{c7ab807f-8240-b44b-834e-4a568229d428}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f6727784-3230-30f5-0457-f84dbe3e3e7e}"
+#define TOKEN "{25168c43-48a8-fe3f-1ab6-91770ddc2785}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2c14e8a9-ee33-390a-2028-18a791be20be}"
+#define TOKEN "{d9af377a-efde-966a-767c-3d9a55d24bcb}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

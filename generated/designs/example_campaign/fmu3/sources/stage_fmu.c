@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{da71fd4d-6cd2-cadb-31af-0a7a45440ed4}"
+#define TOKEN "{6578491a-19bf-5236-d820-5aa511faec5d}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

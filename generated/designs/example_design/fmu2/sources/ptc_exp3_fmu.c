@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{871eab9e-f280-0db6-d8ba-3b6dd26cc08b}"
+#define TOKEN "{de2cc559-6f8a-3819-0c65-0866c7d932b7}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

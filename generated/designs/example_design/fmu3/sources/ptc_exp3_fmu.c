@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{1f1f008c-9c6d-d5e7-3b29-e8aa0942d88f}"
+#define TOKEN "{8e318997-5d26-b875-3713-15bfc809daa3}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{beb51ead-11a6-0a0f-3788-dde8c9f11271}"
+#define TOKEN "{ef8f6899-5c7b-ffa0-81b6-d57045fb218a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

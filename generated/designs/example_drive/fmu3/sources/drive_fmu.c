@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d543e43e-a197-da95-9c53-bf495685ac20}"
+#define TOKEN "{9008f2e8-0683-3d83-f039-cedd31f1812f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

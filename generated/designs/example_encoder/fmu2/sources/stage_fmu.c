@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9c915783-24bd-5cb9-1189-33cc3cf205d9}"
+#define TOKEN "{73873e13-5af1-6081-5adf-02743368483f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

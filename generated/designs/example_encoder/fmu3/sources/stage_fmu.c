@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{0e4f6672-ef2b-b36a-f72b-196cee9c2f81}"
+#define TOKEN "{9d95229a-ed54-fb87-6a19-463fc78b9d53}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d2aad060-4402-7060-23ac-11df4e16e020}"
+#define TOKEN "{032b02c5-3ade-6057-7261-7342eb39cfea}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

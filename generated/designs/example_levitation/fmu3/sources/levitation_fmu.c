@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{70c0a983-6840-7df4-1503-d76182a3c411}"
+#define TOKEN "{15080fd0-ab29-a7a1-943f-c68372717b67}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{da5824be-988e-3157-1b67-ad3cae5916b1}"
+#define TOKEN "{8ac64358-6cf0-79ae-a2c1-b7e2bd0802cf}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

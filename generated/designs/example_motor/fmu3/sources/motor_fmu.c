@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{48604236-4e7a-7d99-bf42-23a7bef32b50}"
+#define TOKEN "{9704c203-9b5a-f48a-a7d8-cf1b21fe376a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2c424412-d74d-8ad6-20d8-40cc6bf484c4}"
+#define TOKEN "{c96b6056-be7e-d48c-308a-05539b6cd8bb}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

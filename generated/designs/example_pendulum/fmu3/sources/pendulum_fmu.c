@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a87221a2-489a-6dc0-7f49-66c7dd34f4ba}"
+#define TOKEN "{653e7f45-b002-205c-a8ea-edf3af632b85}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4b14a4a1-40bb-adb7-8ede-eb4dfb5f8a6c}"
+#define TOKEN "{e02f4c03-0171-3bf4-be3d-0b26adec4b58}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

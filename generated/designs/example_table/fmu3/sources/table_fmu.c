@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2f53a9ec-7dac-c298-6ac0-630fc6f79cdc}"
+#define TOKEN "{0c0d1fc9-b6fa-23b4-e130-02f5fe8521a8}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{23d8b515-a2b9-7b19-0619-7d82a7512003}"
+#define TOKEN "{2be28a19-068a-4740-00fa-38a8a717099c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

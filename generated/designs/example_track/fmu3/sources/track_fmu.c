@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{27b6ba68-54a9-f997-0aae-34cc7f835ddc}"
+#define TOKEN "{1a7ad3fa-1546-7c50-c7c9-147211cb79e7}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

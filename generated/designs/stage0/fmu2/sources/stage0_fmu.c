@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{85c2a485-a44c-fee3-c7fa-33fa66a35f50}"
+#define TOKEN "{ecf48645-a89b-ce24-0077-be757b35f3b7}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{bd1cb0d7-8523-f6bb-3b57-c9512400b1ef}"
+#define TOKEN "{5a304485-9dd0-b597-b361-3ecc9e434792}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{75e0a6db-04a6-e509-ff15-6e4d2ef653c6}"
+#define TOKEN "{8a8bf01e-41c4-f540-e0d1-8a8165505a5b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a47ccc47-20d1-0e45-1ea5-9bb2e0cc115c}"
+#define TOKEN "{b50e59e5-71cc-e0b9-18e4-40128a5a9d3b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

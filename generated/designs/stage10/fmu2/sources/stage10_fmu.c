@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{e576a01f-0e7d-e675-30e8-81a38340fd44}"
+#define TOKEN "{409e6af2-bd89-c642-776b-c02a3f49986f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{84929c3d-52d4-9f30-516f-e368326f0f5a}"
+#define TOKEN "{d32f8de1-9bbd-84e4-98fe-f196d0c312eb}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a5997535-712d-169e-f47a-97e46bc57699}"
+#define TOKEN "{6af94b33-878a-241d-ed70-77fa66804e2c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2033e824-15af-af79-e18c-99e0381dd244}"
+#define TOKEN "{3fde5c38-9c20-a0b2-dc96-1195569b6f29}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{3446cf8c-5fec-2ad4-ccfd-888c09e35446}"
+#define TOKEN "{064496f7-4547-7f64-4a2f-dfaaad817545}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

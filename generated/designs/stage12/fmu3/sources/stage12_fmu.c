@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a594835e-45ac-064b-113e-c87d0dcc240b}"
+#define TOKEN "{26d842d6-1bc0-8c49-473c-5856128109b6}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ca901e30-8dad-e416-92ea-fc0853ae4b92}"
+#define TOKEN "{90322c8a-79e8-7e6e-0d87-64e73f099740}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

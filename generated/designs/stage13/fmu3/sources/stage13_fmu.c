@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a100f557-0801-25e5-e1dc-5c2af42db3dc}"
+#define TOKEN "{4716bf28-2b62-c965-8707-2359ef650922}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{5d20864d-4538-7199-e5df-ce994d4063ae}"
+#define TOKEN "{ba3f2ecf-130b-81e6-909c-5e161bd7f651}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

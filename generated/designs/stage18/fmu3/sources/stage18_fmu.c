@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2b2d9828-6b6b-910c-c6b9-701c4bc10c95}"
+#define TOKEN "{5af626da-444e-6ec0-37bc-9eea758cd31a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

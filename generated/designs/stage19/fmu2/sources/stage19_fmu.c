@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{1270e7bc-1237-f52c-1ea8-15f0f4ff87ce}"
+#define TOKEN "{dc0049b6-8a2e-d95c-44c0-f2fb98790a1f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{86b38524-c061-1e90-a1e3-7a8f351b4c1a}"
+#define TOKEN "{963b3663-091e-9cf1-f9e6-c93f58ecab01}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

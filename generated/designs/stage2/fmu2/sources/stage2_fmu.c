@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{68ea8a08-b87f-de43-d412-00eb66c79679}"
+#define TOKEN "{87d5c055-4937-73ba-7f64-06b9ccad0bc8}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

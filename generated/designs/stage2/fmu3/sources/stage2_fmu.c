@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4c9d4198-1e12-478a-9c97-d5e318871c92}"
+#define TOKEN "{569f6628-b117-b0df-366f-a1341c3e3851}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d2168c91-abbe-3552-272a-8d4c52b7d2cb}"
+#define TOKEN "{8ebe0726-db4a-89e8-18f8-832f188a774d}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{bede4338-652f-7b34-e675-ab7a9b7c95a6}"
+#define TOKEN "{33e43943-5f63-d90c-db97-f2ea88890a78}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

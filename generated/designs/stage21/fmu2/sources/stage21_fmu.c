@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d4f9d3a3-c948-828f-ae73-828d2559f16c}"
+#define TOKEN "{b1325273-9831-bfc8-ebc8-99d943c89806}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

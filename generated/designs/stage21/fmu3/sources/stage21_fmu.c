@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{260a5bc4-c39e-f6b4-793d-6a3209a67b87}"
+#define TOKEN "{f86e5c90-3560-d153-6323-ce9c2f8c4cbd}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

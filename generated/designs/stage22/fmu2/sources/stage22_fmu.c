@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6f1e0e99-ca2e-e6d8-4c3a-cde700e262d7}"
+#define TOKEN "{d14a0e2f-18c0-2d8f-cc82-0ec424cb27b2}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f25f365f-2fb2-c084-7f17-3cd7724ed28b}"
+#define TOKEN "{da977ae5-b5fc-456a-bce7-ed34be586caa}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d4d6bf4b-a773-671d-7cc6-2998f3ad48e4}"
+#define TOKEN "{6518ebe4-8a4a-9ee5-f70d-bbd26599eef1}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7c9bb544-e7d4-932c-a26f-2b6771357acf}"
+#define TOKEN "{9c095dd3-dc65-c5a9-3d0e-6304855fcf2e}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{15f50d24-b6d1-fde1-6d21-95efc3679fdc}"
+#define TOKEN "{6f5e8d0b-7c9d-f65a-9f01-d04822d451ff}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

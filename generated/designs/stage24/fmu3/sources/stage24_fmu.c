@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f6a5626a-14f8-2a29-1724-a3f8444a06ba}"
+#define TOKEN "{25ab077a-5eef-df2a-d62c-98c84fcad2a9}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a08f891d-d4c8-0a2e-d095-dffd6f002eff}"
+#define TOKEN "{176333ee-8761-2ff3-359b-cf2e8efdf511}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{501b9efc-e073-6934-56c1-e7d5ab59bc5d}"
+#define TOKEN "{ee1cd5ef-c476-420a-b129-319a0cb7c103}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

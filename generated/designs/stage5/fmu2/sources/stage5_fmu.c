@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{3a6ff3c2-e8f7-c9cc-a23c-b52c3c5521d3}"
+#define TOKEN "{1f45e4c5-e2eb-6c02-490e-32922e83eb92}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

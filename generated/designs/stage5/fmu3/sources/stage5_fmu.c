@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6319d1ca-3488-df4c-a510-b4dcd62e0754}"
+#define TOKEN "{66c1eee6-7298-9f36-64a1-279a1acb850f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

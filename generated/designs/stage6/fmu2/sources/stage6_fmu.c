@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{5540ff93-e42f-4177-15e1-e740a5658a63}"
+#define TOKEN "{89a5e202-fcc8-bb16-3099-9e12d1481a80}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

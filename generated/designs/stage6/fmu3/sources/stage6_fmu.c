@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{b888e289-50a7-976d-d0e3-f8ad947b0b02}"
+#define TOKEN "{0057e8ed-3048-d42d-5db0-a97ccbb6f513}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{cf58b5dd-a1b5-1884-9cef-e8edc34a9a87}"
+#define TOKEN "{7d9b7c08-bdc1-063f-3391-1bbd001dc65c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

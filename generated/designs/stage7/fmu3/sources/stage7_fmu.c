@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{88c72104-2463-e304-6bec-6a3a6220ec8d}"
+#define TOKEN "{96101b57-0f16-abfc-ceb4-54593dcc8390}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

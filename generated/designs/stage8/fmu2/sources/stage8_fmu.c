@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2a9539b4-4731-b8b9-3cd2-4defe11f1d4a}"
+#define TOKEN "{0e424773-8aeb-6583-baa6-c866410e4894}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9f0ba8dc-6b87-a475-8cc2-5fe4232a5e98}"
+#define TOKEN "{3ed260b5-4656-51f1-7669-c87a7b4b2d72}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

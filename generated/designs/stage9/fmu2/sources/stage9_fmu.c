@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{8299bb5f-be93-41a5-4a63-44915e275379}"
+#define TOKEN "{91b29108-f675-edbc-1daa-1dfe3d0e53a2}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a20acce8-1256-2111-95ca-14d5ba10d571}"
+#define TOKEN "{8c791203-7db2-78d0-3cf9-8da1634e5c18}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
