@@ -72,7 +72,7 @@ impl<'a> Design<'a> {
 
     /// The mistakes of the text and those in `found`, as the command reports them.
     pub(crate) fn told(&self, found: Vec<Diagnostic>) -> Value {
-        mistakes(&self.found, found).iter().map(|wrong| self.one(wrong)).collect()
+        mistakes(&self.found, &self.entries, found).iter().map(|wrong| self.one(wrong)).collect()
     }
 
     fn one(&self, wrong: &Diagnostic) -> Value {

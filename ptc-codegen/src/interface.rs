@@ -51,8 +51,8 @@ impl Design {
         let told = |found| Mistakes::new(found, text, &places);
         let spec = match plant::read_design(&entries) {
             Ok((spec, _)) if found.is_empty() => spec,
-            Ok(_) => return Err(told(design::mistakes(&found, Vec::new()))),
-            Err(more) => return Err(told(design::mistakes(&found, more))),
+            Ok(_) => return Err(told(design::mistakes(&found, &entries, Vec::new()))),
+            Err(more) => return Err(told(design::mistakes(&found, &entries, more))),
         };
         let report = guarded(|| examine(&spec)).map_err(|fault| told(vec![fault.into()]))?;
         Accepted::of(report).map(Self).map_err(told)

@@ -329,8 +329,8 @@ pub static KEYS: [KeyInfo; 55] = [
     },
     KeyInfo {
         key: "x0_max",
-        meaning: "bounds of |x_i| at the start",
-        legal: "n numbers > 0; with several outputs in samples also a list for each",
+        meaning: "bounds of |x_i| at the start, 0 for a state at rest",
+        legal: "n numbers >= 0; with several outputs in samples also a list for each",
         example: "1,2,5",
     },
     KeyInfo {
@@ -347,8 +347,9 @@ pub static KEYS: [KeyInfo; 55] = [
     },
 ];
 
-/// Keys whose names parameters may have too, as they had before these were keys.
-pub const PARAMETERS_TOO: [&str; 5] = ["inputs", "outputs", "inertia", "bias", "u_min"];
+/// Keys whose names parameters may have too: the keys of a model, and the capitals that plants are full of.
+pub const PARAMETERS_TOO: [&str; 8] =
+    ["inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C"];
 
 /// The keys of the table `[plant]` that are no symbols.
 pub static PLANT_KEYS: [KeyInfo; 3] = [

@@ -3,12 +3,14 @@
 #![cfg(all(unix, feature = "lab"))]
 
 mod support;
+#[path = "messages/typed.rs"]
+mod typed;
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ptc_codegen::diagnostic::explain::{self, Explanation, KINDS};
+use ptc_codegen::diagnostic::explain::{self, CONCEPTS, Concept, Explanation, KINDS};
 use ptc_codegen::keys::CHECKS;
 use support::words::{stderr, stdout};
 
@@ -108,6 +110,43 @@ fn the_command_explains() {
     assert_eq!(stdout(&["explain", "ptc_hold"]), stdout(&["explain", "PTC_HOLD"]));
     let told = stderr(&["explain", "mising-key"], 2);
     assert!(told.contains("`mising-key`") && told.contains("`missing-key`"), "{told}");
+}
+
+/// The glossary as the table of concepts makes it.
+fn glossary() -> String {
+    let mut text = String::from(
+        "# Glossary\n\nThe concepts, in five lines each: `ptc-codegen explain NAME` prints the same.\n",
+    );
+    for Concept { name, also, lines, page } in &CONCEPTS {
+        text.push_str(&format!("\n## {name}\n\n{}\n", lines.join("\n")));
+        if !also.is_empty() {
+            let also: Vec<_> = also.iter().map(|word| format!("`{word}`")).collect();
+            text.push_str(&format!("\nAlso: {}.\n", also.join(", ")));
+        }
+        text.push_str(&format!("\nMore: [{page}]({page}).\n"));
+    }
+    text
+}
+
+#[test]
+fn the_glossary_is_the_table_of_concepts() {
+    let path = root().join("docs/glossary.md");
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&path, glossary()).expect("writable");
+    }
+    let there = fs::read_to_string(&path).unwrap_or_default();
+    assert!(there == glossary(), "docs/glossary.md is not the table; UPDATE_GOLDEN=1 writes it");
+    let mut seen = BTreeSet::new();
+    for own in &CONCEPTS {
+        let told = stdout(&["explain", own.name]);
+        assert!(own.lines.iter().all(|line| told.contains(line)), "{told}");
+        assert!(root().join("docs").join(own.page).is_file(), "{}", own.page);
+        for word in own.also.iter().chain([&own.name]) {
+            assert!(seen.insert(*word), "{word} twice");
+            assert_eq!(explain::concept(word).map(|found| found.name), Some(own.name), "{word}");
+        }
+    }
+    assert!(stdout(&["explain", "Rho"]).starts_with("rho\n"));
 }
 
 /// The page as the table makes it.

@@ -1,7 +1,7 @@
 //! Diagnostics as compile errors at the tokens that are wrong.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
-use ptc_codegen::design::explains_missing;
+use ptc_codegen::design::independent;
 use ptc_codegen::diagnostic::{Diagnostic, Place, first, visible};
 use ptc_codegen::family::FAMILIES;
 use ptc_codegen::parameter;
@@ -12,11 +12,11 @@ use crate::input::{Input, Spot, example};
 
 /// One compile error for each mistake in `input` and each in `found`, in the order in which they
 /// were written.
-pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
-    // A key is not missing whose entry could not be read, nor one that the file may hold.
-    let no_file = explains_missing(&input.wrong, "file");
-    let unread = |key: &str| no_file || explains_missing(&input.wrong, key);
-    found.retain(|wrong| wrong.code != "missing-key" || !unread(&wrong.key));
+pub(crate) fn tokens(input: &Input, found: Vec<Diagnostic>) -> TokenStream {
+    let mut found = independent(&input.wrong, &input.entries, found);
+    // The file may hold what seems to be missing.
+    let no_file = input.wrong.iter().any(|wrong| wrong.key == "file");
+    found.retain(|wrong| wrong.code != "missing-key" || !no_file);
     found.extend(input.wrong.iter().cloned());
     found.sort_by_key(|wrong| (wrong.place.is_none(), wrong.place));
     let found = first(found);

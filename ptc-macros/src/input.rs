@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
-use ptc_codegen::design::{SYNTAX, UNREADABLE, canonical};
+use ptc_codegen::design::{SYNTAX, UNREADABLE, canonical, overrides};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
 use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::request::Entry;
@@ -59,11 +59,9 @@ impl Input {
     /// The keys of the design file, except those that are given beside it.
     fn design(&mut self, name: String, span: Span) {
         let (design, entries, found) = Design::read(name, span, &mut self.places);
-        let given: Vec<_> = self.entries.iter().map(|e| e.key.clone()).collect();
-        let stands = |key: &str| {
-            let key = key.split('[').next().unwrap_or(key);
-            given.iter().all(|given| given != key) && self.wrong.iter().all(|own| own.key != key)
-        };
+        let beside = self.entries.iter().map(|entry| &entry.key);
+        let beside: Vec<_> = beside.chain(self.wrong.iter().map(|own| &own.key)).collect();
+        let stands = |key: &str| beside.iter().all(|given| !overrides(given, key));
         // Errors of the file itself are reported even if keys beside it override its own.
         let kept = |own: &Diagnostic| [SYNTAX, UNREADABLE].contains(&own.code) || stands(&own.key);
         let entries: Vec<_> = entries.into_iter().filter(|entry| stands(&entry.key)).collect();
@@ -143,8 +141,18 @@ impl Input {
         };
         match parse(key, &text, &mut locate) {
             Ok(value) => self.entries.push(Entry { key: key.to_owned(), place, value }),
-            // The parser's own help is for a command line, where a list needs no brackets.
-            Err(wrong) => self.wrong.push(Diagnostic { help: VALUES.to_owned(), ..wrong }),
+            Err(wrong) => {
+                let quoted = tokens.iter().any(|token| token.text.starts_with('"'));
+                // The parser's own help is for a command line, where a list needs no brackets.
+                let (message, help) = match quoted {
+                    true => {
+                        let message = "in the macro expressions have no quotes".to_owned();
+                        (message, format!("write {key} ={}", text.replace('"', "")))
+                    }
+                    false => (wrong.message, VALUES.to_owned()),
+                };
+                self.wrong.push(Diagnostic { message, help, ..wrong });
+            }
         }
     }
 
@@ -353,7 +361,7 @@ mod tests {
     fn dotted_keys_are_those_of_the_tables_of_a_design() {
         let input = read_text("params.psi = 20, params.tau = 1, envelope.x_max = [1], params. = 2");
         let keys: Vec<_> = input.entries.iter().map(|entry| entry.key.as_str()).collect();
-        assert_eq!(keys, ["params.psi", "tau", "envelope.x_max"]);
+        assert_eq!(keys, ["params.psi", "tau", "x_max"]);
         assert_eq!(input.wrong.len(), 1);
     }
 

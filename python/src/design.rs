@@ -171,8 +171,8 @@ fn read(text: &str, given: &[(String, String)]) -> Result<Design, Wrong> {
             plant,
             given: given.to_vec(),
         }),
-        Ok(_) => Err((design::mistakes(&found, Vec::new()), places)),
-        Err(more) => Err((design::mistakes(&found, more), places)),
+        Ok(_) => Err((design::mistakes(&found, &entries, Vec::new()), places)),
+        Err(more) => Err((design::mistakes(&found, &entries, more), places)),
     }
 }
 

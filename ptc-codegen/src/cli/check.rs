@@ -10,9 +10,10 @@ use crate::check::sampled::{Bound, Margins, Worst, margins};
 use clap::Args;
 use serde_json::json;
 
+use super::doubts::doubts;
 use super::flags::{Design, EngineFlag, ListFormat, SpecFlags};
 use super::progress::checking;
-use super::report::Failure;
+use super::report::{Failure, note};
 use super::write;
 
 pub(crate) const EXAMPLES: &str = "\
@@ -54,7 +55,8 @@ pub(crate) struct Check {
 pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
-    let mut spec = given.read()?;
+    let (mut spec, plant) = given.read_with_plant()?;
+    doubts(&spec, plant.as_ref()).iter().for_each(|doubt| note(doubt));
     let expanded = request.engine.engine.prepare(&mut spec)?;
     let report = checking(|| examine_expanded(&spec, expanded));
     let refused = report.refusals().next().is_some();

@@ -1,6 +1,6 @@
 //! `explain`: what a message means, an example that causes it, and its fix.
 
-use crate::diagnostic::explain::{self, Explanation, KINDS};
+use crate::diagnostic::explain::{self, CONCEPTS, Concept, Explanation, KINDS, concept};
 use crate::diagnostic::near_miss;
 use clap::Args;
 
@@ -13,12 +13,14 @@ Examples:
   ptc-codegen explain                lists all
   ptc-codegen explain missing-key
   ptc-codegen explain growth
+  ptc-codegen explain poles
+  ptc-codegen explain 'stretched time'
   ptc-codegen explain PTC_HOLD";
 
 /// The flags of `explain`.
 #[derive(Debug, Args)]
 pub(crate) struct Explain {
-    /// Code of a message, check or status; without it, all are listed
+    /// Code of a message, check or status, or a concept such as poles; without it, all are listed
     #[arg(value_name = "CODE")]
     pub(crate) code: Option<String>,
 }
@@ -29,11 +31,14 @@ pub(crate) struct Explain {
 /// No message has this code.
 pub(crate) fn explain(request: &Explain) -> Result<String, Failure> {
     let Some(code) = &request.code else { return Ok(list()) };
-    explain::find(code).map(text).ok_or_else(|| {
-        let codes = explain::all().map(|own| own.code);
+    let found = explain::find(code).map(text).or_else(|| concept(code).map(of_concept));
+    found.ok_or_else(|| {
+        let names = CONCEPTS.iter().map(|own| own.name);
+        let codes = explain::all().map(|own| own.code).chain(names);
         let meant = near_miss(code, codes).map(|near| format!("did you mean `{near}`? "));
         let help = format!("{}`ptc-codegen explain` lists all", meant.unwrap_or_default());
-        Failure::because(format!("no message, check or status is called `{code}`"), &help)
+        let message = format!("no message, check, status or concept is called `{code}`");
+        Failure::because(message, &help)
     })
 }
 
@@ -49,6 +54,11 @@ fn text(own: &Explanation) -> String {
     text
 }
 
+fn of_concept(own: &Concept) -> String {
+    let lines: Vec<_> = own.lines.iter().map(|line| format!("{line}\n")).collect();
+    format!("{}\n\n{}\nMore: docs/{}\n", own.name, lines.concat(), own.page)
+}
+
 fn list() -> String {
     let mut text = String::new();
     for kind in &KINDS {
@@ -59,6 +69,11 @@ fn list() -> String {
         }
         text.push('\n');
     }
+    text.push_str("Concepts\n");
+    for own in &CONCEPTS {
+        text.push_str(&format!("  {:<18}{}\n", own.name, own.lines[0]));
+    }
+    text.push('\n');
     text.push_str("`ptc-codegen explain CODE` shows an example and the fix.\n");
     text
 }

@@ -148,7 +148,6 @@ pub(crate) struct Quote {
 }
 
 /// Prints a line that nothing has to be done about.
-#[cfg(feature = "lab")]
 pub(crate) fn note(text: &str) {
     // If the standard error is closed, there is nowhere to report it.
     let _ = writeln!(std::io::stderr(), "note: {}", visible(text));

@@ -242,7 +242,7 @@ impl Parsed<'_> {
 
     /// `value`, unless something given was wrong or `found` holds a mistake.
     pub(crate) fn finish<T>(&self, value: Option<T>, found: Vec<Diagnostic>) -> Result<T, Failure> {
-        let all = mistakes(&self.found, found);
+        let all = mistakes(&self.found, &self.entries, found);
         match value {
             Some(value) if all.is_empty() => Ok(value),
             _ => {
@@ -268,10 +268,18 @@ impl Parsed<'_> {
             self.places.get(entry.place.0)
         });
         let mut help = diagnostic.help.clone();
-        if diagnostic.code == "missing-key"
-            && let Some(info) = KeyInfo::find(key)
+        // Where its number of values matters, the help has an example of its own.
+        if let ("missing-key", Some(info), false) =
+            (diagnostic.code, KeyInfo::find(key), help.contains(&format!("{key} = ")))
         {
-            help.push_str(&format!(", for example {} {}", flag(key), quoted(info.example)));
+            let example = match self.source.file.is_some() {
+                true => format!("{key} = {}", design::written(info)),
+                false => format!("{} {}", flag(key), quoted(info.example)),
+            };
+            help.push_str(&format!(", for example {example}"));
+        }
+        if self.source.file.is_none() {
+            help = help.replace(&format!("{key} = ["), &format!("{}=[", flag(key)));
         }
         Notice {
             code: Some(diagnostic.code),

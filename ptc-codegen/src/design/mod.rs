@@ -9,7 +9,7 @@
 //! tau = 1.0
 //! ```
 //!
-//! An entry's key is the dotted key of TOML: `gains`, `envelope.x_max`. Numbers keep the digits
+//! An entry's key is [`canonical`]: `gains`, `params.a`, `x_max`. Numbers keep the digits
 //! of the file; text is what it would be on the command line.
 
 mod completed;
@@ -24,14 +24,15 @@ mod value;
 
 pub use completed::{Line, completed};
 pub use file::load;
-pub use mistakes::{explains_missing, mistakes, root};
+pub use mistakes::{independent, mistakes, root};
 pub use over::overrides;
 pub use quote::Quote;
-pub use template::template;
+pub use template::{template, written};
 
 use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::keys::KeyInfo;
 use crate::limits::ENTRIES;
 use crate::request::Entry;
 use reader::Reader;
@@ -43,9 +44,6 @@ const TABLES: [&str; 6] = ["params", "envelope", "model", "plant", "disturbance"
 /// The table that a design may have several times.
 const LISTED: &str = "objective";
 
-/// Parameters that every controller has: their keys are the same with and without `params.`.
-const COMMON: [&str; 5] = ["tau", "t0", "eps", "u_max", "u_min"];
-
 /// Code of a mistake in the TOML itself.
 pub const SYNTAX: &str = "toml";
 
@@ -55,9 +53,14 @@ pub const UNREADABLE: &str = "unreadable-design";
 /// Limit of reported TOML syntax errors: a file of another kind is wrong in every line.
 const MAX_SYNTAX: usize = 10;
 
-/// The key of an entry, of one that may be written with `params.` before it.
+/// Returns the key by which a value is known wherever it is given: without its table, where the table
+/// holds the key and no other meaning of it.
 pub fn canonical(key: &str) -> &str {
-    key.strip_prefix("params.").filter(|name| COMMON.contains(name)).unwrap_or(key)
+    let of_table = |(table, name)| {
+        let info = KeyInfo::find(name).filter(|info| info.table() == Some(table));
+        info.map(|_| name)
+    };
+    key.split_once('.').and_then(of_table).unwrap_or(key)
 }
 
 /// Reads the text of a design file: the entries that can be read, and the mistakes in the others.

@@ -65,6 +65,11 @@ fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
+/// Returns the example of a key as a design file has it.
+pub fn written(info: &KeyInfo) -> String {
+    value(info, info.example)
+}
+
 /// A value of a key on the command line as TOML writes it.
 pub(super) fn value(info: &KeyInfo, text: &str) -> String {
     let is_number = |text: &str| text == "inf" || number(text).is_some();

@@ -16,7 +16,7 @@ use crate::syntax::{Argument, Node, Value, number, parse};
 const MATRICES: [&str; 7] = ["A", "C", "error", "gains", "inertia", "poles", "x0_max"];
 
 /// The keys whose value may be a table in braces.
-const TABLES: [&str; 2] = ["model.dynamics", "plant.dynamics"];
+const TABLES: [&str; 2] = ["dynamics", "plant.dynamics"];
 
 /// A value as TOML knows it.
 pub(super) struct Toml<'a> {
@@ -61,7 +61,9 @@ impl Reader<'_> {
         if TABLES.contains(&key) {
             return self.pairs(key, toml);
         }
-        self.list(key, toml, MATRICES.contains(&key.rsplit('.').next().unwrap_or(key)))
+        let name = key.rsplit('.').next().unwrap_or(key);
+        // What an unknown key may hold is not known.
+        self.list(key, toml, MATRICES.contains(&name) || KeyInfo::find(name).is_none())
     }
 
     /// A table in braces, or a list.

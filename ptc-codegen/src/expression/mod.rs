@@ -5,6 +5,7 @@
 
 mod arithmetic;
 mod compact;
+pub(crate) mod constant;
 pub(crate) mod crossing;
 pub(crate) mod decaying;
 mod derivative;

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 
 use super::{Plant, TABLE};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
+use crate::expression::constant::real;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, resolve};
 use crate::keys::{KeyInfo, PLANT_KEYS};
 use crate::parameter::Parameter;
 use crate::request::{Entry, Spec, known};
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value};
 
 /// The value of a key, and where the key is.
 pub(super) type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;

@@ -1,5 +1,7 @@
 //! The command line that gives a spec.
 
+use std::fmt;
+
 use super::RUNTIME;
 use super::{After, Axes, Clock, Feedback, Guard, Reference, Sampled, Spec, What};
 use crate::algebra::BigRational;
@@ -57,7 +59,7 @@ impl Spec {
                 continue;
             }
             if let Some(value) = self.fixed.get(&parameter) {
-                words.push(format!("{flag}={value}"));
+                words.push(word(flag, value));
             } else if parameter == Parameter::UMin && self.u_min {
                 words.push(format!("{flag}={RUNTIME}"));
             }
@@ -67,7 +69,10 @@ impl Spec {
         for (parameter, value) in &self.fixed {
             let beside_mu = matches!(parameter, Parameter::Rate(_)) && !self.all_rates_are_fixed();
             if matches!(parameter, Parameter::Named(_)) || beside_mu {
-                words.push(format!("--param {}={value}", parameter.spelling()));
+                words.push(match is_plain(&value.to_string()) {
+                    true => format!("--param {}={value}", parameter.spelling()),
+                    false => format!("--param \"{}={value}\"", parameter.spelling()),
+                });
             }
         }
         for (parameter, (least, greatest)) in &self.bounds {
@@ -156,7 +161,7 @@ impl Spec {
             );
         }
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
-        words.extend(deadbeat.map(|count| format!("--deadbeat={count}")));
+        words.extend(deadbeat.map(|count| word("--deadbeat", count)));
         if sampled.linear.is_none() && sampled.measured < self.n {
             let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
             words.push(format!("--measured={}", names.join(",")));
@@ -168,7 +173,7 @@ impl Spec {
             words.push(format!("--observer-poles={}", written(&observer.poles)));
             let samples = observer.samples;
             words.extend(samples.map(|samples| format!("--observer-samples={samples}")));
-            words.extend(observer.eps.iter().map(|eps| format!("--observer-eps={eps}")));
+            words.extend(observer.eps.iter().map(|eps| word("--observer-eps", eps)));
             if !observer.after.is_empty() {
                 words.push(format!("--after-observer={}", written(&observer.after)));
             }
@@ -193,7 +198,7 @@ impl Spec {
             return Some(format!("--poles={}", self.written_poles()));
         }
         let gains = (1..=self.loop_order()).filter_map(|i| self.fixed.get(&Parameter::Gain(i)));
-        list(gains).map(|gains| format!("--gains={gains}"))
+        list(gains).map(|gains| word("--gains", &gains))
     }
 
     fn promise_words(&self) -> Vec<String> {
@@ -205,7 +210,7 @@ impl Spec {
             ("--jitter", &promises.jitter),
         ];
         for (flag, value) in single {
-            words.extend(value.iter().map(|value| format!("{flag}={value}")));
+            words.extend(value.iter().map(|value| word(flag, value)));
         }
         let lists = [
             ("--error", &promises.error),
@@ -224,7 +229,7 @@ impl Spec {
                     let rows: Vec<_> = rows.iter().filter_map(|row| list(row.iter())).collect();
                     Some(format!("{flag}=\"[[{}]]\"", rows.join("],[")))
                 }
-                None => list(values.iter()).map(|values| format!("{flag}={values}")),
+                None => list(values.iter()).map(|values| word(flag, &values)),
             });
         }
         if !promises.allow.is_empty() {
@@ -295,11 +300,22 @@ fn coupled_words(coupled: &Coupled) -> Vec<String> {
 /// The limits of u of each axis.
 fn limit_words(axes: &Axes) -> Option<String> {
     if axes.lower.is_empty() {
-        return list(axes.limits.iter()).map(|limits| format!("--limits={limits}"));
+        return list(axes.limits.iter()).map(|limits| word("--limits", &limits));
     }
     let pairs = axes.lower.iter().zip(&axes.limits);
     let pairs: Vec<_> = pairs.map(|(least, most)| format!("[{least},{most}]")).collect();
     Some(format!("--limits=\"[{}]\"", pairs.join(",")))
+}
+
+/// A flag with its value, in quotes where a shell would read more into it.
+fn word(flag: &str, value: &dyn fmt::Display) -> String {
+    let text = value.to_string();
+    if is_plain(&text) { format!("{flag}={text}") } else { format!("{flag}=\"{text}\"") }
+}
+
+/// Whether no character of a text means something to a shell.
+fn is_plain(text: &str) -> bool {
+    text.chars().all(|c| c.is_ascii_alphanumeric() || "_-+.,/".contains(c))
 }
 
 /// Values separated by commas; none for no value.

@@ -26,7 +26,7 @@ pub(crate) use promises::exact_one_or_each;
 pub use promises::{PlantBounds, Promises, one_or_each};
 pub(crate) use read::derivatives;
 pub use read::{Entry, read};
-pub(crate) use read::{items, known};
+pub(crate) use read::{items, known, meant};
 pub use reference::Reference;
 pub use sampled::{Exact, Observer, Sampled};
 pub use spec::Spec;

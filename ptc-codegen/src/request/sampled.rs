@@ -134,6 +134,11 @@ impl Spec {
         }
     }
 
+    /// Returns the number of measurements that a call is given: y1..y_m.
+    pub fn measurements(&self) -> usize {
+        self.sampled().map_or_else(|| self.states(), |own| own.measured)
+    }
+
     /// What a controller in samples knows; `None` if the clock is time.
     pub fn sampled(&self) -> Option<&Sampled> {
         match &self.clock {

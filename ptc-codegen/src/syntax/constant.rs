@@ -30,15 +30,18 @@ pub(crate) fn complex(node: &Node) -> Option<Complex> {
     }
 }
 
-/// The real number that `node` stands for: `inf`, a number, or numbers with operators between them.
-pub(crate) fn real(node: &Node) -> Option<Fixed> {
+/// The real number that `node` stands for: `inf`, a number, or numbers with operators between them. It
+/// keeps its spelling.
+pub(crate) fn exact(node: &Node) -> Option<Fixed> {
     match &node.value {
         Value::Number(value) => Some(value.clone()),
         Value::Negative(a) if matches!(a.value, Value::Number(Fixed::Infinite)) => {
             Some(Fixed::MinusInfinite)
         }
         _ => match complex(node)? {
-            (value, none) if none.is_zero() => Some(Fixed::Number { text: text(&value), value }),
+            (value, none) if none.is_zero() => {
+                Some(Fixed::Number { text: node.value.to_string(), value })
+            }
             _ => None,
         },
     }

@@ -3,8 +3,8 @@
 
 pub(crate) mod constant;
 mod parse;
+mod written;
 
-pub(crate) use constant::real;
 pub use parse::parse;
 
 use num_traits::Zero;

@@ -8,6 +8,7 @@ use crate::algebra::polynomial::Polynomial;
 use crate::check::examine::{Report, decay, examine};
 use crate::check::resolved::Resolved;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::keys::KeyInfo;
 use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant;
@@ -281,11 +282,13 @@ fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnosti
     if gives(entries, &["gains", "poles", "pi0"]) {
         return Ok(choice);
     }
-    if entries.iter().any(|entry| entry.key.starts_with("model.")) {
+    let of_model =
+        |entry: &Entry| KeyInfo::find(&entry.key).and_then(KeyInfo::table) == Some("model");
+    if entries.iter().any(of_model) {
         // A law without poles, from which the number of poles of each output follows.
         let entry =
             |key: &str, value| Entry { key: key.to_owned(), place: NOWHERE, value: node(value) };
-        let law = match (in_samples, gives(entries, &["model.inputs"])) {
+        let law = match (in_samples, gives(entries, &["inputs"])) {
             (true, _) => (!gives(entries, &["clock"]))
                 .then(|| entry("clock", Value::Word(SAMPLES.to_owned()))),
             (false, true) => Some(entry("pi0", Value::Word("extern".to_owned()))),

@@ -4,6 +4,7 @@
 mod command;
 mod design;
 mod examine;
+mod follow_ups;
 mod heads;
 mod identities;
 mod limits_apart;

@@ -48,7 +48,7 @@ fn designs_read_back_as_they_were() {
 #[test]
 fn a_unit_is_a_word_of_a_chain() {
     for (given, told) in [
-        ("--n 2 --mu exp --units m/s", "an expression is not a unit of x1"),
+        ("--n 2 --mu exp --units m/s", "`m/s` is not a unit of x1"),
         ("--n 2 --mu exp --units 5", "`5` is not a unit of x1"),
         ("--n 2 --mu exp --units abcdefghijklmnopq", "`abcdefghijklmnopq` is not a unit of x1"),
         (

@@ -78,7 +78,7 @@ const AXES: &str = include_str!("../../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 38] = [
+const PAGES: [(&str, &str); 39] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../../docs/guide/period.md")),
@@ -92,6 +92,7 @@ const PAGES: [(&str, &str); 38] = [
     ("explorer.md", include_str!("../../../docs/explorer.md")),
     ("catalogue.md", include_str!("../../../docs/catalogue.md")),
     ("messages.md", include_str!("../../../docs/messages.md")),
+    ("glossary.md", include_str!("../../../docs/glossary.md")),
     ("families.md", FAMILIES),
     ("limits.md", LIMITS),
     ("languages.md", include_str!("../../../docs/languages.md")),

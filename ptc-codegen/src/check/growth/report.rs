@@ -10,17 +10,23 @@ impl Growth {
         -to_f64(m) * self.rho
     }
 
-    /// The poles right of the line -m rho, each with what it misses it by, and those on it. A pole
+    /// Says which poles lie right of the line -m rho, and lists those on it. A pole
     /// counts as on the line if it cannot be distinguished from it numerically.
     fn misses(&self, m: usize) -> (Vec<String>, Vec<String>) {
         let line = self.line(m);
         let slack = 1e-6 * self.poles.iter().map(|pole| pole.norm()).fold(line.abs(), f64::max);
-        let right = self.poles.iter().filter(|pole| pole.re > line + slack).map(|pole| {
-            let by = digits(pole.re - line);
-            format!("the pole {} lies {by} right of {}", pole, digits(line))
-        });
+        let right: Vec<_> = self.poles.iter().filter(|pole| pole.re > line + slack).collect();
+        let all: Vec<_> = right.iter().map(ToString::to_string).collect();
+        let right = match right.as_slice() {
+            [] => None,
+            [one] => {
+                let by = digits(one.re - line);
+                Some(format!("the pole {one} lies {by} right of {}", digits(line)))
+            }
+            _ => Some(format!("the poles {} lie right of {}", all.join(", "), digits(line))),
+        };
         let on = self.poles.iter().filter(|pole| (pole.re - line).abs() <= slack);
-        (right.collect(), on.map(ToString::to_string).collect())
+        (right.into_iter().collect(), on.map(ToString::to_string).collect())
     }
 
     /// What keeps x from 0: no pole may lie on the line.
@@ -108,7 +114,12 @@ impl From<&Growth> for Outcome {
         // Where x -> 0 no pole is excepted, so that what u does is decided, or open on the line.
         let (found, misses) = match (growth.x_to_zero, growth.u_bounded) {
             (false, Some(false)) => {
-                ("x does not go to 0 and u is unbounded at the deadline", growth.misses_of_x())
+                // The line of u is the one that counts for both.
+                let misses = match growth.misses(growth.n).0 {
+                    right if right.is_empty() => growth.misses_of_x(),
+                    right => right,
+                };
+                ("x does not go to 0 and u is unbounded at the deadline", misses)
             }
             (false, _) => ("x does not go to 0 at the deadline", growth.misses_of_x()),
             (true, Some(false)) => ("u is unbounded at the deadline", growth.misses_of_u()),
@@ -184,9 +195,8 @@ mod tests {
         let outcome = told(&[(-2, 5), (-2, -5)], rho, Modes::Analytic);
         assert_eq!(
             outcome.summary,
-            "u is unbounded at the deadline: the pole -2+5i lies 1 right of -3"
+            "u is unbounded at the deadline: the poles -2+5i, -2-5i lie right of -3"
         );
-        assert_eq!(outcome.details[0], "the pole -2-5i lies 1 right of -3");
         assert_eq!(
             outcome.fix.as_deref(),
             Some("place every pole left of -3, or, with these gains, take 2 a of at most 0.999")

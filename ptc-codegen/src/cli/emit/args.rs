@@ -84,10 +84,26 @@ fn pass_names() -> Vec<&'static str> {
     std::iter::once("lower").chain(PASSES.iter().map(|pass| pass.name)).collect()
 }
 
-/// The languages by name, as the library lists them.
+/// Other names of languages.
+const ALSO: [(Language, &[&str]); 5] = [
+    (Language::Cpp, &["c++", "cxx"]),
+    (Language::Rust, &["rs"]),
+    (Language::Python, &["py", "numpy"]),
+    (Language::Matlab, &["m", "octave"]),
+    (Language::StructuredText, &["scl", "iec61131"]),
+];
+
+/// The languages by name, as the library lists them, and by other names that are common.
 fn languages() -> impl TypedValueParser<Value = Language> {
-    let names = Language::ALL.map(|language| PossibleValue::new(language.name()));
-    PossibleValuesParser::new(names).try_map(|name| Language::named(&name).ok_or("no language"))
+    let also = |language: Language| ALSO.iter().find(|(own, _)| *own == language);
+    let names = Language::ALL.map(|language| {
+        let aliases = also(language).map_or(&[][..], |(_, names)| *names);
+        PossibleValue::new(language.name()).aliases(aliases.iter().copied())
+    });
+    PossibleValuesParser::new(names).try_map(|name| {
+        let other = ALSO.iter().find(|(_, names)| names.contains(&name.as_str()));
+        Language::named(&name).or(other.map(|(language, _)| *language)).ok_or("no language")
+    })
 }
 
 fn languages_told() -> String {

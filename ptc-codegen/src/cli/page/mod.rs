@@ -12,6 +12,7 @@ use std::path::Path;
 use crate::accepted::Accepted;
 use crate::check::Verdict;
 use crate::check::examine::Report;
+use crate::diagnostic::{visible, visible_line};
 use crate::emit::{File, Language};
 use crate::plant::Plant;
 use crate::request::Spec;
@@ -149,12 +150,16 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
             (Vec::new(), told.collect())
         }
     };
+    // Texts of the user's show what they hold.
+    let command = &visible(command);
+    let design = source.text().map(|text| (design::file(spec), visible(text)));
+    let design = design.as_ref().map(|(name, text)| (visible_line(name), text.as_ref()));
     let page = Page {
         title: format!("{}: {}", spec.name(), section.title.to_lowercase()),
         facts: design::facts(report),
         known: design::known(&report.spec, plant),
         command,
-        design: source.text().map(|text| (design::file(spec), text)),
+        design,
         groups: formulas::groups(report, plant)?,
         refusals: report.refusals().map(|outcome| outcome.name).collect(),
         budget: budget::bars(report),

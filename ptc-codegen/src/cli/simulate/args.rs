@@ -30,10 +30,10 @@ The sampled loop adds the measurements y1,...,ym and the status of step; u is th
 
 Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
-  ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at 0.1,0.5,0.9
+  ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at-fraction 0.1,0.5,0.9
   ptc-codegen simulate stage.toml --x0 0.1,0 --mu 'exp(a=1)' --mu 'tan(a=2)' --plot run.pdf
   ptc-codegen simulate stage.toml --x0 0.1,0 --plot run.svg --log
-  ptc-codegen simulate stage.toml --x0 0.1,0 --at 0,0.5,0.9,0.999999 --report run.html
+  ptc-codegen simulate stage.toml --x0 0.1,0 --at-fraction 0,0.5,0.9,0.999999 --report run.html
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --noise 1e-4,1e-3 --seed 7
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --until 3 --arm-at 2
   ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --gains 12,7 --tau 1 --plant f=-0.5*x2 --x0 1,0";
@@ -54,8 +54,11 @@ pub(crate) struct Simulate {
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
     /// Report only at these fractions of tau, each from 0 to below 1
-    #[arg(long, value_name = "FRACTIONS", allow_hyphen_values = true)]
-    pub(crate) at: Option<String>,
+    #[arg(long, alias = "at", value_name = "FRACTIONS", allow_hyphen_values = true)]
+    pub(crate) at_fraction: Option<String>,
+    /// Report only at these times after t0, in s, each before the deadline
+    #[arg(long, value_name = "TIMES", allow_hyphen_values = true, conflicts_with = "at_fraction")]
+    pub(crate) at_time: Option<String>,
     /// File for the CSV, its folder made if it is missing; `-` is the standard output
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub(crate) out: PathBuf,

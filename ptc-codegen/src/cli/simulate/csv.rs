@@ -26,6 +26,8 @@ pub(super) struct Common<'a> {
     pub(super) names: &'a [Vec<String>; 2],
     /// Whether the loop is sampled: only such a one measures.
     pub(super) held: bool,
+    /// How many values are measured.
+    pub(super) measured: usize,
 }
 
 impl Csv {
@@ -51,7 +53,7 @@ impl Csv {
 
     fn write(&mut self, of: &Common<'_>, row: &Row) -> io::Result<()> {
         if !std::mem::replace(&mut self.has_head, true) {
-            self.head(of, row)?;
+            self.head(of)?;
         }
         if !row.reported {
             return Ok(());
@@ -60,7 +62,7 @@ impl Csv {
             write!(self.out, "{},", self.run)?;
         }
         write!(self.out, "{:?},{:?}", of.tau, row.t)?;
-        let measured = if of.held { &row.measured[..] } else { &[] };
+        let measured = row.measured.get(..of.measured).filter(|_| of.held).unwrap_or_default();
         for value in row.x.iter().chain(&row.u).chain(measured) {
             write!(self.out, ",{value:?}")?;
         }
@@ -71,10 +73,10 @@ impl Csv {
     }
 
     /// The line above the rows: all runs are of one kind.
-    fn head(&mut self, of: &Common<'_>, row: &Row) -> io::Result<()> {
+    fn head(&mut self, of: &Common<'_>) -> io::Result<()> {
         let mut columns = of.names.concat();
         if of.held {
-            columns.extend((1..=row.measured.len()).map(|j| format!("y{j}")));
+            columns.extend((1..=of.measured).map(|j| format!("y{j}")));
             columns.push("status".to_owned());
         }
         let first = if self.numbered { "run," } else { "" };

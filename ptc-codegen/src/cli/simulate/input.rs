@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::algebra::BigRational;
 use crate::diagnostic::counted;
 use crate::limits::SAMPLES;
+use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 use crate::simulate::Loop;
 use crate::simulate::record::{Asked, instant};
@@ -40,31 +41,76 @@ pub(super) fn read(
             return Err(List::new(flag, given)?.wrong(None, message, help));
         }
     }
-    let at = request.at.as_deref().map(|text| List::new("--at", text)).transpose()?;
+    let fraction = request.at_fraction.as_deref().map(|text| (FRACTION, text));
+    let at = fraction.or(request.at_time.as_deref().map(|text| (TIME, text)));
+    let at = at.map(|(flag, text)| List::new(flag, text)).transpose()?;
     if let (Some(at), Some(_)) = (&at, &around) {
-        let message = "--at gives instants between the samples".to_owned();
-        let help = "the sampled loop reports every sample: leave --at out, or the flags of the sampled loop";
-        return Err(at.wrong(None, message, help));
+        let message = format!("{} gives instants between the samples", at.flag);
+        let help = format!(
+            "the sampled loop reports every sample: leave {} out, or the flags of the sampled loop",
+            at.flag
+        );
+        return Err(at.wrong(None, message, &help));
     }
-    let at = at.as_ref().map(instants).transpose()?.unwrap_or_default();
+    let tau = spec.fixed.get(&Parameter::Tau).and_then(Fixed::number);
+    let at = at.as_ref().map(|at| instants(at, tau)).transpose()?.unwrap_or_default();
     let whole = at.is_empty() || request.plot.is_some() || request.report.is_some();
     Ok((Asked { x0: x0.doubles()?, at, whole }, around))
 }
 
-fn instants(at: &List<'_>) -> Result<Vec<(f64, f64)>, Failure> {
+/// The flags of instants, as fractions of tau and in s.
+const FRACTION: &str = "--at-fraction";
+const TIME: &str = "--at-time";
+
+/// Returns the instants of a list; none without tau, which the run lacks too.
+fn instants(at: &List<'_>, tau: Option<&BigRational>) -> Result<Vec<(f64, f64)>, Failure> {
+    let in_seconds = at.flag == TIME;
+    let Some(tau) = tau else { return Ok(Vec::new()) };
     let share = |(value, range): &(BigRational, Range<usize>)| {
-        instant(value).ok_or_else(|| {
-            let message = "a fraction of tau outside [0, 1)".to_owned();
-            let help = "0 is the start, and 1 the deadline, where the gains are infinite; 0.999999999 is as near as any";
-            at.wrong(Some(range), message, help)
+        let elapsed = if in_seconds { value / tau } else { value.clone() };
+        instant(&elapsed).ok_or_else(|| match in_seconds {
+            true => {
+                let tau = tau.to_f64().unwrap_or(f64::NAN);
+                let message = format!("a time outside [0, tau), tau = {tau} s");
+                let help = "0 is the start; at the deadline, tau, the gains are infinite";
+                at.wrong(Some(range), message, help)
+            }
+            false => {
+                let message = "a fraction of tau outside [0, 1)".to_owned();
+                let help = format!(
+                    "0 is the start, and 1 the deadline, where the gains are infinite; for times in s write {TIME} {}",
+                    at.text
+                );
+                at.wrong(Some(range), message, &help)
+            }
         })
     };
     at.items.iter().map(share).collect()
 }
 
+/// Returns a note where a run starts outside the box of the design; its reference does not move the chain.
+pub(super) fn outside(spec: &Spec, x0: &[f64]) -> Option<String> {
+    let bounds = &spec.promises.x0_max;
+    // Of a model, and with a reference, x0_max bounds other numbers than x0.
+    if spec.has_model() || spec.reference.is_some() || bounds.is_empty() {
+        return None;
+    }
+    let names = spec.state_names();
+    let beyond = |(j, x): (usize, &f64)| {
+        let bound = &bounds[j % bounds.len()];
+        let most = bound.number()?.to_f64()?;
+        (x.abs() > most)
+            .then(|| format!("|{}| = {} > {bound}", names.get(j).map_or("x", |n| n), x.abs()))
+    };
+    let all: Vec<_> = x0.iter().enumerate().filter_map(beyond).collect();
+    let told = format!("--x0 is outside x0_max of the design: {}", all.join(", "));
+    (!all.is_empty()).then_some(told)
+}
+
 /// The sampled loop, if the design or a flag gives what it needs.
 fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
-    let between = request.at.is_some() && !request.spec.0.gives("sample_time");
+    let at = request.at_fraction.is_some() || request.at_time.is_some();
+    let between = at && !request.spec.0.gives("sample_time");
     let Some(asked) = Loop::asked(spec, between) else { return Ok(None) };
     let Some(around) = Loop::of(spec) else {
         return Err(Failure::because(

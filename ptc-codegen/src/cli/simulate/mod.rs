@@ -10,6 +10,7 @@ mod picture;
 mod run;
 
 use crate::check::resolved::{Choice, Resolved};
+use crate::diagnostic::visible_line;
 use crate::parameter::Precision;
 use crate::plant::{self, Plant};
 pub(crate) use args::{EXAMPLES, Simulate};
@@ -85,6 +86,9 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
         let (asked, around) = input::read(request, x0, &spec)?;
+        if let Some(outside) = input::outside(&spec, &asked.x0) {
+            note(&outside);
+        }
         if around.is_none() && spec.precision == Precision::F32 && runs.is_empty() {
             note(
                 "the loop at every instant is integrated in f64; the emitted program, in f32, gives u and its status up to eps, if eps is known; --sample-time runs it in the loop",
@@ -97,11 +101,11 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         };
         if mappings.len() > 1 {
             let text = source.flags().find_map(|(name, text)| (name == "--mu").then_some(text));
-            run.mapping = text.unwrap_or(&run.mapping).to_owned();
+            run.mapping = visible_line(text.unwrap_or(&run.mapping));
             run.label = format!("{}, {}", run.mapping, run.label);
         }
         if request.x0.len() > 1 {
-            run.label.push_str(&format!(", x0 = ({x0})"));
+            run.label.push_str(&visible_line(&format!(", x0 = ({x0})")));
         }
         if runs.iter().any(|other: &Run| other.label == run.label) {
             return Err(Failure::because(

@@ -56,7 +56,11 @@ pub(super) fn text(
     let spec = &report.spec;
     let seed = (request.seed != 0).then(|| request.seed.to_string());
     let mut flags: Vec<_> = request.x0.iter().map(|x0| ("--x0", Some(x0.clone()))).collect();
-    flags.extend([("--at", request.at.clone()), ("--seed", seed)]);
+    flags.extend([
+        ("--at-fraction", request.at_fraction.clone()),
+        ("--at-time", request.at_time.clone()),
+        ("--seed", seed),
+    ]);
     flags.extend([("--until", request.until.clone()), ("--arm-at", request.arm_at.clone())]);
     flags.push(("--log", request.log.then(String::new)));
     let content = Content {
@@ -89,7 +93,7 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
     let starts: Vec<_> =
         request.x0.iter().map(|x0| format!("({})", x0.replace(',', ", "))).collect();
     told.push(format!("The state at the start is x0 = {}.", starts.join(", ")));
-    if request.at.is_none() {
+    if request.at_fraction.is_none() && request.at_time.is_none() {
         told.push(format!("The table has {SHOWN} instants of a run at most; `-o` writes all."));
     }
     let drawn = figure(spec, runs, request.log);
@@ -99,7 +103,7 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
         verdicts: Vec::new(),
         caption: drawn.caption(),
         figure: Svg::of(&drawn)?,
-        table: table(request.at.is_some(), runs),
+        table: table(request.at_fraction.is_some() || request.at_time.is_some(), runs),
         parts: vec![merit::part(runs)],
     })
 }

@@ -75,6 +75,8 @@ struct Taken<'a> {
     tau: f64,
     names: [Vec<String>; 2],
     held: bool,
+    /// How many values are measured.
+    measured: usize,
     kept: Kept,
 }
 
@@ -82,12 +84,13 @@ impl<'a> Taken<'a> {
     fn new(csv: &'a mut Csv, spec: &Spec, values: &Values, held: bool) -> Self {
         let (tau, names) = (values.get(Parameter::Tau), [spec.state_names(), spec.input_names()]);
         csv.next_run();
-        Self { csv, tau, names, held, kept: Kept::new(values.limits(spec)) }
+        let (measured, kept) = (spec.measurements(), Kept::new(values.limits(spec)));
+        Self { csv, tau, names, held, measured, kept }
     }
 
     fn take(&mut self, row: Row) {
-        let Self { csv, tau, names, held, kept } = self;
-        csv.take(&Common { tau: *tau, names, held: *held }, &row);
+        let Self { csv, tau, names, held, measured, kept } = self;
+        csv.take(&Common { tau: *tau, names, held: *held, measured: *measured }, &row);
         kept.take(row);
     }
 }
@@ -208,7 +211,15 @@ fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure
     let (verb, one) = if names.len() == 1 { ("has", "a value") } else { ("have", "values") };
     let title =
         format!("{} {verb} no value in the design, and a run needs {one}", names.join(", "));
-    Err(Failure::because(title, &format!("give {}", flags.join(", "))))
+    let help = format!("give {}", flags.join(", "));
+    let of_plant = flags.iter().any(|flag| flag.starts_with("--plant"));
+    let states = match of_plant && !spec.has_model() {
+        true => {
+            format!("; the states in plant.f and plant.g are {}", spec.state_names().join(", "))
+        }
+        false => String::new(),
+    };
+    Err(Failure::because(title, &(help + &states)))
 }
 
 /// Why a run ended early, with the tau of the run.

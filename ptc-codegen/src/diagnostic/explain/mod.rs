@@ -3,8 +3,11 @@
 //! an entry.
 
 mod checks;
+mod concepts;
 mod errors;
 mod statuses;
+
+pub use concepts::{CONCEPTS, Concept, concept};
 
 /// What a message means.
 #[derive(Clone, Copy, Debug)]

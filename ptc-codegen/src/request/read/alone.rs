@@ -4,9 +4,9 @@ use num_traits::Zero;
 
 use super::{Reader, shown, whole};
 use crate::algebra::BigRational;
+use crate::expression::constant::real;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Promises, Spec};
-use crate::syntax::real;
 
 /// The keys of a law, and what stands for each with an observer.
 const OF_LAW: [(&str, &str); 8] = [

@@ -3,11 +3,12 @@
 use super::reference::OF_AXES;
 use super::{Reader, count, items, shown};
 use crate::diagnostic::counted;
+use crate::expression::constant::real;
 use crate::expression::{self, Expression};
 use crate::limits::AXES;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Axes, Feedback, Reference, Spec, What};
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value};
 
 /// What is bounded alike on all axes, whose states have the same units.
 const BOUNDS: [&str; 6] = ["noise", "noise_rms", "sensor_step", "error", "x0_max", "x_max"];

@@ -1,12 +1,54 @@
 //! Which entries there are: known keys, each once.
 
-use super::values::suggestion;
 use super::{Entry, Reader};
 use crate::diagnostic::{Place, near_miss, shorten};
 use crate::keys::{KEYS, KeyInfo};
+use crate::syntax::{Node, Value};
+
+/// Whether a name stands in a value.
+fn uses(node: &Node, name: &str) -> bool {
+    match &node.value {
+        Value::Number(_) | Value::Imaginary(_) => false,
+        Value::Word(word) => word == name,
+        Value::List(items) => items.iter().any(|item| uses(item, name)),
+        Value::Table(items) | Value::Call(_, items) => {
+            items.iter().any(|item| uses(&item.value, name))
+        }
+        Value::Negative(a) => uses(a, name),
+        Value::Binary(_, a, b) => uses(a, name) || uses(b, name),
+    }
+}
+
+/// Names that other programs and fields give to what a key holds.
+const ALSO: [(&str, &[&str]); 6] = [
+    ("n", &["order"]),
+    ("mu", &["mapping"]),
+    ("tau", &["deadline", "settling_time", "duration"]),
+    (
+        "sample_time",
+        &["ts", "t_s", "period", "sample_rate", "sampling_rate", "rate", "frequency", "fs"],
+    ),
+    ("u_max", &["limit", "saturation", "max_input"]),
+    ("u_min", &["min_input"]),
+];
+
+/// Returns the key that an unknown name most likely means.
+pub(crate) fn meant(name: &str) -> Option<&'static str> {
+    let lower = name.to_lowercase();
+    let also = ALSO.iter().find(|(_, all)| all.contains(&lower.as_str())).map(|(key, _)| *key);
+    // A bound of the input by its physical name: torque_max.
+    let bound = [("u_max", "max"), ("u_min", "min")].into_iter().find(|(_, end)| {
+        lower.strip_suffix(end).is_some_and(|stem| stem.ends_with('_'))
+            || lower.strip_prefix(end).is_some_and(|stem| stem.starts_with('_'))
+    });
+    let near = near_miss(name, KEYS.iter().map(|info| info.key));
+    let known = near.or(also).or(bound.map(|(key, _)| key)).and_then(KeyInfo::find);
+    known.map(|info| info.key)
+}
 
 impl<'a> Reader<'a> {
-    pub(super) fn admit(&mut self, entry: &'a Entry) {
+    /// Notes an entry of these.
+    pub(super) fn admit(&mut self, entry: &'a Entry, all: &[Entry]) {
         let (table, name) = match entry.key.split_once('.') {
             Some((table, name)) => (Some(table), name),
             None => (None, entry.key.as_str()),
@@ -28,6 +70,12 @@ impl<'a> Reader<'a> {
             // and `verify::read` read them.
             (None, Some("plant" | "disturbance" | "verify")) => {}
             (None, Some(table)) if table.starts_with("objective[") => {}
+            (None, None) if all.iter().any(|other| uses(&other.value, name)) => {
+                let message =
+                    format!("`{}` is a parameter, not a key of the design", shorten(name));
+                let help = format!("give it as params.{name} = {}", entry.value.value);
+                self.found.push("unknown-key", name, Some(entry.place), message, help);
+            }
             (None, _) => self.unknown(&entry.key, entry.place, name),
         }
     }
@@ -49,7 +97,10 @@ impl<'a> Reader<'a> {
         let help = match KeyInfo::find(name).map(KeyInfo::table) {
             Some(Some(table)) => format!("`{name}` belongs in [{table}]"),
             Some(None) => format!("`{name}` belongs at the top, before the first table"),
-            None => suggestion(near_miss(name, names), &format!("the keys are {legal}")),
+            None => match meant(name) {
+                Some(key) => format!("did you mean `{key}`?"),
+                None => format!("the keys are {legal}"),
+            },
         };
         self.found.push(
             "unknown-key",

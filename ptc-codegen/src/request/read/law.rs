@@ -7,6 +7,7 @@ use num_traits::Zero;
 use super::{FixedValues, Reader, items, shown};
 use crate::algebra::BigRational;
 use crate::diagnostic::counted;
+use crate::expression::constant::real;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
@@ -97,6 +98,13 @@ impl<'a> Reader<'a> {
             }
             // What it is of has not been read.
             Some(_) if coupled.is_none() && self.has_coupled() => {}
+            Some((_, node))
+                if self.keys.contains_key("axes") && matches!(node.value, Value::List(_)) =>
+            {
+                let message = "axes share one `pi0`, and this is a list".to_owned();
+                let help = "give one law for all axes; for a law each, write the chains as one plant under [model], with `inputs` and `outputs`";
+                self.wrong("pi0", Some(node.place), message, help.to_owned());
+            }
             Some((_, node)) if coupled.is_some() => {
                 law = coupled.map_or(law, |coupled| self.laws(node, known, coupled));
             }
@@ -197,7 +205,8 @@ impl<'a> Reader<'a> {
         }
         let mut poles = Vec::with_capacity(items.len());
         for (index, item) in items.iter().enumerate() {
-            let Some(pole) = constant::complex(item) else {
+            let real = || Some((real(item)?.number()?.clone(), BigRational::zero()));
+            let Some(pole) = constant::complex(item).or_else(real) else {
                 let message = format!("{key}[{index}] = {} is not a number", shown(&item.value));
                 let help = "a pole is a number such as -4, or -1+2i".to_owned();
                 self.wrong(key, Some(item.place), message, help);

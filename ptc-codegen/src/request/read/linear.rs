@@ -2,13 +2,15 @@
 
 use num_traits::Zero;
 
+use super::sampled::chain_states;
 use super::{Reader, items, shown};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::{counted, digits};
+use crate::expression::constant::real;
 use crate::linear::{self, Complex, Delay, Ill, Linear};
 use crate::parameter::Fixed;
 use crate::request::{Pole, Spec, What, gains};
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value};
 
 /// Largest order of a linear plant.
 const MAX_LINEAR: usize = 8;
@@ -212,6 +214,7 @@ impl Reader<'_> {
         let once = |named: &Vec<usize>| (1..).zip(named).all(|(i, j)| !named[i..].contains(j));
         match named.filter(once) {
             Some(named) => Some(named.iter().map(|j| unit(j - 1, n)).collect()),
+            None if !self.are_states("measured", node, &chain_states(n)) => None,
             None => {
                 let message =
                     format!("measured = {} is not a choice of states", shown(&node.value));

@@ -2,13 +2,14 @@
 
 use super::{Reader, count, shown, suggestion};
 use crate::diagnostic::{near_miss, shorten};
+use crate::expression::constant::real;
 use crate::expression::{Expression, Function, Scope, Subject, resolve};
 use crate::family::{FAMILIES, Family, FamilyInfo};
 use crate::limits::EXPANSION;
 use crate::mapping::{Custom, TimeMapping};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::MAX_RATES;
-use crate::syntax::{Argument, Node, Value, real};
+use crate::syntax::{Argument, Node, Value};
 
 /// A mapping with the values of its own parameters as far as they are fixed.
 type Read = (TimeMapping, Vec<(Parameter, Fixed)>);

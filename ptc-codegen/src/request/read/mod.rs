@@ -15,6 +15,7 @@ mod spec;
 mod units;
 mod values;
 
+pub(crate) use entries::meant;
 pub(crate) use parameters::known;
 pub(crate) use reference::derivatives;
 pub(crate) use values::items;
@@ -28,8 +29,8 @@ use crate::parameter::{Fixed, Parameter, is_reserved, reason};
 use crate::syntax::{Node, Value};
 use values::{count, shown, suggestion, whole};
 
-/// One key with its value, as a front end found it. A key of a table of a design file is written
-/// `params.a` or `envelope.x_max`.
+/// One key with its value, as a front end found it: a parameter is `params.a`, a symbol of the plant
+/// `plant.load`, and a key that no other table has is itself, wherever a design file holds it.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// The key.
@@ -62,18 +63,33 @@ struct Reader<'a> {
     keys: BTreeMap<&'static str, &'a Node>,
     /// What is given for the user's own parameters, and where.
     params: BTreeMap<&'a str, (Place, &'a Node)>,
+    mapping_is_read: bool,
 }
 
 impl<'a> Reader<'a> {
     fn new(entries: &'a [Entry]) -> Self {
         let (found, keys, params) = (Diagnostics::default(), BTreeMap::new(), BTreeMap::new());
-        let mut reader = Self { found, keys, params };
-        entries.iter().for_each(|entry| reader.admit(entry));
+        let mut reader = Self { found, keys, params, mapping_is_read: false };
+        entries.iter().for_each(|entry| reader.admit(entry, entries));
         reader
     }
 
     fn wrong(&mut self, key: &str, place: Option<Place>, message: String, help: String) {
+        let (message, help) = self.as_comma(key, place).unwrap_or((message, help));
         self.found.push("bad-value", key, place, message, help);
+    }
+
+    /// Whether every item names one of these states; on failure, records a diagnostic.
+    fn are_states(&mut self, key: &str, node: &Node, states: &[String]) -> bool {
+        let known =
+            |item: &&Node| matches!(&item.value, Value::Word(word) if states.contains(word));
+        let Some(other) = items(node).iter().find(|item| !known(item)) else { return true };
+        let text = other.value.to_string();
+        let meant = near_miss(&text, states.iter().map(String::as_str));
+        let message = format!("unknown state {}", shown(&other.value));
+        let help = suggestion(meant, &format!("expected {}", states.join(", ")));
+        self.wrong(key, Some(other.place), message, help);
+        false
     }
 
     /// Refuses the keys that are given and wrong beside others: key, whether it is wrong, message, help.

@@ -4,14 +4,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::{Signed, Zero};
 
+use super::entries::meant;
 use super::{FixedValues, Reader, shown, suggestion};
 use crate::collect::set;
 use crate::diagnostic::{near_miss, shorten};
 use crate::expression::Expression;
+use crate::expression::constant::real;
 use crate::keys::KeyInfo;
 use crate::parameter::{Domain, Fixed, Parameter};
 use crate::request::{After, Feedback, RUNTIME, Spec};
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value};
 
 /// The parameters that every controller has.
 const COMMON: [Parameter; 5] =
@@ -75,7 +77,8 @@ impl Reader<'_> {
                     } else {
                         format!("the parameters of the design are {all}")
                     };
-                    let help = suggestion(near_miss(name, names), &all);
+                    let near = near_miss(name, names);
+                    let help = suggestion(near.or(meant(name).filter(|key| !given(key))), &all);
                     let message = format!("nothing uses the parameter `{}`", shorten(name));
                     self.found.push(
                         "unused-parameter",

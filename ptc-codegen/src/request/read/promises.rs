@@ -5,11 +5,12 @@ use num_traits::Signed;
 use super::{Reader, items, shown, suggestion};
 use crate::algebra::BigRational;
 use crate::diagnostic::{counted, near_miss};
+use crate::expression::constant::real;
 use crate::keys::{CHECKS, KeyInfo};
 use crate::linear::Delay;
 use crate::parameter::Fixed;
 use crate::request::Promises;
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value};
 
 /// Most samples of delay.
 const MAX_DELAY: usize = 16;
@@ -183,12 +184,17 @@ impl Reader<'_> {
 
     fn row_of_bounds(&mut self, key: &'static str, items: &[Node]) -> Vec<Fixed> {
         let mut bounds = Vec::with_capacity(items.len());
+        // A state may be at rest at the start, and nothing else is bounded by 0.
+        let (legal, domain): (fn(&Node) -> Option<Fixed>, _) = match key {
+            "x0_max" => (not_negative, ">= 0, 0 for a state that is at rest"),
+            _ => (finite_positive, "> 0"),
+        };
         for (index, item) in items.iter().enumerate() {
-            match finite_positive(item) {
+            match legal(item) {
                 Some(value) => bounds.push(value),
                 None => {
                     let message = format!("{key}[{index}] = {} is not a bound", shown(&item.value));
-                    let help = "a bound is a finite number > 0".to_owned();
+                    let help = format!("a bound is a finite number {domain}");
                     self.wrong(key, Some(item.place), message, help);
                 }
             }

@@ -31,6 +31,7 @@ impl<'a> Reader<'a> {
         let axes = self.axes().map(|number| vec![n; number]);
         let axes = axes.or(orders.map(|orders| orders.into_iter().map(Some).collect()));
         let mapping = self.time_mapping(highest.unwrap_or(order));
+        self.mapping_is_read = mapping.is_some();
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
         let known = parameters::known(own);
         let name = self.name();

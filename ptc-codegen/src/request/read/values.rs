@@ -2,8 +2,10 @@
 
 use num_traits::ToPrimitive;
 
+use super::Reader;
 use crate::algebra::BigRational;
-use crate::diagnostic::shorten;
+use crate::diagnostic::{Place, shorten};
+use crate::keys::KeyInfo;
 use crate::parameter::Fixed;
 use crate::syntax::{Node, Value};
 
@@ -21,6 +23,36 @@ pub(super) fn whole(value: &BigRational, most: usize) -> Option<usize> {
     (count <= most).then_some(count)
 }
 
+/// Returns the number that two integers with a comma between them may stand for: `1,3` is 1.3 to many.
+fn with_comma(node: &Node) -> Option<String> {
+    let Value::List(items) = &node.value else { return None };
+    let [whole, fraction] = items.as_slice() else { return None };
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let (whole, fraction) = (whole.value.to_string(), fraction.value.to_string());
+    let is_number = digits(whole.strip_prefix('-').unwrap_or(&whole)) && digits(&fraction);
+    is_number.then(|| format!("{whole}.{fraction}"))
+}
+
+impl Reader<'_> {
+    /// Returns what is said in place of a mistake in a key that takes one number and may have a decimal comma.
+    pub(super) fn as_comma(&self, key: &str, place: Option<Place>) -> Option<(String, String)> {
+        let legal = KeyInfo::find(key)?.legal;
+        let takes_one = key == "f"
+            || key == "g" && !self.keys.contains_key("axes")
+            || legal.starts_with("a number") && !legal.contains("for each")
+            || legal.starts_with("a finite number");
+        let node = self.keys.get(key).filter(|node| takes_one && Some(node.place) == place)?;
+        let meant =
+            with_comma(node).filter(|meant| !(meant.starts_with('-') && legal.contains("> 0")))?;
+        let written = node.value.to_string();
+        let written = written.trim_matches(['[', ']']).replace(", ", ",");
+        Some((
+            format!("{key} = `{written}` is a list"),
+            format!("did you mean {meant}? {key} is {legal}"),
+        ))
+    }
+}
+
 /// What is legal, with the name that is meant where one is near.
 pub(super) fn suggestion(meant: Option<&str>, legal: &str) -> String {
     match meant {
@@ -36,15 +68,7 @@ pub(super) fn count(node: &Node, most: usize) -> Option<usize> {
     (1..=most).contains(&count).then_some(count)
 }
 
-/// A value in a message.
+/// A value in a message, as it was written.
 pub(super) fn shown(value: &Value) -> String {
-    match value {
-        Value::Number(number) => format!("`{}`", shorten(&number.to_string())),
-        Value::Word(word) => format!("`{}`", shorten(word)),
-        Value::List(items) => format!("a list of {}", items.len()),
-        Value::Call(name, _) => format!("`{}(...)`", shorten(name)),
-        Value::Table(items) => format!("a table of {}", items.len()),
-        Value::Imaginary(units) => format!("`{}i`", shorten(&units.to_string())),
-        Value::Negative(_) | Value::Binary(..) => "an expression".to_owned(),
-    }
+    format!("`{}`", shorten(&value.to_string()))
 }

@@ -5,6 +5,8 @@ use std::ops::Range;
 use crate::diagnostic::{Diagnostic, LARGE, Place, shorten};
 use crate::limits::{Limit, TEXT};
 
+use super::unit::without_unit;
+
 /// Where the text is wrong, and why.
 pub(super) struct Failure {
     pub(super) range: Range<usize>,
@@ -41,6 +43,13 @@ impl Failure {
                 return Diagnostic { code: LARGE, key, place, message, help: limit.fix.to_owned() };
             }
         };
+        let named = (key == "name").then(|| {
+            let message = "name must be one identifier".to_owned();
+            (message, format!("write {}", identifier(text)))
+        });
+        if let Some((message, help)) = named.or_else(|| without_unit(&key, text)) {
+            return Diagnostic { code: "bad-value", key, place, message, help };
+        }
         let found = text.get(self.range).filter(|s| !s.is_empty());
         let found = found.map_or_else(|| "the end".to_owned(), |s| format!("`{}`", shorten(s)));
         Diagnostic {
@@ -52,4 +61,16 @@ impl Failure {
                 .to_owned(),
         }
     }
+}
+
+/// The identifier that is nearest to a text: `belt_stage` for `belt stage`.
+fn identifier(text: &str) -> String {
+    let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let name = words.collect::<Vec<_>>().join("_");
+    let name = if name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        name
+    } else {
+        format!("c_{name}")
+    };
+    shorten(&name).replace("...", "")
 }

@@ -13,6 +13,7 @@ mod failure;
 mod scan;
 #[cfg(test)]
 mod tests;
+mod unit;
 
 use std::ops::Range;
 

@@ -4,9 +4,10 @@ use num_traits::ToPrimitive;
 
 use super::{Given, Reader};
 use crate::diagnostic::Place;
+use crate::expression::constant::real;
 use crate::keys::verify::KEYS;
 use crate::parameter::Fixed;
-use crate::syntax::{Node, Value, real};
+use crate::syntax::{Node, Value};
 use crate::verify::Interval;
 
 impl Reader<'_> {

@@ -4,16 +4,21 @@ use super::super::cells::Worst;
 use super::super::worst::Bound;
 use super::linear;
 use crate::diagnostic::{digits, digits_up};
-use crate::request::Spec;
+use crate::parameter::Fixed;
+use crate::request::{Spec, one_or_each};
 
-/// What the noise of measured value j is called.
-fn noise_of(spec: &Spec, j: usize) -> String {
-    format!("noise of {}{j}", if linear(spec) { "y" } else { "x" })
+/// Returns the parts of measurement j, from 1, in a bound: its noise and the steps of its sensor.
+fn of_sensor(spec: &Spec, j: usize, part: f64) -> [(String, f64); 2] {
+    let name = format!("{}{j}", if linear(spec) { "y" } else { "x" });
+    let of = |bounds: &[Fixed]| one_or_each(bounds, j - 1).unwrap_or(0.0);
+    let (noise, quanta) = (of(&spec.promises.noise), of(&spec.promises.sensor_step) / 2.0);
+    let share = |own: f64| if own > 0.0 { part * (own / (noise + quanta)) } else { 0.0 };
+    [(format!("noise of {name}"), share(noise)), (format!("sensor_step of {name}"), share(quanta))]
 }
 
 /// What a bound is made of: the state at the start, every other cause that adds to it, and rounding.
 pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
-    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (noise_of(spec, j), *part));
+    let sensors = bound.noise.iter().zip(1..).flat_map(|(part, j)| of_sensor(spec, j, *part));
     let others = [
         ("u_step", bound.actuator),
         (
@@ -30,7 +35,7 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
     ];
     let others = others.map(|(cause, part)| (cause.to_owned(), part));
     let mut all = vec![("x0".to_owned(), bound.of_start())];
-    all.extend(noise.chain(others).filter(|(_, part)| *part > 0.0));
+    all.extend(sensors.chain(others).filter(|(_, part)| *part > 0.0));
     all.push(("rounding".to_owned(), bound.rounding));
     all
 }

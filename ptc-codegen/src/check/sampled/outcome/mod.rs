@@ -9,6 +9,7 @@ pub(super) use causes::split;
 use super::cells::Worst;
 use super::followed::Followed;
 use super::judge::Loop;
+use super::worst::Bound;
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, bounds, list};
 use crate::diagnostic::{digits, digits_up};
@@ -112,6 +113,9 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         (Verdict::Undecided, format!("{}, next to error", told(state, &totals)))
     };
     let mut details = vec![assumed(spec, worst.samples)];
+    if given && verdict != Verdict::Sound {
+        details.extend(noise_alone(worst, &wanted, clipped));
+    }
     details.extend(followed(spec));
     details.extend(worst.states.iter().enumerate().map(|(i, _)| split(spec, worst, i)));
     details.extend(on_the_way(worst));
@@ -121,6 +125,14 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
     let fix = fails.then(|| fix(spec, worst, closed, state));
     Outcome { name: NAME, verdict, summary, details, fix }
+}
+
+/// Returns what noise does without any other cause, where it alone is above the error that is wanted.
+fn noise_alone(worst: &Worst, wanted: &[f64], clipped: bool) -> Option<String> {
+    let share = |(bound, error): (&Bound, &f64)| bound.noise.iter().sum::<f64>() / error;
+    let most = worst.states.iter().zip(wanted).map(share).fold(0.0, f64::max);
+    let limit = if clipped { " and drives u to its limit" } else { "" };
+    (most > 1.0).then(|| format!("noise alone is {} times `error`{limit}", digits(most)))
 }
 
 /// Whether what a state ends at may be rounding alone: as little of its peak as doubles lose, where

@@ -56,10 +56,8 @@ impl Reader<'_> {
         let plant = self.linear_rows(&model).ok()?;
         let output = self.row_of_output(&model);
         let used: Vec<_> = parameters(&model).map(|name| format!("params.{name}")).collect();
-        let replaced = |entry: &&Entry| {
-            let name = entry.key.strip_prefix("model.").unwrap_or(&entry.key);
-            REPLACED.contains(&name) || used.contains(&entry.key)
-        };
+        let replaced =
+            |entry: &&Entry| REPLACED.contains(&entry.key.as_str()) || used.contains(&entry.key);
         let kept = entries.iter().filter(|entry| !replaced(entry)).cloned();
         Some(kept.chain(plant).chain(output).collect())
     }

@@ -9,12 +9,13 @@ mod references;
 
 use super::Reader;
 use crate::collect::map;
+use crate::expression::constant::real;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::KeyInfo;
 use crate::model::{Chain, Model, Values, own_names};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{Feedback, Spec, What};
-use crate::syntax::{Node, real};
+use crate::syntax::Node;
 
 /// The keys of a model, none of which goes without the others.
 const KEYS: [&str; 4] = ["states", "input", "output", "dynamics"];

@@ -10,12 +10,13 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Reader, items, shown, whole};
 use crate::algebra::{BigRational, integer};
-use crate::diagnostic::counted;
+use crate::diagnostic::{self, counted};
+use crate::expression::constant::real;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Node};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, MAX_ORDER, Sampled, Spec, What};
-use crate::syntax::{Value, constant, real};
+use crate::syntax::{Value, constant};
 use exponent::greatest_of_all;
 
 /// Most samples of delay that a controller keeps.
@@ -73,7 +74,8 @@ impl Reader<'_> {
             None if has_model => (spec.states(), None, Vec::new()),
             None if spec.axes.is_some() => (self.measured_axes(spec), None, Vec::new()),
             None => {
-                let measured = self.measured(spec.n);
+                // Without it no observer is known.
+                let Some(measured) = self.measured(spec.n) else { return };
                 let estimates = spec.n + 1 - measured + usize::from(disturbance);
                 let observes = measured < spec.n || disturbance;
                 (measured, observes.then_some(estimates), vec![estimates])
@@ -155,6 +157,17 @@ impl Reader<'_> {
                 counted(&periods.to_string(), "sample period"),
                 double(h)
             );
+            if ratio < integer(1) && *h >= integer(1) {
+                let message =
+                    format!("sample_time = {} s is longer than tau = {}", double(h), double(tau));
+                let help = format!(
+                    "is {} a rate in Hz? write {}, the period in s",
+                    double(h),
+                    diagnostic::digits(1.0 / double(h))
+                );
+                let place = self.keys.get("sample_time").map(|node| node.place);
+                return self.wrong("sample_time", place, message, help);
+            }
             let (below, above) = (near(ratio.floor()), near(ratio.ceil()));
             let help =
                 format!("tau is a whole number of them: the nearest are {below} and {above}");
@@ -171,7 +184,7 @@ impl Reader<'_> {
     /// The states of all axes, which a call is given in rows.
     fn measured_axes(&mut self, spec: &Spec) -> usize {
         let measured = self.measured(spec.n);
-        if measured < spec.n {
+        if measured.is_some_and(|measured| measured < spec.n) {
             let place = self.keys.get("measured").map(|node| node.place);
             let message = "axes in samples have no observers".to_owned();
             let help = "leave `measured` out, or make a controller for each axis and call all with the same k";
@@ -180,9 +193,9 @@ impl Reader<'_> {
         spec.n * spec.axes.as_ref().map_or(1, |axes| axes.count)
     }
 
-    /// How many of x1, x2, ... are measured.
-    fn measured(&mut self, n: usize) -> usize {
-        let Some(node) = self.keys.get("measured").copied() else { return n };
+    /// Returns how many of x1, x2, ... are measured; on failure, records a diagnostic.
+    fn measured(&mut self, n: usize) -> Option<usize> {
+        let Some(node) = self.keys.get("measured").copied() else { return Some(n) };
         let names: Vec<_> = items(node)
             .iter()
             .filter_map(|item| match &item.value {
@@ -193,12 +206,15 @@ impl Reader<'_> {
         let count = items(node).len();
         let sequence: Vec<_> = (1..=count).collect();
         if names == sequence && (1..=n).contains(&count) {
-            return count;
+            return Some(count);
+        }
+        if !self.are_states("measured", node, &chain_states(n)) {
+            return None;
         }
         let message = format!("measured = {} is not x1, ..., x_m", shown(&node.value));
         let help = format!("name the measured states from x1 on without a gap, at most x{n}");
         self.wrong("measured", Some(node.place), message, help);
-        n
+        None
     }
 
     fn disturbed(&mut self) -> bool {
@@ -240,6 +256,11 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// The names of the states of a chain.
+pub(super) fn chain_states(n: usize) -> Vec<String> {
+    (1..=n).map(|j| format!("x{j}")).collect()
 }
 
 /// The nearest double, which is short where the exact fraction is long.

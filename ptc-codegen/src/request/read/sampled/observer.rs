@@ -5,12 +5,13 @@ use num_traits::{Signed, ToPrimitive};
 use super::MAX_SAMPLES;
 use crate::algebra::{BigInt, BigRational};
 use crate::diagnostic::counted;
+use crate::expression::constant::real;
 use crate::linear::{self, Delay};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::promises::finite_positive;
 use crate::request::read::{Reader, shown, whole};
 use crate::request::{Observer, Spec, What};
-use crate::syntax::{constant, real};
+use crate::syntax::constant;
 
 impl Reader<'_> {
     /// The observer of `estimates` states, where there are any.
@@ -39,9 +40,11 @@ impl Reader<'_> {
             (self.observer_samples(spec, estimates), self.observer_eps(spec, estimates));
         let Some(node) = self.keys.get("observer_poles").copied() else {
             let message = "`observer_poles` is missing".to_owned();
+            let example: Vec<_> = (4..4 + estimates).map(|pole| format!("-{pole}")).collect();
             let help = format!(
-                "give {}, one for each state that is estimated",
-                counted(&estimates, "pole")
+                "give {}, one for each state that is estimated: observer_poles = [{}]",
+                counted(&estimates, "pole"),
+                example.join(", ")
             );
             self.found.push("missing-key", "observer_poles", None, message, help);
             return None;
@@ -51,9 +54,12 @@ impl Reader<'_> {
             gains = self.gains_of_blocks("observer_poles", &poles, blocks, node);
         }
         let Some(a) = a else {
-            let place = self.keys.get("mu").map(|node| node.place);
-            let message = "an observer needs a rate that is fixed".to_owned();
-            self.wrong("mu", place, message, "give the mapping as exp(a=1)".to_owned());
+            // A mapping that could not be read is a mistake already.
+            if self.mapping_is_read {
+                let place = self.keys.get("mu").map(|node| node.place);
+                let message = "an observer needs a rate that is fixed".to_owned();
+                self.wrong("mu", place, message, "give the mapping as exp(a=1)".to_owned());
+            }
             return None;
         };
         let greatest = poles.iter().map(|(re, _)| -re / a).max()?;
