@@ -18,16 +18,20 @@ pub struct Line {
 }
 
 impl Line {
-    /// The table of its key, and its name there.
+    /// Returns the table of its key, and its name there. The parameters of every controller are keys too, and
+    /// need no table.
     fn split(&self) -> (Option<&str>, &str) {
-        match canonical(&self.key).split_once('.') {
+        let key = canonical(&self.key);
+        let table =
+            || KeyInfo::find(key).and_then(KeyInfo::table).filter(|table| *table != "params");
+        match key.split_once('.') {
             Some((table, name)) => (Some(table), name),
-            None => (None, canonical(&self.key)),
+            None => (table(), key),
         }
     }
 
     fn text(&self, name: &str) -> String {
-        let value = template::literal(KeyInfo::find(&self.key), &self.value);
+        let value = template::literal(KeyInfo::find(canonical(&self.key)), &self.value);
         format!("{name} = {value}  # {}\n", self.comment.replace('\n', " "))
     }
 }

@@ -58,7 +58,7 @@ mod tests {
             assert_eq!(read(text).and_then(|value| value.number().cloned()), Some(exact), "{text}");
         }
         for (text, near) in [
-            ("3*pi/180", 0.052_359_877_559_829_88),
+            ("3*pi/180", 0.052_359_877_559_829_89),
             ("pi", std::f64::consts::PI),
             ("sqrt(2)/2", std::f64::consts::FRAC_1_SQRT_2),
             ("-ln(10)", -std::f64::consts::LN_10),
