@@ -50,6 +50,7 @@ impl Block for Python<'_> {
     fn value(&self, value: &Expr) -> String {
         match value {
             Expr::Number(_) => boxed(&self.alone(value)),
+            Expr::Neg(of) if matches!(**of, Expr::Number(_)) => boxed(&self.alone(value)),
             value => self.alone(value),
         }
     }
