@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 2 --mu "power(m=1.5)" --name ptc_power2_by_root
-//! Version 0.1.0, design 346db05aedc5.
+//!   ptc-codegen emit --lang rust --n 2 --mu "power(m=3/2)" --name ptc_power2_by_root
+//! Version 0.1.0, design ecfcb6458591.
 //!
 //! Plant: x1' = x2, x2' = f + u. Time in s, x1 in any unit U, x2 in U/s, u in U/s^2.
 //! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
@@ -16,7 +16,7 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   m = 1.5 [1], fixed: exponent of the power mapping
+//!   m = 3/2 [1], fixed: exponent of the power mapping
 //!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
 //!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau

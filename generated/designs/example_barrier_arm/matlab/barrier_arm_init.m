@@ -11,8 +11,8 @@ function self = barrier_arm_init(params) %#codegen
 % Prescribed-time controller barrier_arm: outputs of order 2, 2, mapping rational.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --mu "rational(a=0.05)" --name barrier_arm --tau=20 --eps=1 --limits=120,60 --pi0="inverse_inertia_1_1*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 - (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_1_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 - (xi1_2/b2)^2) - d*xi2_2), inverse_inertia_1_2*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 - (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_2_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 - (xi1_2/b2)^2) - d*xi2_2)" --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param b1=1.2 --param b2=0.8 --param d=4 --param grav=9.81 --param h=0.45 --param k=3 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
-% Version 0.1.0, design 76f4961bce12.
+%   ptc-codegen emit --lang matlab --mu "rational(a=1/20)" --name barrier_arm --tau=20 --eps=1 --limits=120,60 --pi0="inverse_inertia_1_1*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 - (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_1_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 - (xi1_2/b2)^2) - d*xi2_2), inverse_inertia_1_2*(h*sin(q2)*(2*xi2_1*xi2_2 + xi2_2^2) - k*xi1_1/(1 - (xi1_1/b1)^2) - d*xi2_1) + inverse_inertia_2_2*(-h*sin(q2)*xi2_1^2 - k*xi1_2/(1 - (xi1_2/b2)^2) - d*xi2_2)" --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param b1=1.2 --param b2=0.8 --param d=4 --param grav=9.81 --param h=0.45 --param k=3 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
+% Version 0.1.0, design 13fc70a766af.
 %
 % Plant, with the inputs M1, M2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[(m1 +
 %       m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 +
@@ -34,7 +34,7 @@ function self = barrier_arm_init(params) %#codegen
 % Parameters:
 %   tau = 20 [s], fixed: prescribed settling time
 %   eps = 1 [s], fixed: time-to-go at which the gains are held
-%   a = 0.05 [1/s], fixed: rate of stretched time
+%   a = 1/20 [1/s], fixed: rate of stretched time
 %   b1 = 1.2, fixed: parameter of pi0
 %   b2 = 0.8, fixed: parameter of pi0
 %   d = 4, fixed: parameter of pi0

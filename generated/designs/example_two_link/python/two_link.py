@@ -2,8 +2,8 @@
 Prescribed-time controller two_link: outputs of order 2, 2, mapping rational.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --mu "rational(a=0.05)" --name two_link --tau=20 --eps=1 --limits=120,60 --poles=-1,-3/2 --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param grav=9.81 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
-Version 0.1.0, design dc26c16f1203.
+  ptc-codegen emit --lang python --mu "rational(a=1/20)" --name two_link --tau=20 --eps=1 --limits=120,60 --poles=-1,-3/2 --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param grav=9.81 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
+Version 0.1.0, design d4f49786c174.
 
 Plant, with the inputs M1, M2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[(m1 +
       m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 +
@@ -25,7 +25,7 @@ SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which
 Parameters:
   tau = 20 [s], fixed: prescribed settling time
   eps = 1 [s], fixed: time-to-go at which the gains are held
-  a = 0.05 [1/s], fixed: rate of stretched time
+  a = 1/20 [1/s], fixed: rate of stretched time
   k_1 = 1.5 [1/s^2], fixed: gain of xi_1
   k_2 = 2.5 [1/s], fixed: gain of xi_2
   grav = 9.81, fixed: parameter of the model
@@ -226,7 +226,7 @@ class TwoLink:
             axes[0] = np.where(holds1 & holds, Status.SATURATED, axes[0])
             status = np.where(holds1 & holds, Status.SATURATED, status)
             holds2 = np.asarray(control1 < -120.0)
-            u[0] = np.where(holds2 & ~holds1 & holds, -120.0, u[0])
+            u[0] = np.where(holds2 & ~holds1 & holds, _R(-120.0), u[0])
             axes[0] = np.where(holds2 & ~holds1 & holds, Status.SATURATED, axes[0])
             status = np.where(holds2 & ~holds1 & holds, Status.SATURATED, status)
             holds1 = np.asarray(60.0 < control2)
@@ -234,7 +234,7 @@ class TwoLink:
             axes[1] = np.where(holds1 & holds, Status.SATURATED, axes[1])
             status = np.where(holds1 & holds, Status.SATURATED, status)
             holds2 = np.asarray(control2 < -60.0)
-            u[1] = np.where(holds2 & ~holds1 & holds, -60.0, u[1])
+            u[1] = np.where(holds2 & ~holds1 & holds, _R(-60.0), u[1])
             axes[1] = np.where(holds2 & ~holds1 & holds, Status.SATURATED, axes[1])
             status = np.where(holds2 & ~holds1 & holds, Status.SATURATED, status)
             u[0] = np.where(~holds, np.asarray(_R(0.0)), u[0])

@@ -198,7 +198,7 @@ class Stage29:
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
                 elif law_1 < -1.0:
-                    u[0] = -1.0
+                    u[0] = _R(-1.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
                 if 2.0 < law_2:
@@ -206,7 +206,7 @@ class Stage29:
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
                 elif law_2 < -2.0:
-                    u[1] = -2.0
+                    u[1] = _R(-2.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
                 if 3.0 < law_3:
@@ -214,7 +214,7 @@ class Stage29:
                     axes[2] = Status.SATURATED
                     status = Status.SATURATED
                 elif law_3 < -3.0:
-                    u[2] = -3.0
+                    u[2] = _R(-3.0)
                     axes[2] = Status.SATURATED
                     status = Status.SATURATED
             else:

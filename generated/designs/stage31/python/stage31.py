@@ -266,7 +266,7 @@ class Stage31:
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
                 elif control1 < -2.0:
-                    u[0] = -2.0
+                    u[0] = _R(-2.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
                 if 3.0 < control2:
@@ -274,7 +274,7 @@ class Stage31:
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
                 elif control2 < -3.0:
-                    u[1] = -3.0
+                    u[1] = _R(-3.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
             else:

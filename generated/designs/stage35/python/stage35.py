@@ -192,7 +192,7 @@ class Stage35:
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
                 elif control1 < -20.0:
-                    u[0] = -20.0
+                    u[0] = _R(-20.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
                 if 30.0 < control2:
@@ -200,7 +200,7 @@ class Stage35:
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
                 elif control2 < -30.0:
-                    u[1] = -30.0
+                    u[1] = _R(-30.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
             else:
