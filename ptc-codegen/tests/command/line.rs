@@ -51,7 +51,7 @@ fn every_kind_of_mistake_has_its_message() {
         (&["--n=3", "--mu=exp", "--name=exp"], &["`exp` cannot name"]),
         (&["--n=3", "--mu=exp", "--name=status"], &["`status` cannot name"]),
         (&["--n=3", "--mu=exp", "--name=if"], &["`if` cannot name", "identifier"]),
-        (&["--n=3", "--mu=exp", "--name=a b"], &["[syntax]", "`b`"]),
+        (&["--n=3", "--mu=exp", "--name=a b"], &["one identifier", "write a_b"]),
         (&["--n=3", "--mu=exp", "--precision=f16"], &["`f16`", "f64, f32"]),
         (&["--n=3", "--mu=exp", "--guard=half"], &["`half`", "full, result, none"]),
         (&["--n=3", "--mu=exp", "--fma=on"], &["fma = `on`", "true, false"]),

@@ -40,27 +40,27 @@ fn each_kind_has_its_files_and_the_same_bytes_twice() {
     }
 }
 
-/// The controller in a project is what `--lang` writes.
+/// The controller in a project is what `--lang` writes, in f32 for Arduino.
 #[test]
 fn the_controller_is_the_emitted_one() {
     let folder = folder("projects_controller");
-    let emitted = |lang: &str, name: &str| {
-        let mut command = support::command(&["emit", "--lang", lang, "-o"]);
-        run(command.arg(&folder).args(DESIGN));
-        fs::read(folder.join(name)).expect("written")
+    let emitted = |lang: &str, precision: &str, name: &str| {
+        let own = folder.join(format!("{lang}_{precision}"));
+        let mut command = support::command(&["emit", "--lang", lang, "--precision", precision]);
+        run(command.arg("-o").arg(&own).args(DESIGN));
+        fs::read(own.join(name)).expect("written")
     };
-    let (header, source) = (emitted("c", "stage.h"), emitted("c", "stage.c"));
-    let module = emitted("rust", "stage.rs");
     for (kind, _) in KINDS {
+        let precision = if kind == "arduino" { "f32" } else { "f64" };
         let home = folder.join(kind);
         made(kind, &DESIGN, &home);
         for (name, content) in files(&home) {
-            match Path::new(&name).file_name().and_then(|name| name.to_str()) {
-                Some("stage.h") => assert!(content == header, "{kind}: {name}"),
-                Some("stage.c") => assert!(content == source, "{kind}: {name}"),
-                Some("stage.rs") => assert!(content == module, "{kind}: {name}"),
-                _ => {}
-            }
+            let wanted = match Path::new(&name).file_name().and_then(|name| name.to_str()) {
+                Some(own @ ("stage.h" | "stage.c")) => emitted("c", precision, own),
+                Some(own @ "stage.rs") => emitted("rust", precision, own),
+                _ => continue,
+            };
+            assert!(content == wanted, "{kind}: {name}");
         }
     }
 }
