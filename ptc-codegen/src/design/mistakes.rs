@@ -84,7 +84,7 @@ fn followers(entries: &[Entry], meaning: &[Diagnostic]) -> Vec<bool> {
         };
         all().map(gone).collect()
     };
-    let vanish: Vec<_> = all().map(|at| vanish(at)).collect();
+    let vanish: Vec<_> = all().map(vanish).collect();
     // Of two that vanish with each other the first one stays.
     let follows = |own: usize| all().any(|of| vanish[of][own] && (of < own || !vanish[own][of]));
     all().map(follows).collect()
