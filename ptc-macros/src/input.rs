@@ -149,7 +149,8 @@ impl Input {
                         let message = "in the macro expressions have no quotes".to_owned();
                         (message, format!("write {key} ={}", text.replace('"', "")))
                     }
-                    false => (wrong.message, VALUES.to_owned()),
+                    false if wrong.code == "syntax" => (wrong.message, VALUES.to_owned()),
+                    false => (wrong.message, wrong.help),
                 };
                 self.wrong.push(Diagnostic { message, help, ..wrong });
             }
