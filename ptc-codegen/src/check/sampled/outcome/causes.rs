@@ -18,7 +18,11 @@ fn of_sensor(spec: &Spec, j: usize, part: f64) -> [(String, f64); 2] {
 
 /// What a bound is made of: the state at the start, every other cause that adds to it, and rounding.
 pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
-    let sensors = bound.noise.iter().zip(1..).flat_map(|(part, j)| of_sensor(spec, j, *part));
+    let sensors = bound.noise.iter().zip(1..).map(|(part, j)| (part, of_sensor(spec, j, *part)));
+    let sensors: Vec<_> = sensors.collect();
+    // Exact measurements are rounded too.
+    let exact = sensors.iter().filter(|(_, of)| of.iter().all(|(_, part)| *part == 0.0));
+    let rounding = bound.rounding + exact.map(|(part, _)| **part).sum::<f64>();
     let others = [
         ("u_step", bound.actuator),
         (
@@ -35,8 +39,9 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
     ];
     let others = others.map(|(cause, part)| (cause.to_owned(), part));
     let mut all = vec![("x0".to_owned(), bound.of_start())];
+    let sensors = sensors.into_iter().flat_map(|(_, of)| of);
     all.extend(sensors.chain(others).filter(|(_, part)| *part > 0.0));
-    all.push(("rounding".to_owned(), bound.rounding));
+    all.push(("rounding".to_owned(), rounding));
     all
 }
 
