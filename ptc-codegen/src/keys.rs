@@ -19,7 +19,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 55] = [
+pub static KEYS: [KeyInfo; 57] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -266,6 +266,18 @@ pub static KEYS: [KeyInfo; 55] = [
         meaning: "bound on how early or late a sample is, in s",
         legal: "a number >= 0 and < sample_time/2",
         example: "1e-5",
+    },
+    KeyInfo {
+        key: "margin_gain",
+        meaning: "gain margin that an eps chosen by the checks keeps: stable from 1/margin_gain to margin_gain times the input gain",
+        legal: "a number >= 1; 2, or 6 dB each way, if not given",
+        example: "1.5",
+    },
+    KeyInfo {
+        key: "margin_delay",
+        meaning: "delay margin that an eps chosen by the checks keeps, in samples beyond delay",
+        legal: "an integer 0..=16; 1 if not given",
+        example: "2",
     },
     KeyInfo {
         key: "sensor_step",

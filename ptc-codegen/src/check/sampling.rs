@@ -167,7 +167,7 @@ impl Sampling {
                 Verdict::Unsound,
                 format!(
                     "held gains are unstable: a period of {period} s needs eps >= {} s, not {} s",
-                    digits(least),
+                    digits_up(least),
                     digits(eps)
                 ),
                 Some(self.advice(least)),
@@ -196,7 +196,7 @@ impl Sampling {
 
     fn advice(&self, least: f64) -> String {
         match self.default_eps {
-            Some(eps) => format!("take eps = {} s", digits(eps)),
+            Some(eps) => format!("take eps = {} s", digits_up(eps)),
             None => {
                 format!("sample faster: eps = {} s leaves nothing of tau", digits(MARGIN * least))
             }
@@ -260,7 +260,7 @@ mod tests {
         let told = found.outcome(Some(4e-4));
         assert_eq!(
             told.summary,
-            "held gains are unstable: a period of 0.001 s needs eps >= 5e-4 s, not 4e-4 s"
+            "held gains are unstable: a period of 0.001 s needs eps >= 5.001e-4 s, not 4e-4 s"
         );
         assert_eq!(told.fix.as_deref(), Some("take eps = 0.001 s"));
         let told = found.outcome(Some(2e-3));

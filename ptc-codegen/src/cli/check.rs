@@ -6,7 +6,7 @@ use crate::accepted::Accepted;
 use crate::check::Outcome;
 use crate::check::examine::{Report, examine_expanded};
 use crate::check::resolved::Choice;
-use crate::check::sampled::{Bound, Margins, Worst, margins};
+use crate::check::sampled::{Bound, Margins, Stability, Worst, margins, stability};
 use clap::Args;
 use serde_json::json;
 
@@ -62,9 +62,11 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let refused = report.refusals().next().is_some();
     let margins =
         request.margins.then(|| checking(|| margins(&report.spec, report.expanded.as_ref())));
+    let stable = stability(&report.spec, report.expanded.as_ref());
+    let margins = (&stable, margins.as_ref());
     write::to_stdout(&match request.format {
-        ListFormat::Text => text(&report, margins.as_ref(), refused),
-        ListFormat::Json => json(&report, margins.as_ref(), refused),
+        ListFormat::Text => text(&report, margins, refused),
+        ListFormat::Json => json(&report, margins, refused),
     })?;
     if refused {
         return Err(Failure::refused(Vec::new()));
@@ -77,7 +79,10 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     if undecided { Err(Failure::undecided(Vec::new())) } else { Ok(()) }
 }
 
-fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> String {
+/// The margins of stability, or why they are not known, and those of the sound loop where they are asked for.
+type Tolerated<'a> = (&'a Result<Stability, String>, Option<&'a Option<Margins>>);
+
+fn text(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> String {
     let spec = &report.spec;
     let order = match &spec.coupled {
         Some(coupled) => coupled.order_text(),
@@ -98,11 +103,17 @@ fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
             let _ = writeln!(out, "            fix: {fix}");
         }
     }
+    let _ = match stable {
+        Ok(stable) => {
+            writeln!(out, "\nmargins     with the gains that stay the loop is stable for {stable}")
+        }
+        Err(why) => writeln!(out, "\nmargins     not known: {why}"),
+    };
     match margins {
         Some(Some(margins)) => {
-            let _ = writeln!(out, "\nmargins     {margins}");
+            let _ = writeln!(out, "            {margins}");
         }
-        Some(None) => out.push_str("\nmargins     none: `loop` is not sound\n"),
+        Some(None) => out.push_str("            none of the bounds: `loop` is not sound\n"),
         None => {}
     }
     let names = |outcomes: &mut dyn Iterator<Item = &Outcome>| {
@@ -155,7 +166,7 @@ pub(crate) fn chosen(choice: &Choice) -> serde_json::Value {
     json!({ "key": choice.key, "value": choice.value, "reason": choice.reason })
 }
 
-fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> String {
+fn json(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> String {
     let checks: Vec<_> = report
         .outcomes
         .iter()
@@ -183,6 +194,10 @@ fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
         "not_looked_at": report.unseen(),
         "checks": checks,
     });
+    design["stability"] = match stable {
+        Ok(stable) => json!({ "gain": stable.gain, "delay": stable.delay }),
+        Err(_) => serde_json::Value::Null,
+    };
     if let Some(margins) = margins {
         let tried = |margins: &Margins| {
             let [jitter, periods] = margins.jitter;

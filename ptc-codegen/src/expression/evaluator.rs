@@ -52,7 +52,6 @@ impl Evaluator {
     }
 
     /// The same with all of the work left; the constants of its functions, which take long, are kept.
-    #[cfg(feature = "lab")]
     pub(crate) fn again(&mut self) -> &mut Self {
         self.left = ENCLOSURE.size();
         self

@@ -208,6 +208,8 @@ impl Spec {
             ("--sample-time", &promises.sample_time),
             ("--u-step", &promises.u_step),
             ("--jitter", &promises.jitter),
+            ("--margin-gain", &promises.margin_gain),
+            ("--margin-delay", &promises.margin_delay),
         ];
         for (flag, value) in single {
             words.extend(value.iter().map(|value| word(flag, value)));

@@ -28,6 +28,10 @@ pub struct Promises {
     pub g_error: Vec<Fixed>,
     /// How early or late a sample may be, s.
     pub jitter: Option<Fixed>,
+    /// Factor of the input gain, up and down, that an eps that is chosen tolerates.
+    pub margin_gain: Option<Fixed>,
+    /// Samples of delay that it tolerates.
+    pub margin_delay: Option<Fixed>,
     /// By how much u acts late.
     pub delay: Option<Delay>,
     /// Bounds of |x_i| at the start; empty where they are not given.

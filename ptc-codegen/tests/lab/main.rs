@@ -7,6 +7,7 @@ mod bounds;
 mod check;
 #[path = "../../../tests/support/command.rs"]
 mod command;
+mod contradictions;
 mod design;
 mod digits;
 mod examined;
@@ -28,6 +29,7 @@ mod one_design;
 mod references;
 mod report;
 mod reproductions;
+mod rest_points;
 #[cfg(unix)]
 mod sampled;
 mod samples;
@@ -37,6 +39,7 @@ mod samples_observer;
 mod several_inputs;
 mod simulate;
 mod simulate_command;
+mod stability_margins;
 #[path = "../support/mod.rs"]
 mod support;
 mod transcripts;

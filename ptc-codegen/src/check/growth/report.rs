@@ -55,7 +55,8 @@ impl Growth {
     }
 
     fn fix(&self) -> String {
-        let line = digits(self.line(self.n));
+        // A number that is typed in is to be accepted.
+        let line = digits_down(self.line(self.n));
         match self.largest_rho {
             Some(rho) if self.rho > 0.0 => format!(
                 "place every pole left of {line}, or, with these gains, take {} of at most {}",

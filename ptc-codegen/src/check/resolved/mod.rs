@@ -13,7 +13,7 @@ use std::fmt;
 
 use super::Outcome;
 use super::examine::Numbers;
-use super::sampled::{Loop, Worst};
+use super::sampled::{Chosen, Loop, Worst};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{PlantBounds, Spec};
@@ -99,7 +99,7 @@ fn is_disturbed(spec: &Spec) -> bool {
         || matches!(promises.plant, Some(PlantBounds::Bounded { .. }))
 }
 
-/// The eps whose worst final error in the loop is smallest, and that it is.
+/// The eps that is best for the loop, and why.
 ///
 /// # Errors
 /// Why the loop is not known.
@@ -108,6 +108,7 @@ fn best_eps(spec: &Spec, expanded: Option<&Expanded>) -> Result<(Fixed, String),
         return Err(format!("the loop needs {lacking}"));
     }
     let best = Loop::new(spec, expanded)?.best_eps(&Numbers::new(spec, expanded));
-    let eps = best.ok_or_else(|| "the loop has no bound with any of them".to_owned())?;
-    Ok((eps, "the worst |x| at the deadline is smallest with it".to_owned()))
+    let Chosen { eps, why } =
+        best.ok_or_else(|| "the loop has no bound with any of them".to_owned())?;
+    Ok((eps, why))
 }

@@ -165,7 +165,7 @@ impl Loop<'_> {
         };
         let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
         let states =
-            states.ok_or("an error of one sample may grow without a bound that is found")?;
+            states.ok_or("no bound found: an error of one sample may grow until the deadline")?;
         let way = if way { sampled.way(self.samples, reach) } else { None };
         let reached = states.iter().map(|b| b.at_least() - b.rounding).collect();
         Ok(Worst { states, reached, samples: self.samples, way, after: None })

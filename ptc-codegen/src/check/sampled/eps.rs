@@ -11,9 +11,11 @@ use super::chain::{Chain, Gains};
 use super::emitted::{self, Steps};
 use super::gain::{Gain, known_gain};
 use super::judge::Loop;
+use super::stability::{Stays, Wanted};
 use super::worst::Sampled;
 use crate::algebra::BigRational;
 use crate::check::examine::{Numbers, rounded_down};
+use crate::check::list;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
@@ -53,7 +55,8 @@ pub fn curve(spec: &Spec, expanded: Option<&Expanded>) -> Vec<Choice> {
 /// A loop whose gains can be held at any eps.
 struct Trial<'a> {
     closed: &'a Loop<'a>,
-    law: Law<'a>,
+    numbers: &'a Numbers<'a>,
+    law: Law,
     tau: f64,
     h: f64,
     gain: Gain,
@@ -61,9 +64,9 @@ struct Trial<'a> {
 }
 
 /// What gives the gains at a sample.
-enum Law<'a> {
+enum Law {
     /// A law in continuous time, with the gains of each sample without a hold.
-    Time { numbers: &'a Numbers<'a>, free: Vec<Vec<f64>> },
+    Time { free: Vec<Vec<f64>> },
     /// A program in samples, which is the same before any hold; none where it is not enclosed.
     Samples { free: Option<Steps> },
 }
@@ -75,13 +78,13 @@ impl<'a> Trial<'a> {
         let chain = closed.plant.with_gain(gain.value);
         let tau = closed.samples as f64 * h;
         let free = Vec::new();
-        let mut trial = Self { closed, law: Law::Time { numbers, free }, tau, h, gain, chain };
+        let mut trial = Self { closed, numbers, law: Law::Time { free }, tau, h, gain, chain };
         trial.law = if closed.spec.sampled().is_some() {
             let least = trial.least() as f64 * h;
             Law::Samples { free: trial.program(least, 0) }
         } else {
             let free = (0..closed.samples).map(|k| trial.gains(numbers, trial.to_go(k)));
-            Law::Time { numbers, free: free.collect() }
+            Law::Time { free: free.collect() }
         };
         trial
     }
@@ -109,10 +112,13 @@ impl<'a> Trial<'a> {
         (0..count).map(move |i| self.legal(point(i)))
     }
 
-    /// The eps itself in time; in samples whole periods of it.
+    /// An eps as a design has it: in time to its digits, in samples whole periods.
     fn legal(&self, eps: f64) -> f64 {
         match self.law {
-            Law::Time { .. } => eps,
+            Law::Time { .. } => {
+                let exact = rounded_down(eps);
+                exact.as_ref().and_then(Fixed::number).and_then(ToPrimitive::to_f64).unwrap_or(eps)
+            }
             Law::Samples { .. } => (eps / self.h).round() * self.h,
         }
     }
@@ -120,7 +126,7 @@ impl<'a> Trial<'a> {
     /// The same, as a design has it.
     fn exact(&self, eps: f64) -> Option<Fixed> {
         match self.law {
-            Law::Time { .. } => rounded_down(eps),
+            Law::Time { .. } => rounded_down(eps * (1.0 + 1e-9)),
             Law::Samples { .. } => {
                 let h = self.closed.spec.fixed.get(&Parameter::SampleTime)?.number()?;
                 let value = BigRational::from_float((eps / self.h).round())? * h;
@@ -142,8 +148,8 @@ impl<'a> Trial<'a> {
     fn held(&self, eps: f64) -> Option<Sampled> {
         let chain = self.chain.clone();
         let sampled = match &self.law {
-            Law::Time { numbers, free } => {
-                let held = self.gains(numbers, eps);
+            Law::Time { free } => {
+                let held = self.gains(self.numbers, eps);
                 let row = |k: usize| {
                     let values = if self.to_go(k) > eps { &free[k] } else { &held }.clone();
                     Gains { errors: vec![0.0; values.len()], values }
@@ -162,6 +168,20 @@ impl<'a> Trial<'a> {
             }
         };
         Some(self.closed.disturbed(sampled, &self.gain))
+    }
+
+    /// The loop that stays with an eps.
+    fn stays(&self, eps: f64) -> Option<Stays> {
+        let exact = match self.law {
+            Law::Time { .. } => BigRational::from_float(eps)?,
+            Law::Samples { .. } => self.exact(eps)?.number()?.clone(),
+        };
+        Stays::new(self.closed, self.numbers, &self.chain, &exact)
+    }
+
+    /// An eps as a design has it.
+    fn text(&self, eps: f64) -> Option<String> {
+        Some(self.exact(eps)?.to_string())
     }
 
     /// What |x_i| at the deadline is at worst.
@@ -189,28 +209,124 @@ impl<'a> Trial<'a> {
     }
 }
 
+/// The eps that is chosen, and what it costs to keep a margin.
+pub(crate) struct Chosen {
+    pub(crate) eps: Fixed,
+    /// In one sentence.
+    pub(crate) why: String,
+}
+
 impl Loop<'_> {
-    /// The eps whose worst final error is least, in parts of `error` where that is given.
-    pub(crate) fn best_eps(&self, numbers: &Numbers<'_>) -> Option<Fixed> {
+    /// The eps whose worst final error is least, in parts of `error` where that is given, of those with which the loop
+    /// that stays keeps the wanted margin; where none does, the one that comes nearest to it.
+    pub(crate) fn best_eps(&self, numbers: &Numbers<'_>) -> Option<Chosen> {
         let trial = Trial::new(self, numbers);
+        let wanted = Wanted::of(self.spec);
+        let mut tried =
+            Tried { trial: &trial, costs: BTreeMap::new(), kept: BTreeMap::new(), wanted };
         let points: Vec<_> = trial.points().collect();
-        // Whole periods are tried once.
-        let mut known = BTreeMap::new();
-        let mut cost = |eps: f64| *known.entry(eps.to_bits()).or_insert_with(|| trial.cost(eps));
-        let costs: Vec<_> = points.iter().map(|eps| cost(*eps)).collect();
-        let (best, _) = costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+        let zero = matches!(trial.law, Law::Samples { .. }).then_some(0.0);
+        let free = tried.least(&points, zero, &mut |tried, eps| tried.cost(eps))?;
+        if tried.keeps(free) {
+            let why = format!(
+                "the worst |x| at the deadline is smallest with it, and it keeps the margin: {wanted}"
+            );
+            return Some(Chosen { eps: trial.exact(free)?, why });
+        }
+        let kept = tried.least(&points, zero, &mut |tried, eps| match tried.keeps(eps) {
+            true => tried.cost(eps),
+            false => f64::INFINITY,
+        });
+        let share = |eps: f64| {
+            let found = trial.stays(eps).and_then(|stays| stays.stability());
+            found.map_or(0.0, |found| found.share(&wanted))
+        };
+        let chosen = kept.or_else(|| {
+            let shares = points.iter().map(|eps| (*eps, share(*eps)));
+            shares
+                .filter(|(eps, _)| trial.cost(*eps).is_finite())
+                .max_by(|a, b| a.1.total_cmp(&b.1))
+                .map(|(eps, _)| eps)
+        })?;
+        let of = |eps: f64| -> Option<String> {
+            let finals = trial.held(eps).map(|sampled| trial.finals(&sampled))?;
+            let stays = trial.stays(eps).and_then(|stays| stays.stability());
+            let stays = stays.map_or_else(
+                || "is not stable".to_owned(),
+                |found| format!("stays stable for {found}"),
+            );
+            Some(format!("ends within |x| = {} and {stays}", list(finals)))
+        };
+        let goal = match kept {
+            Some(_) => format!(
+                "the worst |x| at the deadline is smallest with it of those that keep the margin, {wanted}"
+            ),
+            None => format!("it comes nearest to the margin, {wanted}, which no eps keeps"),
+        };
+        let (own, free_text, other) = (of(chosen)?, trial.text(free)?, of(free)?);
+        let why = format!("{goal}; it {own}; eps = {free_text} s without the margin {other}");
+        Some(Chosen { eps: trial.exact(chosen)?, why })
+    }
+}
+
+/// The eps that were tried: whole periods are tried once.
+struct Tried<'a> {
+    trial: &'a Trial<'a>,
+    costs: BTreeMap<u64, f64>,
+    kept: BTreeMap<u64, bool>,
+    wanted: Wanted,
+}
+
+impl Tried<'_> {
+    fn cost(&mut self, eps: f64) -> f64 {
+        *self.costs.entry(eps.to_bits()).or_insert_with(|| self.trial.cost(eps))
+    }
+
+    fn keeps(&mut self, eps: f64) -> bool {
+        let wanted = self.wanted;
+        let keeps = || self.trial.stays(eps).is_some_and(|stays| stays.keeps(&wanted));
+        *self.kept.entry(eps.to_bits()).or_insert_with(keeps)
+    }
+
+    /// The eps of the least finite cost: of some points, between the neighbours of the best one, and of `zero`.
+    fn least(
+        &mut self,
+        points: &[f64],
+        zero: Option<f64>,
+        cost: &mut dyn FnMut(&mut Self, f64) -> f64,
+    ) -> Option<f64> {
+        let costs: Vec<_> = points.iter().map(|eps| cost(self, *eps)).collect();
+        let (at, least) = costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+        let (mut best, mut least) = (points[at], *least);
         let (mut left, mut right) =
-            (points[best.saturating_sub(1)].ln(), points[(best + 1).min(points.len() - 1)].ln());
+            (points[at.saturating_sub(1)].ln(), points[(at + 1).min(points.len() - 1)].ln());
         for _ in 0..ROUNDS {
             let (a, b) = (left + (right - left) / 3.0, right - (right - left) / 3.0);
-            if cost(trial.legal(a.exp())) <= cost(trial.legal(b.exp())) {
+            let [here, there] = [a, b].map(|x| self.trial.legal(x.exp()));
+            let [of_here, of_there] = [here, there].map(|eps| cost(self, eps));
+            for (eps, cost) in [(here, of_here), (there, of_there)] {
+                if cost < least {
+                    (best, least) = (eps, cost);
+                }
+            }
+            // Where neither is legal, the best one shows the way.
+            let is_left = if of_here.is_finite() || of_there.is_finite() {
+                of_here <= of_there
+            } else {
+                best.ln() < a
+            };
+            if is_left {
                 right = b;
             } else {
                 left = a;
             }
         }
-        let best = trial.legal((0.5 * (left + right)).exp());
-        let in_samples = matches!(trial.law, Law::Samples { .. });
-        trial.exact(if in_samples && cost(0.0) <= cost(best) { 0.0 } else { best })
+        if let Some(zero) = zero {
+            let of_zero = cost(self, zero);
+            if of_zero <= least {
+                (best, least) = (zero, of_zero);
+            }
+        }
+        least.is_finite().then_some(best)
     }
 }

@@ -22,12 +22,14 @@ mod margins;
 mod model;
 mod moved;
 mod outcome;
+mod peaks;
 #[cfg(feature = "lab")]
 mod proved;
 mod reach;
 mod relative;
 mod rounded;
 mod span;
+mod stability;
 mod systems;
 #[cfg(feature = "files")]
 mod trajectory;
@@ -37,6 +39,7 @@ mod way;
 mod worst;
 
 pub use cells::Worst;
+pub(crate) use eps::Chosen;
 pub use eps::{Choice, curve};
 pub(crate) use judge::Loop;
 #[cfg(feature = "files")]
@@ -46,6 +49,8 @@ pub(crate) use outcome::{NAME, outcome};
 #[cfg(feature = "lab")]
 pub(crate) use proved::proved;
 pub use span::Span;
+#[cfg(feature = "files")]
+pub use stability::{Stability, stability};
 #[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};

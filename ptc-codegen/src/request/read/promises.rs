@@ -1,6 +1,6 @@
 //! Bounds and periods that checks hold the design to.
 
-use num_traits::Signed;
+use num_traits::{One, Signed};
 
 use super::{Reader, items, shown, suggestion};
 use crate::algebra::BigRational;
@@ -38,6 +38,11 @@ impl Reader<'_> {
             u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
             delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
             g_error: self.g_error(),
+            margin_gain: self.margin("margin_gain", |value| *value >= BigRational::one()),
+            margin_delay: self.margin("margin_delay", |value| {
+                let most = BigRational::from_integer(MAX_DELAY.into());
+                value.is_integer() && !value.is_negative() && *value <= most
+            }),
             jitter: self.jitter(),
             x0_max: self.of_chains("x0_max", outputs).unwrap_or_else(|| self.bounds("x0_max", n)),
             x_max: self.bounds("x_max", states),
@@ -54,6 +59,18 @@ impl Reader<'_> {
             let message = format!("{key} = {} is not a finite number > 0", shown(&node.value));
             let legal = KeyInfo::find(key).map_or("", |info| info.legal);
             self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
+        }
+        value
+    }
+
+    /// What an eps that is chosen is to tolerate.
+    fn margin(&mut self, key: &'static str, legal: fn(&BigRational) -> bool) -> Option<Fixed> {
+        let node = self.keys.get(key).copied()?;
+        let value = real(node).filter(|value| value.number().is_some_and(legal));
+        if value.is_none() {
+            let message = format!("{key} = {} is outside its domain", shown(&node.value));
+            let told = KeyInfo::find(key).map_or("", |info| info.legal);
+            self.wrong(key, Some(node.place), message, format!("{key} is {told}"));
         }
         value
     }

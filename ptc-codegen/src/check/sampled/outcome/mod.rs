@@ -9,6 +9,7 @@ pub(super) use causes::split;
 use super::cells::Worst;
 use super::followed::Followed;
 use super::judge::Loop;
+use super::peaks::peaks;
 use super::worst::Bound;
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, bounds, list};
@@ -41,18 +42,25 @@ pub(super) fn outcome_of(
     }
     let limited = spec.radius(0).is_some();
     let eps = spec.fixed.contains_key(&Parameter::Eps);
-    let found = Loop::new(spec, expanded).and_then(|closed| {
-        if !eps {
-            return Err("`eps` is left to run time".to_owned());
-        }
+    let found = Loop::new(spec, expanded).and_then(|closed| match eps {
+        false => Err("`eps` is left to run time".to_owned()),
         // What is between the samples decides no verdict.
-        let closed = if way { closed } else { closed.at_samples() };
-        Ok((closed.worst(way || limited)?, closed))
+        true => Ok(if way { closed } else { closed.at_samples() }),
     });
     match found {
-        Ok((worst, closed)) => (judged(spec, &worst, &closed), Some(worst)),
+        Ok(closed) => match closed.worst(way || limited) {
+            Ok(worst) => (judged(spec, &worst, &closed), Some(worst)),
+            // Nothing is missing: no bound is found.
+            Err(reason) => {
+                let outcome = Outcome::not_checked(NAME, reason);
+                (Outcome { verdict: Verdict::Undecided, ..outcome }, None)
+            }
+        },
         Err(reason) => {
-            let outcome = Outcome::not_checked(NAME, reason);
+            let mut outcome = Outcome::not_checked(NAME, reason);
+            if spec.promises.x0_max.is_empty() {
+                outcome.details.extend(peaks(spec, expanded));
+            }
             // Of what is known it is not shown what it leaves.
             let followed = spec.sampled().map(|own| Followed::new(spec, own));
             match followed {
@@ -123,7 +131,10 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     details.extend(limit);
     details.extend(random(worst));
     let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
-    let fix = fails.then(|| fix(spec, worst, closed, state));
+    let fix = match fails {
+        true => Some(fix(spec, worst, closed, state)),
+        false => unclipped(spec, worst).filter(|_| clipped),
+    };
     Outcome { name: NAME, verdict, summary, details, fix }
 }
 
@@ -186,6 +197,15 @@ pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option
             (Some("there are too many samples to decide whether u is clipped".to_owned()), true)
         }
     }
+}
+
+/// The u_max that is never reached: a part of it more than the peak is left for its rounding.
+fn unclipped(spec: &Spec, worst: &Worst) -> Option<String> {
+    if spec.fixed.contains_key(&Parameter::UMin) {
+        return None;
+    }
+    let way = worst.way.as_ref()?;
+    Some(format!("take u_max = {} or more", digits_up(1.001 * way.u)))
 }
 
 /// Why nothing is proved of a reference that each call is given.
@@ -258,8 +278,9 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         let percent = digits((100.0 * part / (bound.total() - bound.rounding)).round());
         format!("{cause} accounts for {percent} % of it")
     });
-    let eps = closed.best_eps(&Numbers::new(spec, closed.expanded));
-    let eps = eps.filter(|eps| spec.fixed.get(&Parameter::Eps) != Some(eps));
-    let eps = eps.map(|eps| format!("the worst case is least with eps near {eps} s"));
+    let chosen = closed.best_eps(&Numbers::new(spec, closed.expanded)).map(|chosen| chosen.eps);
+    let eps = chosen.filter(|eps| spec.fixed.get(&Parameter::Eps) != Some(eps));
+    let eps = eps
+        .map(|eps| format!("with the margin kept the worst case is least with eps near {eps} s"));
     largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
 }

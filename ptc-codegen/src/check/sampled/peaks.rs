@@ -1,0 +1,64 @@
+//! The peak of |u| from a unit of each state, for a design that does not say where it starts.
+
+use num_traits::One;
+
+use super::judge::Loop;
+use crate::algebra::BigRational;
+use crate::diagnostic::{digits_down, digits_up};
+use crate::expansion::Expanded;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Clock, Spec};
+
+/// Most samples of a run.
+const SAMPLES: usize = 20_000;
+
+/// Bound of what doubles lose of a run.
+const ROUNDED: f64 = 1.0 + 1e-6;
+
+/// The loop of a design without a reference, from |x_i| <= 1 at the start.
+pub(super) fn from_units(spec: &Spec) -> Spec {
+    let mut spec = spec.clone();
+    spec.reference = None;
+    if let Clock::Samples(own) = &mut spec.clock {
+        own.follows = None;
+    }
+    let one = || Fixed::Number { text: "1".to_owned(), value: BigRational::one() };
+    spec.promises.x0_max = vec![one(); spec.n];
+    spec
+}
+
+/// What |u| reaches from each x_i = 1 alone, and from where it reaches u_max; `None` where the loop is not known.
+pub(super) fn peaks(spec: &Spec, expanded: Option<&Expanded>) -> Option<String> {
+    let units = from_units(spec);
+    if !spec.fixed.contains_key(&Parameter::Eps) {
+        return None;
+    }
+    let closed = Loop::new(&units, expanded).ok().filter(|closed| closed.samples <= SAMPLES)?;
+    let gain = closed.gain();
+    let sampled = closed.acting(&gain).ok()?;
+    let peak = |j: usize| {
+        let mut state = vec![0.0; sampled.size()];
+        state[j] = 1.0;
+        let mut most = 0.0_f64;
+        for k in 0..closed.samples {
+            let step = sampled.step(k);
+            let u: f64 = step.u.of_state.iter().zip(&state).map(|((gain, _), x)| gain * x).sum();
+            most = most.max(u.abs());
+            let rows = step.matrix.entries.chunks_exact(state.len());
+            state = rows.map(|row| row.iter().zip(&state).map(|(a, x)| a * x).sum()).collect();
+        }
+        most * ROUNDED
+    };
+    let all: Vec<_> = (0..spec.n).map(peak).collect();
+    let each = (1..).zip(&all).map(|(j, u)| format!("{} from x{j} = 1", digits_up(*u)));
+    let each = each.collect::<Vec<_>>().join(", ");
+    let limit = closed.limit();
+    let from = (1..).zip(&all).map(|(j, u)| format!("|x{j}| = {}", digits_down(limit / u)));
+    let from = from.collect::<Vec<_>>().join(" or ");
+    let from = if limit.is_finite() {
+        format!("; u_max is not reached from {from} alone")
+    } else {
+        String::new()
+    };
+    Some(format!("|u| reaches at most {each}, in proportion to the start{from}"))
+}

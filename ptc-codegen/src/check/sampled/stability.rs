@@ -1,0 +1,266 @@
+//! Margins of the loop that stays: with the gains that are held from eps on, or those of deadbeat, which input gains
+//! and how much more delay than the law knows leave it stable.
+//!
+//! An observer, and inputs that are kept, run as the law believes. So the plant moves by Phi x + g Gamma a, where a
+//! is the input that acts, or acted some samples ago, and the rest of the sample is as it is.
+
+use std::fmt;
+
+use num_traits::ToPrimitive;
+
+use super::chain::{Chain, Gains, Step};
+use super::emitted;
+use super::gain::known_gain;
+use super::judge::Loop;
+use super::peaks::from_units;
+use super::worst::Sampled;
+use crate::algebra::BigRational;
+use crate::check::examine::Numbers;
+use crate::diagnostic::{digits_down, digits_up};
+use crate::expansion::Expanded;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
+
+/// Largest factor of the gain that is tried, and one over the smallest; factors for each power of 2 between them.
+const MOST: f64 = 64.0;
+const EACH: i32 = 4;
+
+/// Most samples of delay that are tried.
+const LATE: usize = 16;
+
+/// Halvings between a gain that is stable and one that is not.
+const HALVINGS: u32 = 12;
+
+/// Squarings of a transition, and the size from which on it grows.
+const SQUARINGS: u32 = 40;
+const FAR: f64 = 1e120;
+
+/// What a loop is to tolerate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Wanted {
+    gain: f64,
+    delay: usize,
+}
+
+impl Wanted {
+    /// What a design asks for: 6 dB each way and a sample.
+    pub(super) fn of(spec: &Spec) -> Self {
+        let double = |value: &Option<Fixed>| value.as_ref().and_then(Fixed::number)?.to_f64();
+        let delay = spec.promises.margin_delay.as_ref().and_then(Fixed::number);
+        Self {
+            gain: double(&spec.promises.margin_gain).unwrap_or(2.0),
+            delay: delay.and_then(ToPrimitive::to_usize).unwrap_or(1),
+        }
+    }
+}
+
+impl fmt::Display for Wanted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = [digits_up(1.0 / self.gain), digits_down(self.gain)];
+        write!(
+            f,
+            "input gains from {low} to {high} times the known one and {} of delay",
+            samples(self.delay)
+        )
+    }
+}
+
+fn samples(count: usize) -> String {
+    if count == 1 { "1 more sample".to_owned() } else { format!("{count} more samples") }
+}
+
+/// What the loop that stays tolerates, one at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// The least and the greatest true input gain, in parts of the known one, between which it is stable.
+    pub gain: [f64; 2],
+    /// Samples of delay beyond those of the design.
+    pub delay: usize,
+}
+
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.gain;
+        write!(
+            f,
+            "input gains from {} to {} times the known one, or {} of delay",
+            digits_up(low),
+            digits_down(high),
+            samples(self.delay)
+        )
+    }
+}
+
+impl Stability {
+    /// By which part it tolerates what is wanted: 2 for all of it.
+    pub(super) fn share(&self, wanted: &Wanted) -> f64 {
+        let part =
+            |found: f64, asked: f64| if asked > 0.0 { (found / asked).min(1.0) } else { 1.0 };
+        let [low, high] = self.gain;
+        #[allow(clippy::cast_precision_loss)]
+        let delay = part(self.delay as f64, wanted.delay as f64);
+        part((1.0 / low).min(high).ln(), wanted.gain.ln()) + delay
+    }
+
+    fn least(self, other: Self) -> Self {
+        Self {
+            gain: [self.gain[0].max(other.gain[0]), self.gain[1].min(other.gain[1])],
+            delay: self.delay.min(other.delay),
+        }
+    }
+}
+
+/// The margins of a design whose eps is set, of several axes what all of them tolerate.
+///
+/// # Errors
+/// Why they are not known.
+pub fn stability(spec: &Spec, expanded: Option<&Expanded>) -> Result<Stability, String> {
+    if spec.decoupled().is_some() {
+        return Err("the law decouples a plant with several inputs".to_owned());
+    }
+    let mut least: Option<Stability> = None;
+    for design in spec.designs() {
+        let one = of_one(&design, expanded)?;
+        least = Some(least.map_or(one, |least| least.least(one)));
+    }
+    least.ok_or_else(|| "the design has no axis".to_owned())
+}
+
+fn of_one(spec: &Spec, expanded: Option<&Expanded>) -> Result<Stability, String> {
+    // Of the loop of e the reference is no part, and neither is where it begins.
+    let spec = from_units(spec);
+    let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number).cloned();
+    let eps = eps.ok_or("`eps` is left to run time")?;
+    if let Some(lacking) = crate::check::examine::lacking(&spec) {
+        return Err(format!("they need {lacking}"));
+    }
+    let closed = Loop::new(&spec, expanded)?;
+    let numbers = Numbers::new(&spec, expanded);
+    let chain = closed.plant.with_gain(closed.gain().value);
+    let stays = Stays::new(&closed, &numbers, &chain, &eps).ok_or("the gains are not enclosed")?;
+    stays.stability().ok_or_else(|| "with the gains that stay the loop is not stable".to_owned())
+}
+
+/// The sample that repeats for ever.
+pub(super) struct Stays {
+    step: Step,
+    chain: Chain,
+    acting: Option<usize>,
+}
+
+impl Stays {
+    /// That of a loop whose gains are held at eps; 0 is deadbeat.
+    pub(super) fn new(
+        closed: &Loop<'_>,
+        numbers: &Numbers<'_>,
+        chain: &Chain,
+        eps: &BigRational,
+    ) -> Option<Self> {
+        let spec = closed.spec;
+        let Some(own) = spec.sampled() else {
+            let known = known_gain(spec).ok().and_then(|g| g.to_f64()).unwrap_or(1.0);
+            let values: Vec<_> =
+                numbers.gains(eps.to_f64()?).iter().map(|gain| gain / known).collect();
+            let gains = Gains { errors: vec![0.0; values.len()], values };
+            return Some(Self::of(&Sampled::new(chain.clone(), &[gains])));
+        };
+        let mut held = spec.clone();
+        let text = crate::syntax::constant::text(eps);
+        held.choose_eps(Fixed::Number { text, value: eps.clone() });
+        let last = closed.samples.saturating_sub(1);
+        let (steps, acting, kept) =
+            emitted::steps(&held, held.sampled().unwrap_or(own), chain, None, last..=last)?;
+        Some(Self::of(&Sampled::of(chain.clone(), steps, acting, &kept)))
+    }
+
+    fn of(sampled: &Sampled) -> Self {
+        let (step, chain) = (sampled.step(usize::MAX).clone(), sampled.chain.clone());
+        Self { step, chain, acting: sampled.acting }
+    }
+
+    /// What it tolerates; `None` if it is not stable as it is.
+    pub(super) fn stability(&self) -> Option<Stability> {
+        self.is_stable(1.0, 0).then_some(())?;
+        let last = |end: f64| {
+            let count = EACH * MOST.log2() as i32;
+            let factor = |i: i32| end.powf(f64::from(i) / f64::from(count));
+            let Some(bad) = (1..=count).find(|i| !self.is_stable(factor(*i), 0)) else {
+                return end;
+            };
+            let (mut good, mut bad) = (factor(bad - 1), factor(bad));
+            for _ in 0..HALVINGS {
+                let middle = (good * bad).sqrt();
+                *(if self.is_stable(middle, 0) { &mut good } else { &mut bad }) = middle;
+            }
+            good
+        };
+        let delay = (1..=LATE).take_while(|more| self.is_stable(1.0, *more)).count();
+        Some(Stability { gain: [last(1.0 / MOST), last(MOST)], delay })
+    }
+
+    /// Whether it is stable with all of what is wanted.
+    pub(super) fn keeps(&self, wanted: &Wanted) -> bool {
+        let steps = (f64::from(EACH) * wanted.gain.log2()).ceil().max(1.0);
+        #[allow(clippy::cast_possible_truncation)]
+        let steps = steps.min(200.0) as i32;
+        let gain = |i: i32| wanted.gain.powf(f64::from(i) / f64::from(steps));
+        (0..=wanted.delay).all(|more| self.is_stable(1.0, more))
+            && (-steps..=steps).all(|i| self.is_stable(gain(i), 0))
+    }
+
+    /// Whether the loop is stable with a true input gain of `gain` times the known one, that acts `more` samples later.
+    fn is_stable(&self, gain: f64, more: usize) -> bool {
+        let (mut matrix, size) = self.matrix(gain, more);
+        for _ in 0..SQUARINGS {
+            let rows =
+                matrix.chunks_exact(size).map(|row| row.iter().map(|x| x.abs()).sum::<f64>());
+            let norm = rows.fold(0.0, f64::max);
+            if norm < 1.0 {
+                return true;
+            }
+            if !(norm < FAR) {
+                return false;
+            }
+            let square = |at: usize| {
+                let (i, j) = (at / size, at % size);
+                (0..size).map(|k| matrix[i * size + k] * matrix[k * size + j]).sum()
+            };
+            matrix = (0..size * size).map(square).collect();
+        }
+        false
+    }
+
+    /// The transition, with the inputs that are late behind the states.
+    fn matrix(&self, gain: f64, more: usize) -> (Vec<f64>, usize) {
+        let (own, n) = (self.step.matrix.size, self.chain.n);
+        let size = own + more;
+        let mut matrix = vec![0.0; size * size];
+        let acts = |j: usize| match self.acting {
+            Some(kept) => f64::from(u8::from(kept == j)),
+            None => self.step.u.of_state[j].0,
+        };
+        for i in 0..n {
+            for j in 0..n {
+                matrix[i * size + j] = self.chain.motion.entries[i * n + j];
+            }
+            let input = gain * self.chain.input[i].0;
+            match more {
+                0 => (0..own).for_each(|j| matrix[i * size + j] += input * acts(j)),
+                _ => matrix[i * size + own] += input,
+            }
+        }
+        for i in n..own {
+            for j in 0..own {
+                matrix[i * size + j] = self.step.matrix.entries[i * own + j];
+            }
+        }
+        // The one that acts next stands first, the one that was computed last behind all.
+        for late in 0..more {
+            match late + 1 < more {
+                true => matrix[(own + late) * size + own + late + 1] = 1.0,
+                false => (0..own).for_each(|j| matrix[(own + late) * size + j] = acts(j)),
+            }
+        }
+        (matrix, size)
+    }
+}
