@@ -196,7 +196,7 @@ impl Sampling {
 
     fn advice(&self, least: f64) -> String {
         match self.default_eps {
-            Some(eps) => format!("take eps = {} s", digits_up(eps)),
+            Some(eps) => format!("take eps = {} s", digits(eps)),
             None => {
                 format!("sample faster: eps = {} s leaves nothing of tau", digits(MARGIN * least))
             }

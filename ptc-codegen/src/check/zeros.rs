@@ -108,7 +108,7 @@ fn moves(spec: &Spec) -> bool {
 
 /// Where a linearisation holds.
 fn near(at: &AtRest) -> &str {
-    if at.place == "the origin" { &at.place } else { "it" }
+    if at.place == "the origin" { &at.place } else { "this point" }
 }
 
 /// How the parts of an outcome are called.

@@ -105,7 +105,7 @@ fn text(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
     }
     let _ = match stable {
         Ok(stable) => {
-            writeln!(out, "\nmargins     with the gains that stay the loop is stable for {stable}")
+            writeln!(out, "\nmargins     with the final gains the loop is stable for {stable}")
         }
         Err(why) => writeln!(out, "\nmargins     not known: {why}"),
     };

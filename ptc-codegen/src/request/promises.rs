@@ -28,9 +28,9 @@ pub struct Promises {
     pub g_error: Vec<Fixed>,
     /// How early or late a sample may be, s.
     pub jitter: Option<Fixed>,
-    /// Factor of the input gain, up and down, that an eps that is chosen tolerates.
+    /// Factor of the input gain, up and down, that a chosen eps tolerates.
     pub margin_gain: Option<Fixed>,
-    /// Samples of delay that it tolerates.
+    /// Samples of added delay that a chosen eps tolerates.
     pub margin_delay: Option<Fixed>,
     /// By how much u acts late.
     pub delay: Option<Delay>,

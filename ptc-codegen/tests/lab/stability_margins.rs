@@ -2,6 +2,7 @@
 
 use crate::support::entries;
 
+use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::check::sampled::{Stability, stability};
 use ptc_codegen::plant::read_design;
@@ -46,19 +47,30 @@ fn an_integrator_has_the_delay_margin_of_its_polynomial() {
     }
 }
 
-/// A belt with an encoder, whose least error has an eps that tolerates little.
+/// A belt with an encoder, whose smallest error has an eps that tolerates little.
+fn belt(error: &str, more: &str) -> Report {
+    report(&format!(
+        "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -4.5, -5]\nsample_time = 2e-3\ndelay = 1\n\
+         sensor_step = 7.7e-6\nmeasured = \"x1\"\ndisturbance = \"constant\"\nobserver_poles = [-5, -6, -7]\nobserver_samples = 60\n\
+         x0_max = [0.3, 1e-6]\nerror = {error}\n{more}\n[params]\nu_max = inf\ntau = 0.5\n"
+    ))
+}
+
+const FREE: &str = "margin_gain = 1\nmargin_delay = 0";
+
+fn reason(report: &Report) -> &str {
+    &report.choices.first().expect("a choice").reason
+}
+
+/// What |x_i| is at worst at the deadline.
+fn finals(report: &Report) -> Vec<f64> {
+    report.worst.as_ref().expect("a worst case").states.iter().map(|bound| bound.total()).collect()
+}
+
 #[test]
 fn the_eps_that_is_chosen_keeps_the_margin_that_is_asked_for() {
-    let text = |more: &str| {
-        format!(
-            "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -4.5, -5]\nsample_time = 2e-3\ndelay = 1\n\
-             sensor_step = 7.7e-6\nmeasured = \"x1\"\ndisturbance = \"constant\"\nobserver_poles = [-5, -6, -7]\nobserver_samples = 60\n\
-             x0_max = [0.3, 1e-6]\nerror = [2e-5, 1e-2]\n{more}\n[params]\nu_max = inf\ntau = 0.5\n"
-        )
-    };
-    let free = report(&text("margin_gain = 1\nmargin_delay = 0"));
-    let kept = report(&text(""));
-    let more = report(&text("margin_gain = 1.5\nmargin_delay = 3"));
+    let [free, kept, more] =
+        [FREE, "", "margin_gain = 1.5\nmargin_delay = 3"].map(|more| belt("[2e-3, 1]", more));
     let of = |report: &Report| stability(&report.spec, None);
     let (free_margins, margins, delayed) =
         (of(&free), of(&kept).expect("stable"), of(&more).expect("stable"));
@@ -69,19 +81,45 @@ fn the_eps_that_is_chosen_keeps_the_margin_that_is_asked_for() {
     assert!(margins.gain[0] <= 0.5 && margins.gain[1] >= 2.0 && margins.delay >= 1, "{margins:?}");
     assert!(delayed.gain[1] >= 1.5 && delayed.delay >= 3, "{delayed:?}");
     let last = |report: &Report| {
-        let worst = report.worst.as_ref().expect("a worst case");
-        let shares =
-            worst.states.iter().zip([2e-5, 1e-2]).map(|(bound, error)| bound.total() / error);
-        shares.fold(0.0, f64::max)
+        finals(report).iter().zip([2e-3, 1.0]).map(|(x, error)| x / error).fold(0.0, f64::max)
     };
     assert!(last(&free) <= last(&kept), "{} {}", last(&free), last(&kept));
-    let reason = &kept.choices.first().expect("a choice").reason;
     for part in
-        ["keep the margin, input gains from 0.5 to 2", "without the margin", "ends within |x| ="]
+        ["keep the margin, input gains from 0.5 to 2", "is smallest with eps = ", "|x| of about"]
     {
-        assert!(reason.contains(part), "{reason}");
+        assert!(reason(&kept).contains(part), "{}", reason(&kept));
     }
-    // Which no eps keeps.
-    let far = report(&text("margin_gain = 60\nmargin_delay = 16"));
-    assert!(far.choices.first().expect("a choice").reason.contains("which no eps keeps"));
+}
+
+/// What is accepted with the smallest error stays accepted with any margin that is wanted.
+#[test]
+fn the_bounds_of_a_design_come_before_its_margin() {
+    let verdict = |report: &Report| {
+        report.outcomes.iter().find(|outcome| outcome.name == "loop").expect("a loop").verdict
+    };
+    let least = finals(&belt("[2e-3, 1]", FREE));
+    let mut widest = 0;
+    for part in [0.9, 1.02, 1.3] {
+        // Between the error without a margin and those with one.
+        let error = format!("[{:e}, 1]", part * least[0]);
+        let without = belt(&error, FREE);
+        let free = verdict(&without);
+        for more in ["margin_delay = 3", "margin_gain = 60\nmargin_delay = 16"] {
+            let kept = belt(&error, more);
+            if free == Verdict::Sound {
+                assert_eq!(verdict(&kept), free, "{error} {more}: {}", reason(&kept));
+            }
+            if reason(&kept).contains("largest margin within `error`") {
+                widest += 1;
+                let [of_free, of_kept] =
+                    [&without, &kept].map(|report| stability(&report.spec, None).expect("stable"));
+                assert!(
+                    of_kept.gain[1] >= of_free.gain[1] && of_kept.delay >= of_free.delay,
+                    "{of_free:?} {of_kept:?}"
+                );
+            }
+        }
+        assert_eq!(free == Verdict::Sound, part > 1.0, "{error}");
+    }
+    assert!(widest > 0);
 }

@@ -1,6 +1,6 @@
 //! The eps of a clock in samples.
 
-use super::{Resolved, best_eps, is_disturbed};
+use super::{Resolved, is_disturbed};
 use crate::check::examine::{open_in_samples, sampled_loop};
 use crate::parameter::Fixed;
 use crate::request::{Spec, What};
@@ -14,12 +14,9 @@ pub(super) fn resolve(spec: &Spec) -> Resolved {
         return resolved;
     }
     let judged = open_in_samples(spec).is_none() && !is_of_several(spec);
-    let best = (judged && is_disturbed(spec)).then(|| best_eps(spec, None));
+    let best = (judged && is_disturbed(spec)).then(|| resolved.choose_best_eps(None));
     let reason = match best {
-        Some(Ok(best)) => {
-            resolved.choose_eps(best);
-            return resolved;
-        }
+        Some(Ok(())) => return resolved,
         Some(Err(why)) => format!("{DEADBEAT}; no other eps was compared: {why}"),
         None => DEADBEAT.to_owned(),
     };
@@ -29,12 +26,8 @@ pub(super) fn resolve(spec: &Spec) -> Resolved {
     }
     let found = sampled_loop(&resolved.spec);
     // Deadbeat may be too much for what a sum of causes does not show.
-    if found.1.is_some()
-        && found.0.fails()
-        && let Ok(best) = best_eps(&resolved.spec, None)
-    {
-        resolved.choose_eps(best);
-    } else {
+    let is_too_much = found.1.is_some() && found.0.fails();
+    if !is_too_much || resolved.choose_best_eps(None).is_err() {
         resolved.looped = Some(found);
     }
     resolved

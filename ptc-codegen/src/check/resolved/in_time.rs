@@ -1,6 +1,6 @@
 //! The eps of a clock in time.
 
-use super::{Resolved, best_eps, is_disturbed};
+use super::{Resolved, is_disturbed};
 use crate::check::examine::{Asked, looped};
 use crate::expansion::Expanded;
 use crate::request::Spec;
@@ -10,10 +10,7 @@ pub(super) fn resolve(spec: &Spec, expanded: Option<&Expanded>) -> Resolved {
     if !spec.leaves_eps() {
         return resolved;
     }
-    if is_disturbed(spec)
-        && let Ok(best) = best_eps(spec, expanded)
-    {
-        resolved.choose_eps(best);
+    if is_disturbed(spec) && resolved.choose_best_eps(expanded).is_ok() {
         return resolved;
     }
     let asked = Asked::of(spec, expanded);
@@ -26,12 +23,8 @@ pub(super) fn resolve(spec: &Spec, expanded: Option<&Expanded>) -> Resolved {
     let found = looped(&resolved.spec, expanded);
     let (sampling, _) = asked.outcomes(&resolved.spec);
     // What the limit of short periods allows may be too much for the loop itself.
-    if found.1.is_some()
-        && (sampling.fails() || found.0.fails())
-        && let Ok(best) = best_eps(&resolved.spec, expanded)
-    {
-        resolved.choose_eps(best);
-    } else {
+    let is_too_much = found.1.is_some() && (sampling.fails() || found.0.fails());
+    if !is_too_much || resolved.choose_best_eps(expanded).is_err() {
         resolved.looped = Some(found);
     }
     resolved

@@ -11,9 +11,9 @@ pub(super) use axes::alone;
 
 use std::fmt;
 
-use super::Outcome;
 use super::examine::Numbers;
-use super::sampled::{Chosen, Loop, Worst};
+use super::sampled::{self, Candidate, Loop, Worst};
+use super::{Outcome, Verdict};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{PlantBounds, Spec};
@@ -84,6 +84,37 @@ impl Resolved {
         self.looped = None;
     }
 
+    /// Fixes the eps that is best for the loop: the preferred one of those of which the check of the loop says most.
+    ///
+    /// # Errors
+    /// Why the loop is not known.
+    fn choose_best_eps(&mut self, expanded: Option<&Expanded>) -> Result<(), String> {
+        let all = candidates(&self.spec, expanded)?;
+        let is_one = all.len() == 1;
+        let mut best: Option<((u8, bool), Self)> = None;
+        for Candidate { eps, reason, is_within } in all {
+            let mut tried = self.clone();
+            tried.choose_eps((eps, reason));
+            if is_one {
+                *self = tried;
+                return Ok(());
+            }
+            let found = sampled::outcome(&tried.spec, expanded);
+            let grade = (grade(&tried.spec, &found), !is_within);
+            tried.looped = Some(found);
+            if best.as_ref().is_none_or(|(least, _)| grade < *least) {
+                best = Some((grade, tried));
+            }
+            if grade == (0, false) {
+                break;
+            }
+        }
+        if let Some((_, best)) = best {
+            *self = best;
+        }
+        Ok(())
+    }
+
     /// What the check of the loop said already, and the design.
     pub(super) fn parts(self) -> (Spec, Vec<Choice>, Option<Looped>) {
         (self.spec, self.choices, self.looped)
@@ -99,16 +130,28 @@ fn is_disturbed(spec: &Spec) -> bool {
         || matches!(promises.plant, Some(PlantBounds::Bounded { .. }))
 }
 
-/// The eps that is best for the loop, and why.
+/// How far the check of the loop is from acceptance, for what an eps can change.
+fn grade(spec: &Spec, (outcome, worst): &Looped) -> u8 {
+    match outcome.verdict {
+        Verdict::Sound | Verdict::NotChecked | Verdict::NotNeeded => 0,
+        // Undecided for an f or a reference that is not known, whatever the eps.
+        Verdict::Undecided if worst.as_ref().is_some_and(|worst| worst.is_met(spec)) => 0,
+        Verdict::Undecided => 1,
+        Verdict::Unsound | Verdict::Refuted => 2,
+    }
+}
+
+/// The eps to choose from, the preferred one first.
 ///
 /// # Errors
 /// Why the loop is not known.
-fn best_eps(spec: &Spec, expanded: Option<&Expanded>) -> Result<(Fixed, String), String> {
+fn candidates(spec: &Spec, expanded: Option<&Expanded>) -> Result<Vec<Candidate>, String> {
     if let Some(lacking) = super::examine::lacking(spec) {
         return Err(format!("the loop needs {lacking}"));
     }
-    let best = Loop::new(spec, expanded)?.best_eps(&Numbers::new(spec, expanded));
-    let Chosen { eps, why } =
-        best.ok_or_else(|| "the loop has no bound with any of them".to_owned())?;
-    Ok((eps, why))
+    let all = Loop::new(spec, expanded)?.candidates(&Numbers::new(spec, expanded));
+    if all.is_empty() {
+        return Err("the loop has no bound with any of them".to_owned());
+    }
+    Ok(all)
 }

@@ -3,12 +3,14 @@
 //! In a cell of gains each differs from the middle by a part of it, which acts as an error of the
 //! input in proportion to it. Cells are halved until each of them is decided.
 
+use num_traits::ToPrimitive;
+
 use super::judge::Loop;
 use super::reach::Reach;
 use super::trust::Trust;
 use super::way::{Afterwards, Way, larger};
 use super::worst::{Bound, Sampled};
-use crate::request::After;
+use crate::request::{After, Spec, one_or_each};
 
 /// Operations that all cells may take together: seconds.
 const OPERATIONS: f64 = 1e9;
@@ -63,6 +65,17 @@ impl Worst {
 }
 
 impl Worst {
+    /// Whether each state is within `error`, and u below its limit.
+    pub(crate) fn is_met(&self, spec: &Spec) -> bool {
+        let errors = &spec.promises.error;
+        let limit = spec.radius(0).and_then(|radius| radius.to_f64());
+        let states = self.states.iter().enumerate();
+        states
+            .into_iter()
+            .all(|(i, bound)| one_or_each(errors, i).is_none_or(|error| bound.total() <= error))
+            && limit.is_none_or(|limit| self.way.as_ref().is_some_and(|way| way.u < limit))
+    }
+
     /// What is known by two bounds of the same loop.
     fn least(self, other: Self) -> Self {
         let smaller = |(a, b): (Bound, Bound)| if b.total() < a.total() { b } else { a };

@@ -184,6 +184,21 @@ impl<'a> Trial<'a> {
         Some(self.exact(eps)?.to_string())
     }
 
+    /// What an eps leaves at the deadline, and what the loop tolerates with it.
+    fn described(&self, eps: f64) -> String {
+        let finals = self.held(eps).map(|sampled| self.finals(&sampled)).unwrap_or_default();
+        let nominal = match self.gain.error > 0.0 || self.closed.late.is_some() {
+            true => ", with the nominal input gain and no jitter",
+            false => "",
+        };
+        let stays = self.stays(eps).and_then(|stays| stays.stability());
+        let stays = stays.map_or_else(
+            || "not stable afterwards".to_owned(),
+            |found| format!("stable for {found}"),
+        );
+        format!("|x| of about {}{nominal}, and {stays}", list(finals))
+    }
+
     /// What |x_i| at the deadline is at worst.
     fn finals(&self, sampled: &Sampled) -> Vec<f64> {
         let state = |i| sampled.bound(&sampled.state(i), self.closed.samples, None).attained();
@@ -209,65 +224,62 @@ impl<'a> Trial<'a> {
     }
 }
 
-/// The eps that is chosen, and what it costs to keep a margin.
-pub(crate) struct Chosen {
+/// An eps that may be chosen.
+pub(crate) struct Candidate {
     pub(crate) eps: Fixed,
-    /// In one sentence.
-    pub(crate) why: String,
+    /// The reason to choose it, in one sentence.
+    pub(crate) reason: String,
+    /// Whether the worst case of the search is within `error`, if that is given.
+    pub(crate) is_within: bool,
 }
 
 impl Loop<'_> {
-    /// The eps whose worst final error is least, in parts of `error` where that is given, of those with which the loop
-    /// that stays keeps the wanted margin; where none does, the one that comes nearest to it.
-    pub(crate) fn best_eps(&self, numbers: &Numbers<'_>) -> Option<Chosen> {
+    /// Returns the eps to choose from, the preferred one first: the one with the smallest final error that keeps the
+    /// wanted margin, the one with the largest margin within `error`, and the one with the smallest final error.
+    pub(crate) fn candidates(&self, numbers: &Numbers<'_>) -> Vec<Candidate> {
         let trial = Trial::new(self, numbers);
         let wanted = Wanted::of(self.spec);
         let mut tried =
             Tried { trial: &trial, costs: BTreeMap::new(), kept: BTreeMap::new(), wanted };
         let points: Vec<_> = trial.points().collect();
         let zero = matches!(trial.law, Law::Samples { .. }).then_some(0.0);
-        let free = tried.least(&points, zero, &mut |tried, eps| tried.cost(eps))?;
+        let Some(free) = tried.least(&points, zero, &mut |tried, eps| tried.cost(eps)) else {
+            return Vec::new();
+        };
         if tried.keeps(free) {
-            let why = format!(
-                "the worst |x| at the deadline is smallest with it, and it keeps the margin: {wanted}"
-            );
-            return Some(Chosen { eps: trial.exact(free)?, why });
+            let reason = format!("{LEAST} is smallest with it, and it keeps the margin: {wanted}");
+            return tried.candidate(free, reason).into_iter().collect();
         }
         let kept = tried.least(&points, zero, &mut |tried, eps| match tried.keeps(eps) {
             true => tried.cost(eps),
             false => f64::INFINITY,
         });
-        let share = |eps: f64| {
-            let found = trial.stays(eps).and_then(|stays| stays.stability());
-            found.map_or(0.0, |found| found.share(&wanted))
+        let widest = if self.has_errors() { tried.widest() } else { None };
+        let widest = widest.filter(|eps| Some(*eps) != kept && *eps != free);
+        let of_free = trial.described(free);
+        let without = trial.text(free).map_or_else(String::new, |text| {
+            format!("; {LEAST} is smallest with eps = {text} s: {of_free}")
+        });
+        let lost = match kept {
+            Some(_) => format!("the margin, {wanted}, would cost a bound of `loop`"),
+            None => format!("no eps keeps the margin, {wanted}"),
         };
-        let chosen = kept.or_else(|| {
-            let shares = points.iter().map(|eps| (*eps, share(*eps)));
-            shares
-                .filter(|(eps, _)| trial.cost(*eps).is_finite())
-                .max_by(|a, b| a.1.total_cmp(&b.1))
-                .map(|(eps, _)| eps)
-        })?;
-        let of = |eps: f64| -> Option<String> {
-            let finals = trial.held(eps).map(|sampled| trial.finals(&sampled))?;
-            let stays = trial.stays(eps).and_then(|stays| stays.stability());
-            let stays = stays.map_or_else(
-                || "is not stable".to_owned(),
-                |found| format!("stays stable for {found}"),
-            );
-            Some(format!("ends within |x| = {} and {stays}", list(finals)))
-        };
-        let goal = match kept {
-            Some(_) => format!(
-                "the worst |x| at the deadline is smallest with it of those that keep the margin, {wanted}"
-            ),
-            None => format!("it comes nearest to the margin, {wanted}, which no eps keeps"),
-        };
-        let (own, free_text, other) = (of(chosen)?, trial.text(free)?, of(free)?);
-        let why = format!("{goal}; it {own}; eps = {free_text} s without the margin {other}");
-        Some(Chosen { eps: trial.exact(chosen)?, why })
+        let kept = kept.map(|eps| {
+            let own = trial.described(eps);
+            (eps, format!("{LEAST} is smallest with it among those that keep the margin, {wanted}: {own}{without}"))
+        });
+        let widest = widest.map(|eps| {
+            let own = trial.described(eps);
+            (eps, format!("{lost}; this eps has the largest margin within `error`: {own}{without}"))
+        });
+        let free = (free, format!("{LEAST} is smallest with it: {of_free}; {lost}"));
+        let all = kept.into_iter().chain(widest).chain([free]);
+        all.filter_map(|(eps, reason)| tried.candidate(eps, reason)).collect()
     }
 }
+
+/// What the search makes small.
+const LEAST: &str = "the worst |x| at the deadline";
 
 /// The eps that were tried: whole periods are tried once.
 struct Tried<'a> {
@@ -286,6 +298,24 @@ impl Tried<'_> {
         let wanted = self.wanted;
         let keeps = || self.trial.stays(eps).is_some_and(|stays| stays.keeps(&wanted));
         *self.kept.entry(eps.to_bits()).or_insert_with(keeps)
+    }
+
+    fn candidate(&mut self, eps: f64, reason: String) -> Option<Candidate> {
+        let is_within = !self.trial.closed.has_errors() || self.cost(eps) <= 1.0;
+        Some(Candidate { eps: self.trial.exact(eps)?, reason, is_within })
+    }
+
+    /// The eps with the largest margin among those tried whose final error is within `error`, of equal margins the one
+    /// with the smallest.
+    fn widest(&self) -> Option<f64> {
+        let within = self.costs.iter().filter(|(_, cost)| **cost <= 1.0);
+        let shares = within.map(|(bits, cost)| {
+            let eps = f64::from_bits(*bits);
+            let found = self.trial.stays(eps).and_then(|stays| stays.stability());
+            (eps, found.map_or(0.0, |found| found.share(&self.wanted)), *cost)
+        });
+        let best = shares.max_by(|a, b| a.1.total_cmp(&b.1).then(b.2.total_cmp(&a.2)));
+        best.map(|(eps, ..)| eps)
     }
 
     /// The eps of the least finite cost: of some points, between the neighbours of the best one, and of `zero`.

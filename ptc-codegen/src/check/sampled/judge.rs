@@ -40,7 +40,7 @@ pub(crate) struct Loop<'a> {
     pub(super) plant: Chain,
     /// The same between two samples; `None` if a mode is too fast.
     between: Option<Between>,
-    late: Option<Late>,
+    pub(super) late: Option<Late>,
     /// What a reference moves; `None` without one.
     pub(super) followed: Option<Followed>,
     /// What inputs do to a linear plant that follows one.

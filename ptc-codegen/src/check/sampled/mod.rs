@@ -39,7 +39,7 @@ mod way;
 mod worst;
 
 pub use cells::Worst;
-pub(crate) use eps::Chosen;
+pub(crate) use eps::Candidate;
 pub use eps::{Choice, curve};
 pub(crate) use judge::Loop;
 #[cfg(feature = "files")]

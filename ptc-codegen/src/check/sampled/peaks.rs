@@ -3,8 +3,9 @@
 use num_traits::One;
 
 use super::judge::Loop;
+use super::outcome::limit_of_u;
 use crate::algebra::BigRational;
-use crate::diagnostic::{digits_down, digits_up};
+use crate::diagnostic::{digits, digits_down};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Spec};
@@ -40,7 +41,7 @@ pub(super) fn peaks(spec: &Spec, expanded: Option<&Expanded>) -> Option<String> 
         let mut state = vec![0.0; sampled.size()];
         state[j] = 1.0;
         let mut most = 0.0_f64;
-        for k in 0..closed.samples {
+        for k in 0..=closed.samples {
             let step = sampled.step(k);
             let u: f64 = step.u.of_state.iter().zip(&state).map(|((gain, _), x)| gain * x).sum();
             most = most.max(u.abs());
@@ -50,15 +51,14 @@ pub(super) fn peaks(spec: &Spec, expanded: Option<&Expanded>) -> Option<String> 
         most * ROUNDED
     };
     let all: Vec<_> = (0..spec.n).map(peak).collect();
-    let each = (1..).zip(&all).map(|(j, u)| format!("{} from x{j} = 1", digits_up(*u)));
+    let each = (1..).zip(&all).map(|(j, u)| format!("{} from x{j} = 1", digits(*u)));
     let each = each.collect::<Vec<_>>().join(", ");
-    let limit = closed.limit();
-    let from = (1..).zip(&all).map(|(j, u)| format!("|x{j}| = {}", digits_down(limit / u)));
-    let from = from.collect::<Vec<_>>().join(" or ");
-    let from = if limit.is_finite() {
-        format!("; u_max is not reached from {from} alone")
-    } else {
-        String::new()
-    };
-    Some(format!("|u| reaches at most {each}, in proportion to the start{from}"))
+    let below = limit_of_u(spec, 0).map(|(_, name)| {
+        let limit = closed.limit();
+        let moving = (1..).zip(&all).filter(|(_, u)| **u > 0.0);
+        let from = moving.map(|(j, u)| format!("|x{j}| < {}", digits_down(limit / u)));
+        format!("; below {name} for {}, each alone", from.collect::<Vec<_>>().join(", "))
+    });
+    let below = below.unwrap_or_default();
+    Some(format!("peak of |u| in proportion to the start, without noise: {each}{below}"))
 }

@@ -35,6 +35,12 @@ const HALVINGS: u32 = 12;
 const SQUARINGS: u32 = 40;
 const FAR: f64 = 1e120;
 
+/// Most transitions whose powers one loop takes: gains up and down, halvings, delays.
+const TRIALS: u32 = 2 * (6 * EACH as u32 + HALVINGS) + LATE as u32 + 1;
+
+/// Operations that the margins of a design may take: a second or two.
+const OPERATIONS: f64 = 4e9;
+
 /// What a loop is to tolerate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Wanted {
@@ -59,7 +65,7 @@ impl fmt::Display for Wanted {
         let [low, high] = [digits_up(1.0 / self.gain), digits_down(self.gain)];
         write!(
             f,
-            "input gains from {low} to {high} times the known one and {} of delay",
+            "input gains from {low} to {high} times the nominal one and {} of delay",
             samples(self.delay)
         )
     }
@@ -80,10 +86,14 @@ pub struct Stability {
 
 impl fmt::Display for Stability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // No gain beyond the limits is tried.
         let [low, high] = self.gain;
+        let below = if low > 1.0 / MOST { "" } else { "<= " };
+        let above = if high < MOST { "" } else { ">= " };
+        let late = if self.delay < LATE { "" } else { ">= " };
         write!(
             f,
-            "input gains from {} to {} times the known one, or {} of delay",
+            "input gains from {below}{} to {above}{} times the nominal one, or {late}{} of delay",
             digits_up(low),
             digits_down(high),
             samples(self.delay)
@@ -119,26 +129,31 @@ pub fn stability(spec: &Spec, expanded: Option<&Expanded>) -> Result<Stability, 
         return Err("the law decouples a plant with several inputs".to_owned());
     }
     let mut least: Option<Stability> = None;
+    let mut left = OPERATIONS;
     for design in spec.designs() {
-        let one = of_one(&design, expanded)?;
+        let one = of_one(&design, expanded, &mut left)?;
         least = Some(least.map_or(one, |least| least.least(one)));
     }
     least.ok_or_else(|| "the design has no axis".to_owned())
 }
 
-fn of_one(spec: &Spec, expanded: Option<&Expanded>) -> Result<Stability, String> {
+fn of_one(spec: &Spec, expanded: Option<&Expanded>, left: &mut f64) -> Result<Stability, String> {
     // Of the loop of e the reference is no part, and neither is where it begins.
     let spec = from_units(spec);
     let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number).cloned();
     let eps = eps.ok_or("`eps` is left to run time")?;
     if let Some(lacking) = crate::check::examine::lacking(&spec) {
-        return Err(format!("they need {lacking}"));
+        return Err(format!("{lacking} is needed"));
     }
     let closed = Loop::new(&spec, expanded)?;
     let numbers = Numbers::new(&spec, expanded);
     let chain = closed.plant.with_gain(closed.gain().value);
     let stays = Stays::new(&closed, &numbers, &chain, &eps).ok_or("the gains are not enclosed")?;
-    stays.stability().ok_or_else(|| "with the gains that stay the loop is not stable".to_owned())
+    *left -= stays.operations();
+    if *left < 0.0 {
+        return Err("the loop has too many states to look at its margins".to_owned());
+    }
+    stays.stability().ok_or_else(|| "the loop is not stable with the final gains".to_owned())
 }
 
 /// The sample that repeats for ever.
@@ -176,6 +191,13 @@ impl Stays {
     fn of(sampled: &Sampled) -> Self {
         let (step, chain) = (sampled.step(usize::MAX).clone(), sampled.chain.clone());
         Self { step, chain, acting: sampled.acting }
+    }
+
+    /// Operations that its margins may take.
+    #[allow(clippy::cast_precision_loss)]
+    fn operations(&self) -> f64 {
+        let size = (self.step.matrix.size + LATE) as f64;
+        f64::from(SQUARINGS * TRIALS) * size.powi(3)
     }
 
     /// What it tolerates; `None` if it is not stable as it is.
@@ -218,7 +240,7 @@ impl Stays {
             if norm < 1.0 {
                 return true;
             }
-            if !(norm < FAR) {
+            if norm.is_nan() || norm >= FAR {
                 return false;
             }
             let square = |at: usize| {

@@ -66,14 +66,14 @@ pub(super) fn solved<T: Number>(mut a: Vec<Vec<T>>, mut right: Vec<Vec<T>>) -> O
         let best = pivots.max_by(|i, j| a[*i][k].size().total_cmp(&a[*j][k].size()))?;
         a.swap(k, best);
         right.swap(k, best);
+        let (pivot, beside) = (a[k].clone(), right[k].clone());
         for i in (0..m).filter(|i| *i != k) {
-            let factor = a[i][k].clone() / a[k][k].clone();
-            for j in k..m {
-                a[i][j] = a[i][j].clone() - factor.clone() * a[k][j].clone();
-            }
-            for j in 0..right[i].len() {
-                right[i][j] = right[i][j].clone() - factor.clone() * right[k][j].clone();
-            }
+            let factor = a[i][k].clone() / pivot[k].clone();
+            let less = |value: &mut T, own: &T| {
+                *value = value.clone() - factor.clone() * own.clone();
+            };
+            a[i].iter_mut().zip(&pivot).skip(k).for_each(|(value, own)| less(value, own));
+            right[i].iter_mut().zip(&beside).for_each(|(value, own)| less(value, own));
         }
     }
     for (k, row) in right.iter_mut().enumerate() {
@@ -111,11 +111,11 @@ pub(super) fn consistent(
         let Some(pivot) = (row..a.len()).find(|i| !a[*i][column].is_zero()) else { continue };
         a.swap(row, pivot);
         right.swap(row, pivot);
+        let pivot = a[row].clone();
         for i in (0..a.len()).filter(|i| *i != row) {
-            let factor = &a[i][column] / &a[row][column];
-            for j in column..columns {
-                let change = &factor * &a[row][j];
-                a[i][j] -= change;
+            let factor = &a[i][column] / &pivot[column];
+            for (value, own) in a[i].iter_mut().zip(&pivot).skip(column) {
+                *value -= &factor * own;
             }
             let change = &factor * &right[row];
             right[i] -= change;

@@ -63,7 +63,7 @@ impl Reader<'_> {
         value
     }
 
-    /// What an eps that is chosen is to tolerate.
+    /// Margin of a chosen eps.
     fn margin(&mut self, key: &'static str, legal: fn(&BigRational) -> bool) -> Option<Fixed> {
         let node = self.keys.get(key).copied()?;
         let value = real(node).filter(|value| value.number().is_some_and(legal));

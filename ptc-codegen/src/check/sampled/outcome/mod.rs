@@ -7,6 +7,7 @@ pub use causes::causes;
 pub(super) use causes::split;
 
 use super::cells::Worst;
+use super::eps::Candidate;
 use super::followed::Followed;
 use super::judge::Loop;
 use super::peaks::peaks;
@@ -278,9 +279,14 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         let percent = digits((100.0 * part / (bound.total() - bound.rounding)).round());
         format!("{cause} accounts for {percent} % of it")
     });
-    let chosen = closed.best_eps(&Numbers::new(spec, closed.expanded)).map(|chosen| chosen.eps);
-    let eps = chosen.filter(|eps| spec.fixed.get(&Parameter::Eps) != Some(eps));
-    let eps = eps
-        .map(|eps| format!("with the margin kept the worst case is least with eps near {eps} s"));
+    let all = closed.candidates(&Numbers::new(spec, closed.expanded));
+    let is_other = |candidate: &&Candidate| spec.fixed.get(&Parameter::Eps) != Some(&candidate.eps);
+    let eps = match all.iter().find(|candidate| candidate.is_within) {
+        Some(within) => Some(within).filter(is_other).map(|c| format!("try eps = {} s", c.eps)),
+        None => {
+            let least = all.last().filter(is_other);
+            least.map(|c| format!("the worst case is smallest with eps near {} s", c.eps))
+        }
+    };
     largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
 }
