@@ -186,7 +186,7 @@ mod tests {
 
     #[test]
     fn long_runs_keep_their_peaks_in_few_parts() {
-        let mut kept = Kept::new(vec![8.0]);
+        let mut kept = Kept::new(vec![Range::symmetric(8.0)]);
         let count = 100_000;
         (0..count).for_each(|index| kept.take(row(index)));
         assert!(kept.parts.len() < PARTS && kept.parts.len() >= PARTS / 2);
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn short_runs_keep_each_row() {
-        let mut kept = Kept::new(vec![f64::INFINITY]);
+        let mut kept = Kept::new(vec![Range::symmetric(f64::INFINITY)]);
         (0..1000).for_each(|index| kept.take(row(index)));
         let all: Vec<_> = (0..1000).map(row).collect();
         assert_eq!(kept.reported().cloned().collect::<Vec<_>>(), all);
