@@ -87,6 +87,37 @@ fn gives(entries: &[Entry], keys: &[&str]) -> bool {
     entries.iter().any(|entry| keys.contains(&entry.key.as_str()))
 }
 
+/// Refuses values under [verify] of what is to be chosen, before the stand-ins for it are taken for what the design gives.
+fn needs_what_it_draws(entries: &[Entry], spec: &Spec) -> Result<(), Vec<Diagnostic>> {
+    let leaves = |keys: &[&str]| !gives(entries, keys);
+    let (law, mapping) = (leaves(LAW), leaves(MAPPING));
+    let of_mapping = spec.time_mapping.parameters();
+    let found = spec.fixed.keys().find_map(|symbol| {
+        let name = symbol.spelling();
+        let help = match symbol {
+            Parameter::Gain(_) if law => {
+                "leave it out: `design` chooses the gains, and `verify` takes intervals of them"
+                    .to_owned()
+            }
+            symbol if mapping && of_mapping.contains(symbol) => {
+                format!("leave it out, or give a `mu` without {name} in the design")
+            }
+            _ => return None,
+        };
+        let key = format!("verify.{name}");
+        let place = entries.iter().find(|entry| entry.key == key)?.place;
+        let message = format!("`{name}` is to be chosen, and has a value under [verify]");
+        Some(Diagnostic { code: "conflict", key, place: Some(place), message, help })
+    });
+    found.map_or(Ok(()), |found| Err(vec![found]))
+}
+
+/// The keys that give the law.
+const LAW: &[&str] = &["gains", "poles", "pi0"];
+
+/// The keys that give the mapping.
+const MAPPING: &[&str] = &["mu", "kappa"];
+
 impl<'a> Wish<'a> {
     /// Reads a wish.
     ///
@@ -98,9 +129,10 @@ impl<'a> Wish<'a> {
             |entry| matches!(&entry.value.value, Value::Word(word) if word == SAMPLES),
         );
         let first = stand_in(entries, in_samples)?;
-        let (spec, campaign) = read(entries, &first)?;
+        let (spec, all) = read_spec(entries, &first)?;
+        needs_what_it_draws(entries, &spec)?;
+        let campaign = verify::read_with_plant(&all, &spec)?;
         let mut wish = Self { entries, spec, campaign, order_in_samples: None };
-        wish.needs_what_it_draws()?;
         // A clock is chosen with its law, for a loop whose samples are known.
         if clock.is_none() && wish.leaves_law() && wish.campaign.around.is_some() {
             let first = stand_in(entries, true).ok();
@@ -111,30 +143,6 @@ impl<'a> Wish<'a> {
             wish.order_in_samples = legal.map(|(spec, _)| spec.loop_order());
         }
         Ok(wish)
-    }
-
-    /// Refuses intervals of what is to be chosen.
-    fn needs_what_it_draws(&self) -> Result<(), Vec<Diagnostic>> {
-        let of_mapping = self.spec.time_mapping.parameters();
-        let chosen = |symbol: &Parameter| match symbol {
-            Parameter::Gain(_) => self.leaves_law(),
-            symbol => self.leaves_mapping() && of_mapping.contains(symbol),
-        };
-        let mut drawn = self.campaign.intervals.iter().map(|(symbol, _)| *symbol);
-        let Some(symbol) = drawn.find(chosen) else { return Ok(()) };
-        let (name, what) = match symbol {
-            Parameter::Gain(_) => (symbol.spelling(), "gains"),
-            _ => (symbol.spelling(), "mu"),
-        };
-        let key = format!("verify.{name}");
-        let place = self.entries.iter().find(|entry| entry.key == key);
-        Err(vec![Diagnostic {
-            code: "conflict",
-            key,
-            place: place.map(|entry| entry.place),
-            message: format!("`{name}` is to be chosen, and is an interval under [verify]"),
-            help: format!("leave the interval out, or give `{what}` in the design"),
-        }])
     }
 
     /// What is to be verified, with a mapping and poles in place of what is missing.
@@ -159,12 +167,12 @@ impl<'a> Wish<'a> {
 
     /// Whether the mapping is to be chosen.
     pub fn leaves_mapping(&self) -> bool {
-        !gives(self.entries, &["mu", "kappa"])
+        !gives(self.entries, MAPPING)
     }
 
     /// Whether the poles are to be chosen.
     pub fn leaves_law(&self) -> bool {
-        !gives(self.entries, &["gains", "poles", "pi0"])
+        !gives(self.entries, LAW)
     }
 
     /// The distance of the slowest pole of the given law from 0; 1 where that is not known.
@@ -277,9 +285,9 @@ pub(super) fn for_each(orders: &[usize], pole: &dyn Fn(usize) -> String) -> Vec<
 /// # Errors
 /// A model of which no orders follow.
 fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnostic>> {
-    let mu = (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned());
+    let mu = (!gives(entries, MAPPING)).then(|| "exp(a=1)".to_owned());
     let mut choice = Choice { mu, ..Choice::default() };
-    if gives(entries, &["gains", "poles", "pi0"]) {
+    if gives(entries, LAW) {
         return Ok(choice);
     }
     let of_model =

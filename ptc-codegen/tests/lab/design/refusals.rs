@@ -53,18 +53,18 @@ fn bad_input_gets_one_clear_message_and_no_file() {
 /// What is to be chosen is given no interval.
 #[test]
 fn intervals_of_what_is_chosen_are_refused() {
-    for (key, with, without) in
-        [("k1 = [4, 5]", "gains", "mu = \"exp(a=1)\"\n"), ("a = [1, 2]", "mu", "poles = [-3]\n")]
-    {
+    for (key, help, given) in [
+        ("k1 = [4, 5]", "`design` chooses the gains", "mu = \"exp(a=1)\"\n"),
+        ("a = [1, 2]", "or give a `mu` without a in the design", "poles = [-3]\n"),
+    ] {
         let wish = format!(
-            "name = \"slide\"\nn = 1\n{without}[params]\ntau = 1\n[plant]\nf = 0\n[verify]\nx1 = 1\n{key}\n\
+            "name = \"slide\"\nn = 1\n{given}[params]\ntau = 1\n[plant]\nf = 0\n[verify]\nx1 = 1\n{key}\n\
              [[objective]]\nbound = \"attractive\"\nerror = 1\n"
         );
         let folder = folder("intervals", &wish);
         let (code, told, wrong) = run(&folder, &["design", "wish.toml", "-o", "roll.toml"]);
         assert_eq!(code, Some(2), "{told}");
-        let help = format!("leave the interval out, or give `{with}` in the design");
-        assert!(wrong.contains("is to be chosen") && wrong.contains(&help), "{wrong}");
+        assert!(wrong.contains("is to be chosen") && wrong.contains(help), "{wrong}");
         assert!(wrong.contains(&format!("| {key}")), "the line: {wrong}");
     }
 }
