@@ -47,7 +47,8 @@ const UNCERTAIN: &str = "n = 1\nmu = \"exp(a=1)\"\npoles = [-4]\n\
 fn spending() -> String {
     let drawn = "[verify]\nt0 = [-5, 5]\na = [1, 1.5]\nk1 = [3.5, 4.5]\n";
     let spent = objective("bound = \"within\"\nh = \"integral(integral(u^2)) + x1\"\nhigh = 30");
-    let design = UNCERTAIN.replace("exp(a=1)", "exp").replace("[verify]\n", drawn);
+    let design = UNCERTAIN.replace("exp(a=1)", "exp").replace("poles = [-4]\n", "");
+    let design = design.replace("[verify]\n", drawn);
     format!("{}{spent}", design.replace("error = 1e-2", "error = 1"))
 }
 

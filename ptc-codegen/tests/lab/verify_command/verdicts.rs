@@ -19,7 +19,7 @@ fn objectives_hold_and_fail_as_their_exact_solutions_do() {
         ("bound = \"input\"\nupsilon = 2.999", false),
         ("bound = \"input\"\nupsilon = \"abs(3 - 6*T) + 1e-6\"", true),
         ("bound = \"input\"\nupsilon = \"abs(3 - 6*T/tau) - 1e-6 + 0*dt\"", false),
-        ("bound = \"within\"\nh = \"x2\"\nlow = -1.501\nhigh = 0", true),
+        ("bound = \"within\"\nh = \"x2\"\nlow = -1.501\nhigh = 1e-9", true),
         ("bound = \"within\"\nh = \"x2\"\nlow = -1.49", false),
         // The least x2, -1.5 at T = 0.5, lies between two instants: -1.49985 is the least there.
         ("bound = \"within\"\nh = \"x2\"\nlow = -1.49999", false),
@@ -45,6 +45,18 @@ fn objectives_hold_and_fail_as_their_exact_solutions_do() {
         let verdict = if holds { "objective 1, " } else { ": fails" };
         assert!(code == Some(2) || told.contains(verdict), "{text}: {told}");
         assert!(code == Some(2) || told.contains("both sides of Theorem 1 agree"), "{told}");
+    }
+}
+
+/// x2 <= 0 is true and met at t0, where no enclosure leaves room and no run fails.
+#[test]
+fn a_bound_that_a_proof_only_meets_is_not_said_to_hold() {
+    let within = objective("bound = \"within\"\nh = \"x2\"\nlow = -1.501\nhigh = 0");
+    let folder = folder("met_at_start", &format!("{STAGE}{within}"));
+    let (code, told, wrong) = run(&folder, &["stage.toml"]);
+    assert_eq!((code, wrong.as_str()), (Some(3), ""), "{told}");
+    for part in [": undecided", "no room is left at T/tau = 1, ", "no run exceeds the bound"] {
+        assert!(told.contains(part), "no {part:?} in\n{told}");
     }
 }
 

@@ -8,7 +8,7 @@ use super::{campaign, proved};
 /// Why the first objective is not proved.
 fn why(text: &str) -> String {
     match &verify::bound::proved(&campaign(text))[0] {
-        Proof::NotProved { why } => why.clone(),
+        Proof::NotProved { why } | Proof::NoRoom { why, .. } => why.clone(),
         proved => panic!("{proved:?}: {text}"),
     }
 }
