@@ -20,12 +20,13 @@ pub(crate) const EXAMPLES: &str = "\
 Checks with missing values are skipped, and the report names these values. An undecided check that
 --allow does not name does not refuse the design, but the exit code is 3.
 
-The fingerprint names the design with all that was chosen; verdicts, reports and emitted files of one
-controller show the same.
+The fingerprint names the design with all that was chosen; verdicts, reports and emitted files of
+one controller show the same.
 
-JSON: {\"name\":\"...\",\"command\":\"...\",\"fingerprint\":\"...\",\"chosen\":[...],\"accepted\":true,\"undecided\":[],
-\"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",\"verdict\":\"sound\",\"summary\":\"...\",
-\"details\":[...],\"fix\":null},...]}; a verdict is sound, unsound, refuted, undecided or not checked.
+JSON: {\"name\":\"...\",\"command\":\"...\",\"fingerprint\":\"...\",\"chosen\":[...],\"accepted\":true,
+\"undecided\":[],\"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",
+\"verdict\":\"sound\",\"summary\":\"...\",\"details\":[...],\"fix\":null},...]};
+a verdict is sound, unsound, refuted, undecided or not checked.
 
 Examples:
   ptc-codegen check roll.toml
