@@ -72,7 +72,7 @@ fn checked(folder: &Path) -> (String, serde_json::Value) {
 #[test]
 fn every_command_names_the_design_that_is_emitted() {
     for (name, text, x0) in DESIGNS {
-        let text = format!("name = \"{name}\"\n{text}{SHORT}");
+        let text = format!("name = \"of_{name}\"\n{text}{SHORT}");
         let folder = folder_with(&format!("one_{name}"), "d.toml", &text);
         let (own, chosen) = checked(&folder);
         let told = format!("design {own}");
@@ -113,7 +113,7 @@ fn resolved_designs_emit_the_same_bytes() {
     let names = files.filter_map(|name| name.into_string().ok());
     let names: Vec<_> =
         names.filter(|name| name.ends_with(".toml") && name != "design.toml").collect();
-    assert!(names.len() > 15, "{names:?}");
+    assert!(names.len() >= 14, "{names:?}");
     let examples =
         names.iter().map(|name| (name.clone(), example(name), vec!["--param", "tau=0.75"]));
     let own = DESIGNS.map(|(name, text, _)| {

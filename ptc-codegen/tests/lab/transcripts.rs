@@ -35,9 +35,11 @@ fn commands(text: &str) -> Vec<&'static [&'static str]> {
     commands
 }
 
-/// A command line with everything that it prints.
+/// A command line with everything that it prints, but the progress of a slow machine.
 fn transcript(words: &[&str]) -> String {
     let (code, stdout, stderr) = run_in(&root(), words);
+    let lines = stderr.split_inclusive('\n').filter(|line| !line.ends_with(" s so far\n"));
+    let stderr: String = lines.collect();
     let code = code.expect("an exit code");
     let line = words.join(" ");
     format!(

@@ -69,7 +69,9 @@ fn it_is_checked_and_simulated_as_they_are() {
         ]
         .map(|arguments| {
             let (code, out, err) = run_in(&folder, arguments);
-            assert_eq!(code, Some(0), "{err}");
+            // From x0_max u may reach its limit, which leaves the loop undecided.
+            let expected = if arguments[0] == "check" { 3 } else { 0 };
+            assert_eq!(code, Some(expected), "{err}");
             out
         })
     };

@@ -15,7 +15,12 @@ fn home() -> PathBuf {
 }
 
 fn simulate(arguments: &[&str]) -> String {
-    support::stdout(support::command(&["simulate"]).args(arguments).current_dir(home()))
+    let mut command = support::command(&["simulate"]);
+    let (code, stdout, stderr) = support::told(command.args(arguments).current_dir(home()));
+    // What was chosen is noted.
+    let noted = stderr.lines().all(|line| line.starts_with("note: design "));
+    assert!(code == Some(0) && noted, "{arguments:?}: {stderr}");
+    stdout
 }
 
 /// The text of a design.
