@@ -44,11 +44,10 @@ pub(crate) fn of_coupled(spec: &Spec, coupled: &Coupled) -> Outcome {
     let Some(plant) = Plant::of_coupled(coupled, &values) else {
         return words.outcome(spec, &[AtRest { place: String::new(), zeros: Zeros::None }]);
     };
-    let divisor = match &coupled.inverse {
-        Inverse::Adjugate { determinant, .. } => Some(determinant),
-        _ => None,
-    };
-    words.outcome(spec, &at_rest(spec, &plant, divisor, &values))
+    // An inertia matrix is regular.
+    let is_inertia = matches!(coupled.inverse, Inverse::Inertia { .. });
+    let divisor = coupled.determinant().filter(|_| !is_inertia);
+    words.outcome(spec, &at_rest(spec, &plant, divisor.as_ref(), &values))
 }
 
 /// The check of a design that has a model.

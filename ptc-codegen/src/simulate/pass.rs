@@ -55,6 +55,10 @@ const ASKED: usize = 5000;
 /// Steps that a rest of a run may take at the pace of the last ones asked for.
 const HOPELESS: f64 = 1e9;
 
+/// How many times the pace grows from one question to the next where a run leaves what it had to resolve: it passes a
+/// point at which f oscillates without end, but not one that the state runs into.
+const RECOVERING: f64 = 2.0;
+
 /// Where a piece stops, and why it does not go on: no failure where only the steps are used up.
 pub(super) type Stopped = (Reached, Option<Failure>);
 
@@ -68,6 +72,7 @@ impl Pass<'_> {
     ) -> Result<Reached, Stopped> {
         let end = self.points.last().copied().unwrap_or(f64::NAN).min(self.until);
         let (mut asked_at, mut asked) = (method.t(), self.left.saturating_sub(ASKED));
+        let mut before = f64::INFINITY;
         loop {
             let (at, state, wanted) = (method.t(), method.y(), method.h());
             let here = |end| Reached { at, state, step: wanted, end };
@@ -90,11 +95,11 @@ impl Pass<'_> {
             if self.left < asked {
                 #[allow(clippy::cast_precision_loss)]
                 let pace = (at - asked_at) / ASKED as f64;
-                if (end - at) > HOPELESS * pace {
+                if (end - at) > HOPELESS * pace.max(before) && pace <= RECOVERING * before {
                     self.stalled = true;
                     return Err((here(End::Done), None));
                 }
-                (asked_at, asked) = (at, self.left.saturating_sub(ASKED));
+                (asked_at, asked, before) = (at, self.left.saturating_sub(ASKED), pace);
             }
             let wrong = |failure| (here(End::Done), Some(failure));
             let goal = point.min(self.until);

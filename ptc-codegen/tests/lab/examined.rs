@@ -62,7 +62,7 @@ fn share(report: &Report, errors: [f64; 2]) -> f64 {
 #[test]
 fn an_open_eps_in_samples_is_the_best_hold() {
     let line = "--n 2 --mu \"exp(a=1)\" --poles=-4,-5 --clock samples --tau=1 --sample-time=0.025 \
-                --error=0.01,0.1 --x0-max=1,1";
+                --error=0.01,0.1 --x0-max=1,1 --margin-gain=1 --margin-delay=0";
     for (noise, quiet) in [("1e-3,1e-2", false), ("1e-9,1e-9", true)] {
         let line = format!("{line} --noise={noise}");
         let chosen = report(&line);

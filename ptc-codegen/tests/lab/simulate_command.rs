@@ -242,7 +242,10 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (&["stage.toml", "--x0=1,0", "--tau=1,2,1.0"], &["tau = 1 s is given twice"]),
         (&["stage.toml", "--x0=1,0", "--tau=1", "--tau=2"], &["cannot be used multiple times"]),
         (&["stage.toml", "--x0=1,0", "--tau=1,x"], &["--tau \"x\""]),
-        (&["stage.toml", "--x0=1,0", "--at=0.5,1"], &["outside [0, 1)", "| --at \"0.5,1\""]),
+        (
+            &["stage.toml", "--x0=1,0", "--at=0.5,1"],
+            &["outside [0, 1)", "| --at-fraction \"0.5,1\""],
+        ),
         (&["stage.toml", "--x0=1,0", "--at=-0.5"], &["outside [0, 1)"]),
         (
             &["stage.toml", "--x0=1,0", "--at=0.5", "--delay=1", "--sample-time=1e-2"],

@@ -77,7 +77,7 @@ fn mistakes_are_named() {
             "[plant]\nA = [[0,1],[-1,0]]\nB = [0,1]\nC = [1,0]\n",
             "`measured` beside `C`",
         ),
-        ("measured = [\"x3\"]\n", plant, "not a choice of states"),
+        ("measured = [\"x3\"]\n", plant, "unknown state `x3`"),
         ("measured = [\"x1\",\"x1\"]\n", plant, "not a choice of states"),
         ("measured = [\"x1\"]\n", plant, "`observer_poles` is missing"),
         ("g = 2\n", plant, "`g` beside `A`"),
