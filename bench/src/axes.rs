@@ -46,6 +46,7 @@ pub(crate) fn measure() -> Result<Vec<Step>> {
                 poles: Vec::new(),
                 greatest: Vec::new(),
                 limits: Vec::new(),
+                lower: Vec::new(),
                 input_gains: Vec::new(),
                 laws: Vec::new(),
                 references: Vec::new(),

@@ -109,6 +109,7 @@ impl Case {
                 Parameter::StartTime => 0.5,
                 Parameter::Eps => 0.001,
                 Parameter::UMax => 1e37,
+                Parameter::UMin => -1e37,
                 Parameter::A => 8.0,
                 Parameter::M => 1.5,
                 Parameter::Start => 0.25,
