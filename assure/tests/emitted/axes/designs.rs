@@ -40,7 +40,7 @@ pub(super) fn specs() -> Vec<Spec> {
             &[("axes", "2"), ("name", "apart_shared"), ("u_min", "runtime"), ("guard", "none")],
         ),
         with(&own, &[("axes", "3"), ("name", "follows"), ("reference", "input")]),
-        with(&own, &[("axes", "3"), ("name", "small"), ("precision", "f32")]),
+        with(&own, &[("axes", "3"), ("name", "little"), ("precision", "f32")]),
         with(&own, &[("axes", "3"), ("name", "trusting"), ("guard", "none")]),
         with(&own, &[("axes", "3"), ("name", "half_trusting"), ("guard", "result")]),
         with(

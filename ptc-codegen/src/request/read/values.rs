@@ -46,9 +46,10 @@ impl Reader<'_> {
             with_comma(node).filter(|meant| !(meant.starts_with('-') && legal.contains("> 0")))?;
         let written = node.value.to_string();
         let written = written.trim_matches(['[', ']']).replace(", ", ",");
+        let of_axes = if key == "g" { "; a list of two needs axes = 2" } else { "" };
         Some((
             format!("{key} = `{written}` is a list"),
-            format!("did you mean {meant}? {key} is {legal}"),
+            format!("did you mean {meant}? {key} is {legal}{of_axes}"),
         ))
     }
 }
