@@ -100,7 +100,8 @@ pub(crate) fn simulate<'py>(
     let knows = spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
     knows.map_err(|found| design.wrong(py, found))?;
     // The emitted controller, with what the checks choose where the design leaves it open.
-    let resolved = py.detach(|| guarded(|| Resolved::of(spec))).map_err(|fault| internal(&fault))?;
+    let resolved =
+        py.detach(|| guarded(|| Resolved::of(spec))).map_err(|fault| internal(&fault))?;
     let (spec, plant) = plant::as_one(resolved.spec.clone(), design.plant.clone());
     let spec = &spec;
     let plant = plant.unwrap_or_else(|| Plant::own(spec));
