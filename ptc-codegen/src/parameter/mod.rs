@@ -30,6 +30,11 @@ impl Precision {
         }
     }
 
+    /// The test of the emitted C on whether a number is finite, in its own text.
+    pub(crate) fn finite_in_c(self, number: &str) -> String {
+        format!("PTC_FINITE_{}({number})", self.name().to_uppercase())
+    }
+
     /// Its greatest finite number.
     pub fn greatest(self) -> f64 {
         match self {

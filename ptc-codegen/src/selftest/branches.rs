@@ -106,7 +106,7 @@ impl Maker<'_> {
             let beside = |call: &Call| call.status == Status::Range && finite(call, k);
             if !calls().any(first) || !calls().any(beside) {
                 never.push((
-                    format!("(isfinite(control{}) != 0)", k + 1),
+                    self.controller.report.spec.precision.finite_in_c(&format!("control{}", k + 1)),
                     "it was never the first u that is no number, or never finite beside one,",
                 ));
             }

@@ -70,7 +70,7 @@ pub(super) fn find(
     let keeps_tau = chosen.place(Parameter::Tau).is_some();
     if !keeps_tau {
         found.unreachable.push(Unreachable {
-            condition: Always::Written("isfinite(deadline)".to_owned()),
+            condition: Always::Written(spec.precision.finite_in_c("deadline")),
             reason: "tau is fixed, and less than the last place of the greatest start".to_owned(),
         });
     }

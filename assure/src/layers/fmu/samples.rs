@@ -25,7 +25,7 @@ fn designs() -> Vec<Spec> {
     let clock = [("mu", "exp(a=1)"), ("clock", "samples")];
     let design = |more: &[(&str, &str)]| spec(&[&clock[..], more].concat());
     vec![
-        design(&[("n", "3"), ("name", "open")]),
+        design(&[("n", "3"), ("name", "undecided")]),
         design(&[
             ("n", "2"),
             ("name", "stage"),

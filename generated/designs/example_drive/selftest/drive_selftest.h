@@ -9,7 +9,7 @@
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
  *   PTC_FINITE_F64(hold_from): the negative of a parameter that is finite.
- *   isfinite(deadline): tau is fixed, and less than the last place of the greatest start.
+ *   PTC_FINITE_F64(deadline): tau is fixed, and less than the last place of the greatest start.
  *   (status == PTC_OK): arm takes every start time that init takes.
  */
 #ifndef DRIVE_SELFTEST_H

@@ -8,7 +8,7 @@
  * 1e-14 of the sum of the absolute values of its terms.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(deadline): tau is fixed, and less than the last place of the greatest start.
+ *   PTC_FINITE_F64(deadline): tau is fixed, and less than the last place of the greatest start.
  *   (status == PTC_OK): arm takes every start time that init takes.
  */
 #ifndef PENDULUM_SELFTEST_H

@@ -8,12 +8,12 @@
  * 1e-14 of the sum of the absolute values of its terms.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   isfinite(deadline): tau is fixed, and less than the last place of the greatest start.
+ *   PTC_FINITE_F64(deadline): tau is fixed, and less than the last place of the greatest start.
  *   (status == PTC_OK): arm takes every start time that init takes.
- *   (isfinite(control1) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
- *   (isfinite(control2) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control1): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control2): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
  */
 #ifndef TWO_LINK_SELFTEST_H
 #define TWO_LINK_SELFTEST_H

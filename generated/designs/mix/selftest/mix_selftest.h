@@ -10,10 +10,10 @@
  * Outcomes of conditions that no input tried brings about are not exercised:
  *   PTC_FINITE_F64(hold_from): the negative of a parameter that is finite.
  *   (status == PTC_OK): arm takes every start time that init takes.
- *   (isfinite(control1) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
- *   (isfinite(control2) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control1): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control2): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
  *   determinant < 0.0: g was not negative in 400 random calls, nor at the ends of the range.
  */
 #ifndef MIX_SELFTEST_H

@@ -11,14 +11,14 @@
  *   PTC_FINITE_F64(hold_from): the negative of a parameter that is finite.
  *   (status == PTC_OK): arm takes every start time that init takes.
  *   (fabs(p_m) <= 0.0): it holds with none of the parameters tried.
- *   (isfinite(control1) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
- *   (isfinite(control2) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
- *   (isfinite(control3) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
- *   (isfinite(control4) != 0): it was never the first u that is no number, or never finite
- *     beside one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control1): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control2): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control3): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
+ *   PTC_FINITE_F64(control4): it was never the first u that is no number, or never finite beside
+ *     one, in 400 random calls, nor at the ends of the range.
  *   a[(4U * k) + k] > 0.0: the matrix was not singular in 400 random calls, nor at the ends of
  *     the range.
  */

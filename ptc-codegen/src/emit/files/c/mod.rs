@@ -135,7 +135,7 @@ impl Text for C<'_> {
     fn finite(&self, value: &str) -> String {
         match self.outside {
             true => format!("(isfinite({value}) != 0)"),
-            false => format!("{}({})", self.precise("PTC_FINITE"), bare(value.to_owned())),
+            false => self.code.precision.finite_in_c(&bare(value.to_owned())),
         }
     }
 
