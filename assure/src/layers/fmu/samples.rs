@@ -48,7 +48,7 @@ fn designs() -> Vec<Spec> {
         ]),
         design(&[
             ("n", "2"),
-            ("name", "explicit"),
+            ("name", "explicit_master"),
             ("sample_time", "1e-3"),
             ("tau", "0.8"),
             ("delay", "1"),
