@@ -20,7 +20,7 @@ fn compiled(mut compiler: Command, file: &Path, flags: &[&str]) -> (bool, String
     (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
-/// Both clocks in both precisions, and a guard that asks for NaN.
+/// Both clocks in both precisions, and a guard that requires NaN.
 fn controllers() -> Vec<Spec> {
     let mut all = Vec::new();
     for precision in ["f64", "f32"] {
@@ -91,7 +91,7 @@ fn numbers_of_another_format_are_refused() {
     }
 }
 
-/// The header in C++ asks for the same.
+/// The header in C++ requires the same.
 #[test]
 fn cpp_refuses_fast_math() {
     let folder = folder("hosts_cpp");

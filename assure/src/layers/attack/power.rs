@@ -12,7 +12,7 @@ use crate::layer::Finding;
 /// A campaign of some hundred records, each quick.
 const CAMPAIGN: [&str; 5] = ["verify", FILE, "--out", ROWS, "--scenarios=12000"];
 
-/// What was written last counts least: a page of a file system.
+/// Size of the damaged tail: one page of a file system.
 const PAGE: usize = 4096;
 
 pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
@@ -75,7 +75,7 @@ fn zeroed(bytes: &[u8], range: Range<usize>) -> Vec<u8> {
     bytes
 }
 
-/// How a resumed campaign differs from that of one run.
+/// Returns the difference between a resumed campaign and one run.
 fn lost(
     end: &std::process::Output,
     verdict: &[u8],

@@ -69,7 +69,7 @@ fn designs() -> Vec<Spec> {
 /// An FMU in a closed loop.
 struct Loop<'a> {
     spec: &'a Spec,
-    /// Whether u is read after the step, which makes one sample of delay.
+    /// True if u is read after the step, which makes one sample of delay.
     explicit: bool,
 }
 
