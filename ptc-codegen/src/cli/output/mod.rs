@@ -30,7 +30,9 @@ pub(crate) use temporary::watch;
 pub(crate) use temporary::{Folder, TemporaryFolder, commit};
 
 use super::report::Failure;
-use super::write::{failed, shown, to_stdout, unprinted};
+#[cfg(feature = "lab")]
+use super::write::to_stdout;
+use super::write::{failed, shown, unprinted};
 
 /// The files that a command reads and writes, each by the flag that names it.
 #[derive(Default)]
@@ -223,7 +225,6 @@ pub(crate) fn through(place: &Place, content: &mut dyn Read) -> io::Result<()> {
 }
 
 /// Finds before the work what would fail after it.
-#[cfg(feature = "lab")]
 fn writable(name: &str, place: &Place) -> Result<(), Failure> {
     let wrong = |error: &io::Error| unwritable(name, &place.shown, error);
     match &place.kind {
@@ -243,7 +244,6 @@ fn writable(name: &str, place: &Place) -> Result<(), Failure> {
     }
 }
 
-#[cfg(feature = "lab")]
 fn not_a_file(name: &str, path: &Path, what: &str) -> Failure {
     Failure::because(
         format!("{name} {} is {what}", path.display()),
