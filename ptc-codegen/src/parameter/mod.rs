@@ -31,6 +31,7 @@ impl Precision {
     }
 
     /// The test of the emitted C on whether a number is finite, in its own text.
+    #[cfg(feature = "files")]
     pub(crate) fn finite_in_c(self, number: &str) -> String {
         format!("PTC_FINITE_{}({number})", self.name().to_uppercase())
     }

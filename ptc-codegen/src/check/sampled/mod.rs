@@ -49,8 +49,9 @@ pub(crate) use outcome::{NAME, outcome};
 #[cfg(feature = "lab")]
 pub(crate) use proved::proved;
 pub use span::Span;
+pub use stability::Stability;
 #[cfg(feature = "files")]
-pub use stability::{Stability, stability};
+pub use stability::stability;
 #[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};

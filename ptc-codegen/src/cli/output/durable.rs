@@ -41,6 +41,7 @@ pub(super) fn sync_tree(folder: &Path) -> io::Result<()> {
 }
 
 /// A file without a name in the folder for temporary files, which an error names.
+#[cfg(feature = "lab")]
 pub(crate) fn nameless() -> io::Result<File> {
     tempfile::tempfile().map_err(|error| {
         let folder = std::env::temp_dir();

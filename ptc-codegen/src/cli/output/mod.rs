@@ -4,8 +4,10 @@
 //! through; `-` is the standard output.
 
 mod beside;
+mod content;
 mod durable;
 mod place;
+#[cfg(feature = "lab")]
 mod spool;
 mod stale;
 mod temporary;
@@ -17,12 +19,12 @@ use std::path::Path;
 pub(crate) use beside::holds;
 #[cfg(feature = "lab")]
 pub(crate) use beside::open_beside;
+pub(crate) use content::Content;
 #[cfg(feature = "lab")]
 pub(crate) use durable::{nameless, sync_folder};
 #[cfg(feature = "lab")]
 pub(crate) use place::same_file;
 pub(crate) use place::{Kind, Place};
-pub(crate) use spool::Content;
 #[cfg(feature = "lab")]
 pub(crate) use spool::Spool;
 #[cfg(feature = "lab")]

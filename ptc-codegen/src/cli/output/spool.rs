@@ -1,10 +1,10 @@
 //! Content of a file whose size is not known: it is written as it is made, and takes its place in the end.
 
-use std::fs::{File, Metadata};
+use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, Write};
 use std::path::Path;
 
-use super::beside::{holds, open_beside};
+use super::beside::open_beside;
 use super::durable::nameless;
 use super::place::{Kind, Place};
 use super::temporary::Temporary;
@@ -30,6 +30,32 @@ impl Spool {
             _ => Ok(Self::Memory(Vec::new())),
         }
     }
+
+    /// Reads it from its beginning.
+    pub(super) fn reader(&mut self) -> io::Result<Box<dyn Read + '_>> {
+        Ok(match self {
+            Self::Memory(kept) => Box::new(kept.as_slice()),
+            Self::Nameless(file) => Box::new(rewound(file)?),
+            Self::Beside(temporary) => Box::new(rewound(temporary.file()?)?),
+        })
+    }
+
+    /// Whether the file at `path` has the same bytes.
+    pub(super) fn equals(&mut self, path: &Path) -> io::Result<bool> {
+        let mut own = self.reader()?;
+        let mut there = BufReader::new(File::open(path)?);
+        let [mut own_part, mut there_part] = [[0; 1 << 16]; 2];
+        loop {
+            let count = read_full(&mut own, &mut own_part)?;
+            let other = read_full(&mut there, &mut there_part)?;
+            if own_part[..count] != there_part[..other] {
+                return Ok(false);
+            }
+            if count < own_part.len() {
+                return Ok(true);
+            }
+        }
+    }
 }
 
 impl Write for Spool {
@@ -51,59 +77,6 @@ impl Write for Spool {
 
     fn flush(&mut self) -> io::Result<()> {
         Ok(())
-    }
-}
-
-/// What is written to a place.
-pub(crate) enum Content<'a> {
-    Bytes(&'a [u8]),
-    #[cfg_attr(not(feature = "lab"), allow(dead_code))]
-    Spooled(Spool),
-}
-
-impl Content<'_> {
-    /// Reads it from its beginning.
-    pub(super) fn reader(&mut self) -> io::Result<Box<dyn Read + '_>> {
-        Ok(match self {
-            Self::Bytes(bytes) => Box::new(*bytes),
-            Self::Spooled(Spool::Memory(kept)) => Box::new(kept.as_slice()),
-            Self::Spooled(Spool::Nameless(file)) => Box::new(rewound(file)?),
-            Self::Spooled(Spool::Beside(temporary)) => Box::new(rewound(temporary.file()?)?),
-        })
-    }
-
-    /// Whether the regular file at `path` holds it.
-    pub(super) fn is_in(&mut self, path: &Path, there: &Metadata) -> bool {
-        match self {
-            Self::Bytes(bytes) => holds(path, there, bytes),
-            Self::Spooled(_) => self.equals(path).is_ok_and(|equals| equals),
-        }
-    }
-
-    fn equals(&mut self, path: &Path) -> io::Result<bool> {
-        let mut own = self.reader()?;
-        let mut there = BufReader::new(File::open(path)?);
-        let [mut own_part, mut there_part] = [[0; 1 << 16]; 2];
-        loop {
-            let count = read_full(&mut own, &mut own_part)?;
-            let other = read_full(&mut there, &mut there_part)?;
-            if own_part[..count] != there_part[..other] {
-                return Ok(false);
-            }
-            if count < own_part.len() {
-                return Ok(true);
-            }
-        }
-    }
-
-    /// It as a file beside the place where it goes.
-    pub(super) fn beside(mut self, place: &Place) -> io::Result<Temporary> {
-        if let Self::Spooled(Spool::Beside(temporary)) = self {
-            return Ok(temporary);
-        }
-        let temporary = open_beside(place)?;
-        io::copy(&mut self.reader()?, &mut temporary.file()?)?;
-        Ok(temporary)
     }
 }
 

@@ -260,6 +260,7 @@ pub fn sampled_formulas(report: &Report) -> Vec<String> {
 }
 
 /// The plant, the law and the observer of a controller in samples, as the head of its files has them.
+#[cfg(feature = "lab")]
 pub(crate) fn sampled_law(report: &Report) -> Vec<String> {
     head::law_in_samples(report)
 }

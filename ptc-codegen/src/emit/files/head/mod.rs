@@ -12,9 +12,9 @@ mod time;
 
 pub(super) use formulas::{law, mapping};
 pub(super) use plant::{chain, in_samples as plant_in_samples};
-pub(super) use samples::{
-    formulas as formulas_in_samples, law as law_in_samples, lines as lines_in_samples,
-};
+#[cfg(feature = "lab")]
+pub(super) use samples::law as law_in_samples;
+pub(super) use samples::{formulas as formulas_in_samples, lines as lines_in_samples};
 pub(super) use time::lines;
 
 use super::declared;

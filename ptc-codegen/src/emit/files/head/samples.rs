@@ -19,6 +19,7 @@ pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
 }
 
 /// The plant, the law and the observer of a controller, as they are in the head of its files.
+#[cfg(feature = "lab")]
 pub(in crate::emit) fn law(report: &Report) -> Vec<String> {
     let spec = &report.spec;
     let Some(sampled) = spec.sampled() else { return Vec::new() };
