@@ -193,6 +193,12 @@ static void stage37_eva_live(double limit, int level)
     params.k[0] = stage37_eva_draw(STAGE37_EVA_K1_MIN, STAGE37_EVA_K1_MAX);
     params.k[1] = stage37_eva_draw(STAGE37_EVA_K2_MIN, STAGE37_EVA_K2_MAX);
     params.deadbeat = stage37_eva_draw(STAGE37_EVA_DEADBEAT_MIN, STAGE37_EVA_DEADBEAT_MAX);
+#ifndef FINITE
+    if (level > 1) {
+        /* Of any number the bound of u would say nothing. */
+        params.u_min = Frama_C_double_interval(STAGE37_EVA_U_MIN_MIN, STAGE37_EVA_U_MIN_MAX);
+    }
+#endif
     stage37_eva_blank(self);
     status = stage37_init(self, &params);
     if (status == PTC_OK) {

@@ -76,6 +76,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         run_time_limit,
         fixed_limit,
         lower,
+        lower_stem: open(Parameter::UMin).then(|| stem(&prefix, Parameter::UMin)),
         handed: handed(&name, externs),
         null_calls: calls
             .iter()
@@ -164,6 +165,8 @@ struct Harness<'a> {
     fixed_limit: Option<String>,
     /// Lower limit of u in the assertion, as an expression.
     lower: String,
+    /// Stem of the range of u_min, where it is left to run time.
+    lower_stem: Option<String>,
     /// Arguments between state and u.
     handed: String,
     /// Functions of the C library that lack a contract.

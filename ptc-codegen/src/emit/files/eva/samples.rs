@@ -94,6 +94,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         limit_stem: stem(&prefix, Parameter::UMax),
         fixed_limit: limit.map(text),
         lower: super::lower(spec, &prefix),
+        lower_stem: open(Parameter::UMin).then(|| stem(&prefix, Parameter::UMin)),
         given: if spec.sampled().is_some_and(|s| s.measures_states()) { "x" } else { "y" },
         y,
         r,
@@ -196,6 +197,8 @@ struct Harness<'a> {
     fixed_limit: Option<String>,
     /// Lower limit of u in the assertion, as an expression.
     lower: String,
+    /// Stem of the range of u_min, where it is left to run time.
+    lower_stem: Option<String>,
     /// What is measured: its name, and the macros of its bounds.
     given: &'static str,
     y: Vec<String>,
