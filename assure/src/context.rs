@@ -1,7 +1,8 @@
 //! What a layer works on: the controllers of the goldens, those of every family, and random ones.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
+use std::process::Command;
+use std::time::Duration;
 
 use ptc_codegen::family::Family;
 use ptc_codegen::parameter::Precision;
@@ -21,14 +22,15 @@ pub struct Context {
     pub time: Duration,
     /// Whether fewer controllers are examined.
     pub brief: bool,
-    /// Which of the parts of what is costly a brief run examines: the number of the day.
-    pub day: u64,
+    /// Which of the parts of what is costly a brief run examines: a number of the commit, so that it finds the same on any
+    /// day.
+    pub turn: u64,
 }
 
 /// For which the fuzzer draws controllers by default.
 pub const TIME: Duration = Duration::from_secs(20);
 
-/// In how many parts a brief run divides what is costly, and so in how many days all of it is examined.
+/// In how many parts a brief run divides what is costly.
 const PARTS: u64 = 7;
 
 /// The root of the workspace.
@@ -37,12 +39,18 @@ pub fn workspace() -> &'static Path {
     here.parent().unwrap_or(here)
 }
 
+/// The first digits of the commit of the workspace; `None` outside a repository.
+fn commit() -> Option<u64> {
+    let git = Command::new("git").args(["rev-parse", "HEAD"]).current_dir(workspace()).output();
+    let commit = String::from_utf8(git.ok()?.stdout).ok()?;
+    u64::from_str_radix(commit.get(..8)?, 16).ok()
+}
+
 impl Context {
     /// The context that works in the folder `assure` of cargo's `target`.
     pub fn new(target: &Path, seed: u64) -> Self {
-        let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
-        let day = since.map_or(0, |since| since.as_secs() / (24 * 60 * 60));
-        Self { target: target.to_owned(), seed, time: TIME, brief: false, day }
+        let turn = commit().unwrap_or_default();
+        Self { target: target.to_owned(), seed, time: TIME, brief: false, turn }
     }
 
     /// The greatest order of the families that a layer examines, `full` where the run is not brief.
@@ -55,11 +63,11 @@ impl Context {
         if self.brief { PARTS } else { 1 }
     }
 
-    /// The part of `all` whose turn it is in a brief run, the next one a day later; else all. Never none of them.
+    /// The part of `all` whose turn it is in a brief run; else all. Never none of them.
     pub fn in_turn<T>(&self, all: Vec<T>) -> Vec<T> {
         let parts = self.parts().min(all.len() as u64);
         let due = |(index, _): &(u64, T)| index.is_multiple_of(parts);
-        (self.day..).zip(all).filter(due).map(|(_, one)| one).collect()
+        (self.turn..).zip(all).filter(due).map(|(_, one)| one).collect()
     }
 
     /// `full` records of each controller, a quarter of them in a brief run.
@@ -141,12 +149,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn some_of_every_list_is_examined_each_day_and_all_of_it_in_a_week() {
+    fn a_part_of_every_list_is_examined_and_all_of_it_in_seven_turns() {
         let mut context = Context { brief: true, ..Context::new(Path::new("target"), 1) };
         for length in 0..20 {
             let mut seen = vec![false; length];
             for _ in 0..PARTS {
-                context.day += 1;
+                context.turn += 1;
                 let due = context.in_turn((0..length).collect());
                 assert_eq!(due.is_empty(), length == 0, "{length}");
                 due.into_iter().for_each(|index| seen[index] = true);

@@ -28,8 +28,8 @@ impl Kept {
         let clean = changed.is_ok_and(|changed| changed.is_empty());
         let commit = git(&["rev-parse", "HEAD"]).ok().filter(|_| clean);
         let (seed, seconds) = (context.seed, context.time.as_secs_f64());
-        let day = context.brief.then_some(context.day);
-        let run = |commit: String| format!("{} {seed} {seconds} {day:?}", commit.trim());
+        let brief = context.brief;
+        let run = |commit: String| format!("{} {seed} {seconds} {brief}", commit.trim());
         Self { folder: context.target().join("assure/kept"), run: commit.map(run) }
     }
 

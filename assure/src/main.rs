@@ -43,7 +43,7 @@ struct CommandLine {
     #[arg(long, value_name = "FILE", conflicts_with = "layers")]
     design: Option<PathBuf>,
     /// Examine less: of the families orders up to 2, a quarter of the random controllers and of the
-    /// records, and for proofs and rules another seventh each day
+    /// records, and for proofs and rules a seventh, another one for another commit
     #[arg(long)]
     brief: bool,
     /// Reuse results of layers that passed in an earlier run of the same commit with the same options
