@@ -113,6 +113,19 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
+/// A text in parts: runs that may be shown, and characters that may not.
+#[cfg(feature = "cli")]
+pub(crate) fn parts(text: &str) -> Vec<Result<&str, char>> {
+    let mut parts = Vec::new();
+    let mut rest = text;
+    while let Some((at, hidden)) = rest.char_indices().find(|(_, c)| is_hidden(*c)) {
+        parts.extend([Ok(&rest[..at]), Err(hidden)]);
+        rest = &rest[at + hidden.len_utf8()..];
+    }
+    parts.push(Ok(rest));
+    parts
+}
+
 /// The same on one line: no text of an input can add another.
 pub fn visible_line(text: &str) -> String {
     visible(text).replace('\n', "\\n")

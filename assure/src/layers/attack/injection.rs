@@ -3,6 +3,7 @@
 use std::fs;
 
 use anyhow::{Context as _, Result};
+use ptc_codegen::diagnostic::visible;
 use ptc_codegen::emit::File;
 use roxmltree::{Document, Node, ParsingOptions};
 
@@ -43,6 +44,13 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
         .map(|(from, to)| page("raw.toml", &text).map(|page| page.replace(from, to)));
     finding.seed("a page with a tag of the design", differs(&plain, &raw?, &text));
     finding.seed("a page that leaves a text out", differs(&plain, &lost?, &text));
+    let turned = format!("# \u{202e}x\n{DESIGN}");
+    let marked = page("turned.toml", &turned)?;
+    let mark = "<mark>\\u{202e}</mark>";
+    let [raw, unmarked] = ["\u{202e}", "\\u{202e}"].map(|shown| marked.replace(mark, shown));
+    finding.seed("a page whose text turns around", differs(&plain, &raw, &turned));
+    finding
+        .seed("a hidden character that reads as its escape", differs(&plain, &unmarked, &turned));
     Ok(format!(
         "{} designs with odd texts and {} files of them, of which none is read as code; {pages} \
          reports with the elements of a plain design's",
@@ -72,29 +80,51 @@ fn commented(random: &mut Random) -> String {
     text
 }
 
-/// How a page differs from that of a plain design in what is no text, or in the text of the design.
+/// Returns how a page differs from that of a plain design in what is no text, or in the text of the design.
 fn differs(plain: &str, page: &str, design: &str) -> Option<String> {
+    if visible(page) != page {
+        return Some("characters that change how the page is seen".to_owned());
+    }
     let options = || ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     let parse = |page| Document::parse_with_options(page, options());
     let (plain, page) = match (parse(plain), parse(page)) {
         (Ok(plain), Ok(page)) => (plain, page),
         (plain, page) => return plain.err().or(page.err()).map(|wrong| wrong.to_string()),
     };
-    // Elements and comments with the names of their attributes, in their order.
-    let shape = |page: &Document<'_>| -> Vec<String> {
-        let parts = page.descendants().filter(|node| !node.is_text());
-        let shown = |node: Node<'_, '_>| {
-            let attributes: Vec<_> = node.attributes().map(|own| own.name().to_owned()).collect();
-            format!("{:?} {} {attributes:?}", node.node_type(), node.tag_name().name())
-        };
-        parts.map(shown).collect()
-    };
     let mut texts = page.descendants().filter(|node| node.tag_name().name() == "pre");
-    match () {
-        () if shape(&plain) != shape(&page) => Some("other elements".to_owned()),
-        () if !texts.any(|node| node.text() == Some(design)) => {
-            Some("the design is not quoted as it is".to_owned())
-        }
-        () => None,
+    if shape(&plain) != shape(&page) {
+        return Some("other elements".to_owned());
     }
+    let quoted = texts.any(|node| quoted(node).as_deref() == Some(design));
+    (!quoted).then(|| "the design is not quoted as it is".to_owned())
+}
+
+/// Returns elements and comments with the names of their attributes, in their order, but for marked characters and
+/// the line that explains them.
+fn shape(page: &Document<'_>) -> Vec<String> {
+    let explains = |node: &Node<'_, '_>| {
+        let before = node.prev_sibling_element();
+        before.is_some_and(|pre| pre.children().any(|own| own.has_tag_name("mark")))
+    };
+    let own =
+        |node: &Node<'_, '_>| !node.is_text() && !node.has_tag_name("mark") && !explains(node);
+    let shown = |node: Node<'_, '_>| {
+        let attributes: Vec<_> = node.attributes().map(|own| own.name().to_owned()).collect();
+        format!("{:?} {} {attributes:?}", node.node_type(), node.tag_name().name())
+    };
+    page.descendants().filter(own).map(shown).collect()
+}
+
+/// Reads a quoted text back: a mark holds the number of one character.
+fn quoted(pre: Node<'_, '_>) -> Option<String> {
+    let mut text = String::new();
+    for part in pre.children() {
+        if part.is_text() {
+            text += part.text()?;
+            continue;
+        }
+        let number = part.text()?.strip_prefix("\\u{")?.strip_suffix('}')?;
+        text.push(char::from_u32(u32::from_str_radix(number, 16).ok()?)?);
+    }
+    Some(text)
 }

@@ -12,7 +12,7 @@ use std::path::Path;
 use crate::accepted::Accepted;
 use crate::check::Verdict;
 use crate::check::examine::Report;
-use crate::diagnostic::{visible, visible_line};
+use crate::diagnostic::{parts, visible, visible_line};
 use crate::emit::{File, Language};
 use crate::plant::Plant;
 use crate::request::Spec;
@@ -97,7 +97,8 @@ struct Page<'a> {
     facts: Vec<Fact>,
     known: Vec<Known>,
     command: &'a str,
-    design: Option<(String, &'a str)>,
+    /// Its file, and the text in parts: what would change how the rest is seen is marked.
+    design: Option<(String, Vec<Result<&'a str, char>>)>,
     groups: Vec<Group>,
     report: &'a Report,
     refusals: Vec<&'static str>,
@@ -152,8 +153,7 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
     };
     // Texts of the user's show what they hold.
     let command = &visible(command);
-    let design = source.text().map(|text| (design::file(spec), visible(text)));
-    let design = design.as_ref().map(|(name, text)| (visible_line(name), text.as_ref()));
+    let design = source.text().map(|text| (visible_line(&design::file(spec)), parts(text)));
     let page = Page {
         title: format!("{}: {}", spec.name(), section.title.to_lowercase()),
         facts: design::facts(report),
