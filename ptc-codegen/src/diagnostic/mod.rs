@@ -114,7 +114,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
 }
 
 /// A text in parts: runs that may be shown, and characters that may not.
-#[cfg(feature = "cli")]
+#[cfg(feature = "lab")]
 pub(crate) fn parts(text: &str) -> Vec<Result<&str, char>> {
     let mut parts = Vec::new();
     let mut rest = text;
