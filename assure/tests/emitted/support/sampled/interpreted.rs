@@ -88,9 +88,10 @@ pub(crate) fn python_with(needed: &str) -> Option<String> {
     found.is_ok_and(|output| output.status.success()).then_some(python)
 }
 
-/// GNU Octave, where it is there.
+/// GNU Octave, where it is there with all of its libraries.
 pub(crate) fn octave() -> Option<Command> {
-    Command::new("octave-cli").arg("--version").output().ok()?;
+    let version = Command::new("octave-cli").arg("--version").output().ok()?;
+    version.status.success().then_some(())?;
     let mut octave = Command::new("octave-cli");
     octave.args(["-q", "--no-init-file", "--no-history"]);
     Some(octave)
