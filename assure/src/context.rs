@@ -149,7 +149,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_part_of_every_list_is_examined_and_all_of_it_in_seven_turns() {
+    fn in_turn_reaches_every_item_within_seven_turns() {
         let mut context = Context { brief: true, ..Context::new(Path::new("target"), 1) };
         for length in 0..20 {
             let mut seen = vec![false; length];

@@ -104,8 +104,8 @@ fn differs(plain: &str, page: &str, design: &str) -> Option<String> {
     (!quoted).then(|| "the design is not quoted as it is".to_owned())
 }
 
-/// Returns elements and comments with the names of their attributes, in their order, but for marked characters and
-/// the line that explains them.
+/// Returns elements and comments in their order, each with the names of its attributes. Marked characters and the line
+/// that explains them are left out.
 fn shape(page: &Document<'_>) -> Vec<String> {
     let explains = |node: &Node<'_, '_>| {
         let before = node.prev_sibling_element();

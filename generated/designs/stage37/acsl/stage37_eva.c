@@ -103,6 +103,13 @@ static double stage37_eva_number(int level, double least, double greatest)
     return ((level > 0) && (isfinite(v) == 0)) ? greatest : v;
 }
 
+/* The same, but at level 2 one of least to greatest: of any number the bound of u would say nothing. */
+static double stage37_eva_limit(int level, double least, double greatest)
+{
+    return (level > 1) ? Frama_C_double_interval(least, greatest)
+                       : stage37_eva_number(level, least, greatest);
+}
+
 static uint32_t stage37_eva_count(uint32_t least, uint32_t greatest)
 {
     return (uint32_t)Frama_C_unsigned_int_interval(least, greatest);
@@ -188,17 +195,11 @@ static void stage37_eva_live(double limit, int level)
     params.u_max = limit;
     params.samples = stage37_eva_count(STAGE37_EVA_SAMPLES_MIN, STAGE37_EVA_SAMPLES_MAX);
     params.h = stage37_eva_draw(STAGE37_EVA_H_MIN, STAGE37_EVA_H_MAX);
-    params.u_min = stage37_eva_number(level, STAGE37_EVA_U_MIN_MIN, STAGE37_EVA_U_MIN_MAX);
+    params.u_min = stage37_eva_limit(level, STAGE37_EVA_U_MIN_MIN, STAGE37_EVA_U_MIN_MAX);
     params.a = stage37_eva_draw(STAGE37_EVA_A_MIN, STAGE37_EVA_A_MAX);
     params.k[0] = stage37_eva_draw(STAGE37_EVA_K1_MIN, STAGE37_EVA_K1_MAX);
     params.k[1] = stage37_eva_draw(STAGE37_EVA_K2_MIN, STAGE37_EVA_K2_MAX);
     params.deadbeat = stage37_eva_draw(STAGE37_EVA_DEADBEAT_MIN, STAGE37_EVA_DEADBEAT_MAX);
-#ifndef FINITE
-    if (level > 1) {
-        /* Of any number the bound of u would say nothing. */
-        params.u_min = Frama_C_double_interval(STAGE37_EVA_U_MIN_MIN, STAGE37_EVA_U_MIN_MAX);
-    }
-#endif
     stage37_eva_blank(self);
     status = stage37_init(self, &params);
     if (status == PTC_OK) {

@@ -27,7 +27,7 @@ impl Content<'_> {
         }
     }
 
-    /// Whether the regular file at `path` holds it.
+    /// Returns true if the regular file at `path` holds it.
     pub(super) fn is_in(&mut self, path: &Path, there: &Metadata) -> bool {
         match self {
             Self::Bytes(bytes) => holds(path, there, bytes),

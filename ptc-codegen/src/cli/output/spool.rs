@@ -40,7 +40,7 @@ impl Spool {
         })
     }
 
-    /// Whether the file at `path` has the same bytes.
+    /// Returns true if the file at `path` has the same bytes.
     pub(super) fn equals(&mut self, path: &Path) -> io::Result<bool> {
         let mut own = self.reader()?;
         let mut there = BufReader::new(File::open(path)?);

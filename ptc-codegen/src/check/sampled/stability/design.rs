@@ -32,7 +32,7 @@ pub fn stability(spec: &Spec, expanded: Option<&Expanded>) -> Result<Stability, 
 }
 
 fn of_one(spec: &Spec, expanded: Option<&Expanded>, left: &mut f64) -> Result<Stability, String> {
-    // Of the loop of e the reference is no part, and neither is where it begins.
+    // Neither the reference nor where it begins is part of the loop of e.
     let spec = from_units(spec);
     let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number).cloned();
     let eps = eps.ok_or("`eps` is left to run time")?;
@@ -51,7 +51,7 @@ fn of_one(spec: &Spec, expanded: Option<&Expanded>, left: &mut f64) -> Result<St
 }
 
 impl Stability {
-    /// What both tolerate.
+    /// Returns what both tolerate.
     fn with(self, other: Self) -> Self {
         Self {
             gain: [self.gain[0].max(other.gain[0]), self.gain[1].min(other.gain[1])],

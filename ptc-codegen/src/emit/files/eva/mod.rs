@@ -33,6 +33,35 @@ const LAW: f64 = 10.0;
 const OPTIONS: &str = "-eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all \
                        -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality";
 
+/// A run-time parameter as a harness draws it.
+struct Drawn {
+    place: String,
+    /// Stem of its range.
+    stem: String,
+    /// Whether it is a count.
+    count: bool,
+    /// The function that draws it, up to the range.
+    source: &'static str,
+}
+
+impl Drawn {
+    fn new(spec: &Spec, prefix: &str, p: Parameter) -> Self {
+        let count = p == Parameter::Samples;
+        let source = match p {
+            _ if count => "count(",
+            Parameter::UMin => "limit(level, ",
+            _ if is_compared(spec, p) => "number(level, ",
+            _ => "draw(",
+        };
+        Self { place: place("params.", p), stem: stem(prefix, p), count, source }
+    }
+}
+
+/// Returns true if a comparison alone shows the domain of a parameter.
+fn is_compared(spec: &Spec, p: Parameter) -> bool {
+    !matches!(spec.domain(p), Domain::Finite | Domain::Positive)
+}
+
 /// The harness of a controller, beside its annotated source.
 pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
     let spec = controller.spec();
@@ -43,11 +72,10 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
     let prefix = format!("{}_EVA", name.to_uppercase());
     let text = |value: f64| literal(value, spec.precision);
     let ranges = ranges(controller, &prefix);
-    let compared = |p: Parameter| !matches!(spec.domain(p), Domain::Finite | Domain::Positive);
     let drawn = spec
         .run_time_parameters()
         .filter(|p| !matches!(p, Parameter::Tau | Parameter::StartTime | Parameter::UMax))
-        .map(|p| (place("params.", p), stem(&prefix, p), compared(p)))
+        .map(|p| Drawn::new(spec, &prefix, p))
         .collect();
     let promised = |bounds: &[Fixed], j: usize| bounds.get(j).map(|bound| rounded(bound, spec));
     let x_max = |j| promised(&spec.promises.x_max, j).unwrap_or(STATE);
@@ -76,7 +104,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         run_time_limit,
         fixed_limit,
         lower,
-        lower_stem: open(Parameter::UMin).then(|| stem(&prefix, Parameter::UMin)),
+        open_lower: open(Parameter::UMin),
         handed: handed(&name, externs),
         null_calls: calls
             .iter()
@@ -87,7 +115,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         timed_calls: with("t"),
         all_places: spec.run_time_parameters().map(|p| place("params.", p)).collect(),
         sees_all: spec.guard == Guard::Full || frame.associated,
-        compared: spec.run_time_parameters().any(compared),
+        compared: spec.run_time_parameters().any(|p| is_compared(spec, p)),
         options: OPTIONS,
         ranges,
         drawn,
@@ -165,8 +193,8 @@ struct Harness<'a> {
     fixed_limit: Option<String>,
     /// Lower limit of u in the assertion, as an expression.
     lower: String,
-    /// Stem of the range of u_min, where it is left to run time.
-    lower_stem: Option<String>,
+    /// Whether u_min is left to run time.
+    open_lower: bool,
     /// Arguments between state and u.
     handed: String,
     /// Functions of the C library that lack a contract.
@@ -185,9 +213,7 @@ struct Harness<'a> {
     /// NaN to the right side of a comparison, which Eva does not.
     sees_all: bool,
     ranges: Vec<Range>,
-    /// Places of run-time parameters, the stems of their ranges, and whether a comparison alone
-    /// shows their domain.
-    drawn: Vec<(String, String, bool)>,
+    drawn: Vec<Drawn>,
     x_max: Vec<String>,
     x0_max: Vec<String>,
     /// Bounds of the reference and its derivatives, where each call is given them.

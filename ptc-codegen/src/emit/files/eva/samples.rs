@@ -5,15 +5,15 @@
 
 use askama::Template;
 
-use super::{Call, LAW, OPTIONS, Range, STATE, literal, rounded, stem};
+use super::{Call, Drawn, LAW, OPTIONS, Range, STATE, is_compared, literal, rounded, stem};
 use crate::code::{Code, Shape, Statement, Variable};
-use crate::emit::files::acsl::{changed, place};
+use crate::emit::files::acsl::changed;
 use crate::emit::files::apart::apart;
 use crate::emit::files::outline::Outline;
 use crate::emit::files::text_of;
 use crate::emit::{File, tidy};
 use crate::internal::fault;
-use crate::parameter::{Domain, Parameter, Precision};
+use crate::parameter::{Parameter, Precision};
 use crate::request::{Guard, Spec, What};
 
 /// A field that a call changes, and the macro of its bound where it is a number.
@@ -71,13 +71,6 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
     let ticks =
         timed.then(|| Bound { stem: format!("{prefix}_ELAPSED_MAX"), value: format!("{exact}U") });
     let text_of_call = |call: &&Call| call.text(&name, None);
-    let compared = |p: Parameter| !matches!(spec.domain(p), Domain::Finite | Domain::Positive);
-    let drawn = |p: Parameter| Drawn {
-        place: place("params.", p),
-        stem: stem(&prefix, p),
-        count: p == Parameter::Samples,
-        compared: compared(p),
-    };
     let parameters = spec.run_time_parameters().filter(|p| *p != Parameter::UMax);
     let full = spec.guard == Guard::Full;
     let harness = Harness {
@@ -87,14 +80,14 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         ranges: ranges(spec, &prefix),
         ticks,
         bounds,
-        parameters: parameters.map(drawn).collect(),
+        parameters: parameters.map(|p| Drawn::new(spec, &prefix, p)).collect(),
         has_parameters: !code.parameters.is_empty(),
-        compared: spec.run_time_parameters().any(compared),
+        compared: spec.run_time_parameters().any(|p| is_compared(spec, p)),
         run_time_limit: open(Parameter::UMax),
         limit_stem: stem(&prefix, Parameter::UMax),
         fixed_limit: limit.map(text),
         lower: super::lower(spec, &prefix),
-        lower_stem: open(Parameter::UMin).then(|| stem(&prefix, Parameter::UMin)),
+        open_lower: open(Parameter::UMin),
         given: if spec.sampled().is_some_and(|s| s.measures_states()) { "x" } else { "y" },
         y,
         r,
@@ -169,15 +162,6 @@ fn call(function: &crate::code::Function) -> Call {
     Call { function: function.name, arguments, pointers }
 }
 
-/// A run-time parameter but u_max.
-struct Drawn {
-    place: String,
-    stem: String,
-    count: bool,
-    /// Whether a comparison alone shows its domain.
-    compared: bool,
-}
-
 #[derive(Template)]
 #[template(path = "eva/samples.c.txt", escape = "none")]
 struct Harness<'a> {
@@ -197,8 +181,8 @@ struct Harness<'a> {
     fixed_limit: Option<String>,
     /// Lower limit of u in the assertion, as an expression.
     lower: String,
-    /// Stem of the range of u_min, where it is left to run time.
-    lower_stem: Option<String>,
+    /// Whether u_min is left to run time.
+    open_lower: bool,
     /// What is measured: its name, and the macros of its bounds.
     given: &'static str,
     y: Vec<String>,
