@@ -131,8 +131,8 @@ pub use error::Error;
 /// | `noise_rms` | standard deviations of random noise of each measured state | a number >= 0, or one for each state | |
 /// | `g_error` | least and greatest true input gain, in parts of `g` | two numbers > 0, the smaller one first | |
 /// | `jitter` | how early or late a sample may be, in s | a number >= 0 and < sample_time/2 | |
-/// | `margin_gain` | gain margin of an eps chosen by the worst case of the loop: stable from 1/margin_gain to margin_gain times the input gain, as far as error allows | a number >= 1 | 2 |
-/// | `margin_delay` | delay margin of an eps chosen by the worst case of the loop, in samples beyond `delay`, as far as error allows | an integer 0..=16 | 1 |
+/// | `margin_gain` | gain margin of a chosen eps: stable from 1/margin_gain to margin_gain times the input gain, as far as error allows | a number >= 1 | 2 |
+/// | `margin_delay` | delay margin of a chosen eps, in samples beyond `delay`, as far as error allows | an integer 0..=16 | 1 |
 /// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
 /// | `u_step` | step of the actuator | a number >= 0 | |
 /// | `delay` | samples between a measurement and the input that follows from it | a number from 0 to 16; with clock = time an integer | |

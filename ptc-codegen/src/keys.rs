@@ -269,13 +269,13 @@ pub static KEYS: [KeyInfo; 57] = [
     },
     KeyInfo {
         key: "margin_gain",
-        meaning: "gain margin of an eps chosen by the worst case of the loop: stable from 1/margin_gain to margin_gain times the input gain, as far as error allows",
+        meaning: "gain margin of a chosen eps: stable from 1/margin_gain to margin_gain times the input gain, as far as error allows",
         legal: "a number >= 1; 2, or 6 dB each way, if not given",
         example: "1.5",
     },
     KeyInfo {
         key: "margin_delay",
-        meaning: "delay margin of an eps chosen by the worst case of the loop, in samples beyond delay, as far as error allows",
+        meaning: "delay margin of a chosen eps, in samples beyond delay, as far as error allows",
         legal: "an integer 0..=16; 1 if not given",
         example: "2",
     },

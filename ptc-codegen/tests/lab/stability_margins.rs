@@ -123,3 +123,51 @@ fn the_bounds_of_a_design_come_before_its_margin() {
     }
     assert!(widest > 0);
 }
+
+/// Every design whose eps is chosen keeps the margin, or its reason says why not.
+#[test]
+fn every_chosen_eps_keeps_the_margin_or_says_why_not() {
+    let bounds = [
+        "",
+        "x0_max = [1]\n",
+        "x0_max = [1]\nerror = 1e-3\n",
+        "x0_max = [1]\nerror = 1e-12\n",
+        NOISY,
+    ];
+    let periods = ["", "sample_time = 5e-3\n", "sample_time = 0.05\n"];
+    let (mut kept, mut given_up) = (0, 0);
+    for n in 1..=3 {
+        let poles = ["-4", "-4, -5", "-4, -5, -6"][n - 1];
+        for (clock, period) in periods
+            .iter()
+            .map(|period| ("time", *period))
+            .chain(periods[1..].iter().map(|period| ("samples", *period)))
+        {
+            for bound in bounds {
+                let bound = bound.replace("[1]", &format!("{:?}", vec![1; n]));
+                let text = format!(
+                    "n = {n}\nmu = \"exp(a=1)\"\nclock = \"{clock}\"\npoles = [{poles}]\n{period}{bound}\
+                     [params]\ntau = 1\nu_max = inf\n"
+                );
+                let report = report(&text);
+                let Some(choice) = report.choices.first() else { continue };
+                let margins = stability(&report.spec, None);
+                let is_kept =
+                    margins.is_ok_and(|m| m.gain[0] <= 0.5 && m.gain[1] >= 2.0 && m.delay >= 1);
+                let keeps = ["it keeps the margin", "those that keep the margin"];
+                let says = keeps.iter().any(|part| choice.reason.contains(part))
+                    || choice.reason.contains("the smallest found that keeps the margin");
+                assert_eq!(is_kept, says, "{}\n{text}", choice.reason);
+                let gives_up =
+                    ["is not kept", "would cost a bound", "no eps keeps", "no margin is known"];
+                let why = gives_up.iter().any(|part| choice.reason.contains(part));
+                assert!(is_kept || why, "{}\n{text}", choice.reason);
+                kept += usize::from(is_kept);
+                given_up += usize::from(!is_kept);
+            }
+        }
+    }
+    assert!(kept > 20 && given_up > 10, "{kept} {given_up}");
+}
+
+const NOISY: &str = "x0_max = [1]\nnoise = 1e-4\n";

@@ -70,7 +70,7 @@ proptest! {
     fn spellings_of_a_reference_are_followed_alike(formula in spelled("sin(t)")) {
         let line = |reference: &str| format!(
             "--n 2 --mu \"exp(a=1)\" --clock samples --sample-time 1e-2 --poles=-4,-5 --x0-max 0.1,0.1 \
-             --error 1e-2,1 --tau 0.1 --u-max inf --reference \"0.1*({reference})\""
+             --error 1e-2,1 --tau 0.1 --eps 0 --u-max inf --reference \"0.1*({reference})\""
         );
         let [plain, rewritten] =
             [&formula.plain, &formula.rewritten].map(|text| found(&line(text), "loop"));
@@ -117,7 +117,7 @@ fn functions_of_one_mathematics_have_one_verdict() {
     let samples = |reference: &str| {
         format!(
             "--n 2 --mu \"exp(a=1)\" --clock samples --sample-time 1e-2 --poles=-4,-5 --x0-max 0.1,0.1 \
-             --error 1e-2,1 --tau 0.2 --u-max inf --reference \"{reference}\""
+             --error 1e-2,1 --tau 0.2 --eps 0 --u-max inf --reference \"{reference}\""
         )
     };
     for reference in [

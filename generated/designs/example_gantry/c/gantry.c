@@ -78,7 +78,7 @@ ptc_status gantry_tick(const gantry *self, double t, gantry_gains *gains)
     if ((self != NULL) && (gains != NULL)) {
         if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
-            const double late = (past < -0.012) ? past : -0.012;
+            const double late = (past < -0.0159) ? past : -0.0159;
             const double inv_T = (-1.0) / late;
             const double v1 = (-20.0) * inv_T * inv_T;
             const double v2 = (-8.0) * inv_T;
@@ -94,7 +94,7 @@ ptc_status gantry_tick(const gantry *self, double t, gantry_gains *gains)
             gains->u_max[0] = 900.0;
             gains->u_max[1] = 400.0;
             gains->u_max[2] = 150.0;
-            if (late < -0.012) {
+            if (late < -0.0159) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
@@ -153,7 +153,7 @@ ptc_status gantry_step(
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
         if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
-            const double late = (past < -0.012) ? past : -0.012;
+            const double late = (past < -0.0159) ? past : -0.0159;
             const double inv_T = (-1.0) / late;
             const double v1 = (-20.0) * inv_T * inv_T;
             const double v2 = (-8.0) * inv_T;
@@ -172,7 +172,7 @@ ptc_status gantry_step(
             u_max[0] = 900.0;
             u_max[1] = 400.0;
             u_max[2] = 150.0;
-            if (late < -0.012) {
+            if (late < -0.0159) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;

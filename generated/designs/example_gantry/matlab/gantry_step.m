@@ -21,7 +21,7 @@ if ~(isfinite(t) && (self.t0 <= t))
     return;
 end
 past = (t - self.deadline) - self.correction;
-late = pick(past < -0.012, past, -0.012);
+late = pick(past < -0.0159, past, -0.0159);
 inv_T = (-1.0) / late;
 v1 = (-20.0) * inv_T * inv_T;
 v2 = (-8.0) * inv_T;
@@ -40,7 +40,7 @@ u_max = zeros(1, 3, 'double');
 u_max(1) = 900.0;
 u_max(2) = 400.0;
 u_max(3) = 150.0;
-if late < -0.012
+if late < -0.0159
     status = int32(0);
 else
     status = int32(1);

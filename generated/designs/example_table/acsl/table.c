@@ -83,11 +83,11 @@ ptc_status table_step(const table *self, double t, const double x[2], double *u)
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
-            const double late = (past < -0.0361) ? past : -0.0361;
+            const double late = (past < -0.0493) ? past : -0.0493;
             const double inv_T = (-1.0) / late;
             const double v = (((-20.0) * x[0] * inv_T) + ((-8.0) * x[1])) * inv_T * 0.02;
             *u = v;
-            if (PTC_FINITE_F64(v) && (fabs(v) <= 0.5) && (late < -0.0361)) {
+            if (PTC_FINITE_F64(v) && (fabs(v) <= 0.5) && (late < -0.0493)) {
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (0.5 < v) {
@@ -118,11 +118,11 @@ ptc_status table_tick(const table *self, double t, table_gains *gains)
     if ((self != NULL) && (gains != NULL)) {
         if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
-            const double late = (past < -0.0361) ? past : -0.0361;
+            const double late = (past < -0.0493) ? past : -0.0493;
             const double inv_T = (-1.0) / late;
             gains->gain[0] = (-20.0) * inv_T * inv_T;
             gains->gain[1] = (-8.0) * inv_T;
-            if (late < -0.0361) {
+            if (late < -0.0493) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;

@@ -25,8 +25,8 @@
 #ifndef TABLE_EVA_T0_MAX
 #define TABLE_EVA_T0_MAX 0.0
 #endif
-#define TABLE_EVA_EPS_MIN 0.0361
-#define TABLE_EVA_EPS_MAX 0.0361
+#define TABLE_EVA_EPS_MIN 0.0493
+#define TABLE_EVA_EPS_MAX 0.0493
 /* Bounds of |x_i|. */
 #ifndef TABLE_EVA_X1_MAX
 #define TABLE_EVA_X1_MAX 10.0

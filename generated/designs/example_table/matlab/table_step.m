@@ -19,10 +19,10 @@ if ~(self.t0 <= t)
     return;
 end
 past = (t - self.deadline) - self.correction;
-late = pick(past < -0.0361, past, -0.0361);
+late = pick(past < -0.0493, past, -0.0493);
 inv_T = (-1.0) / late;
 v = (((-20.0) * x(1) * inv_T) + ((-8.0) * x(2))) * inv_T * 0.02;
-if isfinite(v) && (abs(v) <= 0.5) && (late < -0.0361)
+if isfinite(v) && (abs(v) <= 0.5) && (late < -0.0493)
     u = v;
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2))

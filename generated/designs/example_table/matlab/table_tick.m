@@ -13,11 +13,11 @@ if ~(isfinite(t) && (self.t0 <= t))
     return;
 end
 past = (t - self.deadline) - self.correction;
-late = pick(past < -0.0361, past, -0.0361);
+late = pick(past < -0.0493, past, -0.0493);
 inv_T = (-1.0) / late;
 gains.gain(1) = (-20.0) * inv_T * inv_T;
 gains.gain(2) = (-8.0) * inv_T;
-if late < -0.0361
+if late < -0.0493
     status = int32(0);
 else
     status = int32(1);

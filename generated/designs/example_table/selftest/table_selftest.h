@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller table, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=3.61e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5 --selftest
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=4.93e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5 --selftest
  * Version 0.1.0.
  *
  * 5 sets of parameters with 42 calls, 3 sets that init must refuse. The expected u was

@@ -21,10 +21,13 @@ pub(super) fn resolve(spec: &Spec) -> Resolved {
         None => DEADBEAT.to_owned(),
     };
     resolved.choose_eps((Fixed::from(0), reason));
+    if !is_of_several(spec) {
+        resolved.weigh_margin(None);
+    }
     if !judged {
         return resolved;
     }
-    let found = sampled_loop(&resolved.spec);
+    let found = resolved.looped.take().unwrap_or_else(|| sampled_loop(&resolved.spec));
     // Deadbeat may be too much for what a sum of causes does not show.
     let is_too_much = found.1.is_some() && found.0.fails();
     if !is_too_much || resolved.choose_best_eps(None).is_err() {

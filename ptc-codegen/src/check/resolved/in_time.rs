@@ -16,11 +16,12 @@ pub(super) fn resolve(spec: &Spec, expanded: Option<&Expanded>) -> Resolved {
     let asked = Asked::of(spec, expanded);
     if let Some(choice) = asked.eps() {
         resolved.choose_eps(choice);
+        resolved.weigh_margin(expanded);
     }
     if spec.promises.sample_time.is_none() {
         return resolved;
     }
-    let found = looped(&resolved.spec, expanded);
+    let found = resolved.looped.take().unwrap_or_else(|| looped(&resolved.spec, expanded));
     let (sampling, _) = asked.outcomes(&resolved.spec);
     // What the limit of short periods allows may be too much for the loop itself.
     let is_too_much = found.1.is_some() && (sampling.fails() || found.0.fails());

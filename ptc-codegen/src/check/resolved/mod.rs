@@ -6,6 +6,7 @@
 mod axes;
 mod in_samples;
 mod in_time;
+mod margin;
 
 pub(super) use axes::alone;
 
@@ -149,9 +150,5 @@ fn candidates(spec: &Spec, expanded: Option<&Expanded>) -> Result<Vec<Candidate>
     if let Some(lacking) = super::examine::lacking(spec) {
         return Err(format!("the loop needs {lacking}"));
     }
-    let all = Loop::new(spec, expanded)?.candidates(&Numbers::new(spec, expanded));
-    if all.is_empty() {
-        return Err("the loop has no bound with any of them".to_owned());
-    }
-    Ok(all)
+    Loop::new(spec, expanded)?.candidates(&Numbers::new(spec, expanded))
 }

@@ -82,12 +82,7 @@ impl<'a> Loop<'a> {
             ));
         }
         let delay = promises.delay.clone().unwrap_or_default();
-        // The states, what is kept of them, and the causes.
-        let kept = spec.sampled().filter(|own| own.observes()).map_or(0, |own| match own.linear {
-            Some(_) => 2 * (spec.n + 1) + 1,
-            None => spec.n + 2,
-        });
-        let size = (spec.n + delay.inputs() + 1 + kept) as f64;
+        let size = size(spec) as f64;
         let numbers = size * (size + spec.n as f64 + 1.0);
         let samples = samples.to_usize().filter(|count| *count as f64 * numbers <= ENTRIES);
         let Some(samples) = samples.filter(|count| *count > 0) else {
@@ -230,6 +225,11 @@ impl<'a> Loop<'a> {
         Ok(Sampled::of(chain, steps, acting, &kept))
     }
 
+    /// The values of a sample.
+    pub(super) fn size(&self) -> usize {
+        size(self.spec)
+    }
+
     /// Whether bounds of the states at the deadline are wanted.
     pub(super) fn has_errors(&self) -> bool {
         !self.spec.promises.error.is_empty()
@@ -246,6 +246,16 @@ impl<'a> Loop<'a> {
         let errors = &self.spec.promises.error;
         (0..self.spec.n).map(|i| one_or_each(errors, i).unwrap_or(1.0)).collect()
     }
+}
+
+/// The states, what is kept of them, and the causes.
+fn size(spec: &Spec) -> usize {
+    let delay = spec.promises.delay.clone().unwrap_or_default();
+    let kept = spec.sampled().filter(|own| own.observes()).map_or(0, |own| match own.linear {
+        Some(_) => 2 * (spec.n + 1) + 1,
+        None => spec.n + 2,
+    });
+    spec.n + delay.inputs() + 1 + kept
 }
 
 pub(super) fn exact(value: Option<&Fixed>) -> Option<BigRational> {

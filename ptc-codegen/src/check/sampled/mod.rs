@@ -52,6 +52,7 @@ pub use span::Span;
 pub use stability::Stability;
 #[cfg(feature = "files")]
 pub use stability::stability;
+pub(crate) use stability::{Tolerance, smallest_tolerant, tolerance};
 #[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};

@@ -90,7 +90,7 @@ fn a_check_takes_as_long_in_f32_as_in_f64() {
 #[test]
 fn numbers_of_thousands_of_digits_are_enclosed() {
     let spec = read(
-        "n = 4\nsample_time = 0.02\ntau = 1\npoles = [-5,-6,-7,-8,-9]\ndelay = 0.3\nx0_max = [1,1,1,1]\n\
+        "n = 4\nsample_time = 0.02\ntau = 1\neps = 0\npoles = [-5,-6,-7,-8,-9]\ndelay = 0.3\nx0_max = [1,1,1,1]\n\
          error = 1e9\n[plant]\nA = [[0,1,0,0],[-20,-0.5,20,0],[0,0,0,1],[10,0,-10,-0.2]]\nB = [0,0,0,5]\n",
     );
     let report = examine(&spec.expect("a design"));

@@ -279,7 +279,7 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         let percent = digits((100.0 * part / (bound.total() - bound.rounding)).round());
         format!("{cause} accounts for {percent} % of it")
     });
-    let all = closed.candidates(&Numbers::new(spec, closed.expanded));
+    let all = closed.candidates(&Numbers::new(spec, closed.expanded)).unwrap_or_default();
     let is_other = |candidate: &&Candidate| spec.fixed.get(&Parameter::Eps) != Some(&candidate.eps);
     let eps = match all.iter().find(|candidate| candidate.is_within) {
         Some(within) => Some(within).filter(is_other).map(|c| format!("try eps = {} s", c.eps)),

@@ -1,18 +1,9 @@
 //! The margins of a design.
 
-use super::super::judge::Loop;
-use super::super::peaks::from_units;
-use super::{EACH, HALVINGS, LATE, SQUARINGS, Stability, Stays};
-use crate::check::examine::Numbers;
+use super::wanted::{of_loop, set_eps};
+use super::{OPERATIONS, Stability, TOO_MANY, UNSTABLE};
 use crate::expansion::Expanded;
-use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
-
-/// Most transitions whose powers one loop takes: gains up and down, halvings, delays.
-const TRIALS: u32 = 2 * (6 * EACH as u32 + HALVINGS) + LATE as u32 + 1;
-
-/// Operations that the margins of a design may take: a second or two.
-const OPERATIONS: f64 = 4e9;
 
 /// The margins of a design whose eps is set, of several axes what all of them tolerate.
 ///
@@ -32,22 +23,15 @@ pub fn stability(spec: &Spec, expanded: Option<&Expanded>) -> Result<Stability, 
 }
 
 fn of_one(spec: &Spec, expanded: Option<&Expanded>, left: &mut f64) -> Result<Stability, String> {
-    // Neither the reference nor where it begins is part of the loop of e.
-    let spec = from_units(spec);
-    let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number).cloned();
-    let eps = eps.ok_or("`eps` is left to run time")?;
-    if let Some(lacking) = crate::check::examine::lacking(&spec) {
-        return Err(format!("{lacking} is needed"));
-    }
-    let closed = Loop::new(&spec, expanded)?;
-    let numbers = Numbers::new(&spec, expanded);
-    let chain = closed.plant.with_gain(closed.gain().value);
-    let stays = Stays::new(&closed, &numbers, &chain, &eps).ok_or("the gains are not enclosed")?;
-    *left -= stays.operations();
-    if *left < 0.0 {
-        return Err("the loop has too many states to look at its margins".to_owned());
-    }
-    stays.stability().ok_or_else(|| "the loop is not stable with the final gains".to_owned())
+    let eps = set_eps(spec)?;
+    of_loop(spec, expanded, &mut |stays| {
+        let stays = stays(&eps)?;
+        *left -= stays.operations();
+        if *left < 0.0 {
+            return Err(TOO_MANY.to_owned());
+        }
+        stays.stability().ok_or_else(|| UNSTABLE.to_owned())
+    })
 }
 
 impl Stability {
@@ -57,14 +41,5 @@ impl Stability {
             gain: [self.gain[0].max(other.gain[0]), self.gain[1].min(other.gain[1])],
             delay: self.delay.min(other.delay),
         }
-    }
-}
-
-impl Stays {
-    /// Operations that its margins may take.
-    #[allow(clippy::cast_precision_loss)]
-    fn operations(&self) -> f64 {
-        let size = (self.step.matrix.size + LATE) as f64;
-        f64::from(SQUARINGS * TRIALS) * size.powi(3)
     }
 }

@@ -6,9 +6,12 @@
 
 #[cfg(feature = "files")]
 mod design;
+mod wanted;
 
 #[cfg(feature = "files")]
 pub use design::stability;
+pub(super) use wanted::Wanted;
+pub(crate) use wanted::{Tolerance, smallest_tolerant, tolerance};
 
 use std::fmt;
 
@@ -23,7 +26,6 @@ use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::diagnostic::{digits_down, digits_up};
 use crate::parameter::Fixed;
-use crate::request::Spec;
 
 /// Largest factor of the gain that is tried, and one over the smallest; factors for each power of 2 between them.
 const MOST: f64 = 64.0;
@@ -35,39 +37,19 @@ const LATE: usize = 16;
 /// Halvings between a gain that is stable and one that is not.
 const HALVINGS: u32 = 12;
 
+/// Most transitions whose powers one loop takes: gains up and down, halvings, delays.
+const TRIALS: u32 = 2 * (6 * EACH as u32 + HALVINGS) + LATE as u32 + 1;
+
+/// Operations that the margins of a design may take: a second or two.
+const OPERATIONS: f64 = 4e9;
+
+/// Reasons why no margins are known.
+const TOO_MANY: &str = "the loop has too many states to look at its margins";
+const UNSTABLE: &str = "the loop is not stable with the final gains";
+
 /// Squarings of a transition, and the size from which on it grows.
 const SQUARINGS: u32 = 40;
 const FAR: f64 = 1e120;
-
-/// What a loop is to tolerate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Wanted {
-    gain: f64,
-    delay: usize,
-}
-
-impl Wanted {
-    /// What a design asks for: 6 dB each way and a sample.
-    pub(super) fn of(spec: &Spec) -> Self {
-        let double = |value: &Option<Fixed>| value.as_ref().and_then(Fixed::number)?.to_f64();
-        let delay = spec.promises.margin_delay.as_ref().and_then(Fixed::number);
-        Self {
-            gain: double(&spec.promises.margin_gain).unwrap_or(2.0),
-            delay: delay.and_then(ToPrimitive::to_usize).unwrap_or(1),
-        }
-    }
-}
-
-impl fmt::Display for Wanted {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [low, high] = [digits_up(1.0 / self.gain), digits_down(self.gain)];
-        write!(
-            f,
-            "input gains from {low} to {high} times the nominal one and {} of delay",
-            samples(self.delay)
-        )
-    }
-}
 
 fn samples(count: usize) -> String {
     if count == 1 { "1 more sample".to_owned() } else { format!("{count} more samples") }
@@ -146,6 +128,13 @@ impl Stays {
     fn of(sampled: &Sampled) -> Self {
         let (step, chain) = (sampled.step(usize::MAX).clone(), sampled.chain.clone());
         Self { step, chain, acting: sampled.acting }
+    }
+
+    /// Operations that its margins may take.
+    #[allow(clippy::cast_precision_loss)]
+    fn operations(&self) -> f64 {
+        let size = (self.step.matrix.size + LATE) as f64;
+        f64::from(SQUARINGS * TRIALS) * size.powi(3)
     }
 
     /// What it tolerates; `None` if it is not stable as it is.

@@ -3,7 +3,10 @@
 // Counts become numbers here.
 #![allow(clippy::cast_precision_loss)]
 
-use std::collections::BTreeMap;
+mod effort;
+mod search;
+
+pub(crate) use search::Candidate;
 
 use num_traits::ToPrimitive;
 
@@ -11,7 +14,7 @@ use super::chain::{Chain, Gains};
 use super::emitted::{self, Steps};
 use super::gain::{Gain, known_gain};
 use super::judge::Loop;
-use super::stability::{Stays, Wanted};
+use super::stability::Stays;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
 use crate::check::examine::{Numbers, rounded_down};
@@ -21,11 +24,8 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 use crate::syntax::constant;
 
-/// Points at which eps is tried first, on a logarithmic scale.
+/// Points at which eps is tried first, on a logarithmic scale, beside the first one.
 const POINTS: u32 = 32;
-
-/// Rounds of the search between two of them.
-const ROUNDS: u32 = 10;
 
 /// Samples at which u is looked at for a curve.
 const LOOKED_AT: usize = 150;
@@ -46,7 +46,7 @@ pub fn curve(spec: &Spec, expanded: Option<&Expanded>) -> Vec<Choice> {
     let Ok(closed) = Loop::new(spec, expanded) else { return Vec::new() };
     let numbers = Numbers::new(spec, expanded);
     let trial = Trial::new(&closed, &numbers);
-    let mut points: Vec<_> = trial.points().collect();
+    let mut points: Vec<_> = trial.points(POINTS).collect();
     points.dedup();
     let all = points.into_iter().filter_map(|eps| trial.choice(eps));
     all.filter(|choice| choice.u.is_finite() && choice.x.iter().all(|x| x.is_finite())).collect()
@@ -104,11 +104,11 @@ impl<'a> Trial<'a> {
         if self.closed.spec.sampled().is_some() { self.closed.spec.loop_order() } else { 1 }
     }
 
-    /// From the shortest hold to 0.9 of tau; none for a tau that is shorter.
-    fn points(&self) -> impl Iterator<Item = f64> {
+    /// From the shortest hold to 0.9 of tau, in `steps` steps; none for a tau that is shorter.
+    fn points(&self, steps: u32) -> impl Iterator<Item = f64> {
         let (low, high) = ((self.least() as f64 * self.h).ln(), (0.9 * self.tau).ln());
-        let count = if low < high { POINTS + 1 } else { 0 };
-        let point = move |i| (low + f64::from(i) / f64::from(POINTS) * (high - low)).exp();
+        let count = if low < high { steps + 1 } else { 0 };
+        let point = move |i| (low + f64::from(i) / f64::from(steps) * (high - low)).exp();
         (0..count).map(move |i| self.legal(point(i)))
     }
 
@@ -221,142 +221,5 @@ impl<'a> Trial<'a> {
         let looked_at = (0..count).step_by(count.div_ceil(LOOKED_AT)).chain(hold);
         let u = looked_at.map(|k| sampled.bound(&control, k, None).attained());
         Some(Choice { eps, x: self.finals(&sampled), u: u.fold(0.0, f64::max) })
-    }
-}
-
-/// An eps that may be chosen.
-pub(crate) struct Candidate {
-    pub(crate) eps: Fixed,
-    /// The reason to choose it, in one sentence.
-    pub(crate) reason: String,
-    /// Whether the worst case of the search is within `error`, if that is given.
-    pub(crate) is_within: bool,
-}
-
-impl Loop<'_> {
-    /// Returns the eps to choose from, the preferred one first: the one with the smallest final error that keeps the
-    /// wanted margin, the one with the largest margin within `error`, and the one with the smallest final error.
-    pub(crate) fn candidates(&self, numbers: &Numbers<'_>) -> Vec<Candidate> {
-        let trial = Trial::new(self, numbers);
-        let wanted = Wanted::of(self.spec);
-        let mut tried =
-            Tried { trial: &trial, costs: BTreeMap::new(), kept: BTreeMap::new(), wanted };
-        let points: Vec<_> = trial.points().collect();
-        let zero = matches!(trial.law, Law::Samples { .. }).then_some(0.0);
-        let Some(free) = tried.least(&points, zero, &mut |tried, eps| tried.cost(eps)) else {
-            return Vec::new();
-        };
-        if tried.keeps(free) {
-            let reason = format!("{LEAST} is smallest with it, and it keeps the margin: {wanted}");
-            return tried.candidate(free, reason).into_iter().collect();
-        }
-        let kept = tried.least(&points, zero, &mut |tried, eps| match tried.keeps(eps) {
-            true => tried.cost(eps),
-            false => f64::INFINITY,
-        });
-        let widest = if self.has_errors() { tried.widest() } else { None };
-        let widest = widest.filter(|eps| Some(*eps) != kept && *eps != free);
-        let of_free = trial.described(free);
-        let without = trial.text(free).map_or_else(String::new, |text| {
-            format!("; {LEAST} is smallest with eps = {text} s: {of_free}")
-        });
-        let lost = match kept {
-            Some(_) => format!("the margin, {wanted}, would cost a bound of `loop`"),
-            None => format!("no eps keeps the margin, {wanted}"),
-        };
-        let kept = kept.map(|eps| {
-            let own = trial.described(eps);
-            (eps, format!("{LEAST} is smallest with it among those that keep the margin, {wanted}: {own}{without}"))
-        });
-        let widest = widest.map(|eps| {
-            let own = trial.described(eps);
-            (eps, format!("{lost}; this eps has the largest margin within `error`: {own}{without}"))
-        });
-        let free = (free, format!("{LEAST} is smallest with it: {of_free}; {lost}"));
-        let all = kept.into_iter().chain(widest).chain([free]);
-        all.filter_map(|(eps, reason)| tried.candidate(eps, reason)).collect()
-    }
-}
-
-/// What the search makes small.
-const LEAST: &str = "the worst |x| at the deadline";
-
-/// The eps that were tried: whole periods are tried once.
-struct Tried<'a> {
-    trial: &'a Trial<'a>,
-    costs: BTreeMap<u64, f64>,
-    kept: BTreeMap<u64, bool>,
-    wanted: Wanted,
-}
-
-impl Tried<'_> {
-    fn cost(&mut self, eps: f64) -> f64 {
-        *self.costs.entry(eps.to_bits()).or_insert_with(|| self.trial.cost(eps))
-    }
-
-    fn keeps(&mut self, eps: f64) -> bool {
-        let wanted = self.wanted;
-        let keeps = || self.trial.stays(eps).is_some_and(|stays| stays.keeps(&wanted));
-        *self.kept.entry(eps.to_bits()).or_insert_with(keeps)
-    }
-
-    fn candidate(&mut self, eps: f64, reason: String) -> Option<Candidate> {
-        let is_within = !self.trial.closed.has_errors() || self.cost(eps) <= 1.0;
-        Some(Candidate { eps: self.trial.exact(eps)?, reason, is_within })
-    }
-
-    /// The eps with the largest margin among those tried whose final error is within `error`, of equal margins the one
-    /// with the smallest.
-    fn widest(&self) -> Option<f64> {
-        let within = self.costs.iter().filter(|(_, cost)| **cost <= 1.0);
-        let shares = within.map(|(bits, cost)| {
-            let eps = f64::from_bits(*bits);
-            let found = self.trial.stays(eps).and_then(|stays| stays.stability());
-            (eps, found.map_or(0.0, |found| found.share(&self.wanted)), *cost)
-        });
-        let best = shares.max_by(|a, b| a.1.total_cmp(&b.1).then(b.2.total_cmp(&a.2)));
-        best.map(|(eps, ..)| eps)
-    }
-
-    /// The eps of the least finite cost: of some points, between the neighbours of the best one, and of `zero`.
-    fn least(
-        &mut self,
-        points: &[f64],
-        zero: Option<f64>,
-        cost: &mut dyn FnMut(&mut Self, f64) -> f64,
-    ) -> Option<f64> {
-        let costs: Vec<_> = points.iter().map(|eps| cost(self, *eps)).collect();
-        let (at, least) = costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
-        let (mut best, mut least) = (points[at], *least);
-        let (mut left, mut right) =
-            (points[at.saturating_sub(1)].ln(), points[(at + 1).min(points.len() - 1)].ln());
-        for _ in 0..ROUNDS {
-            let (a, b) = (left + (right - left) / 3.0, right - (right - left) / 3.0);
-            let [here, there] = [a, b].map(|x| self.trial.legal(x.exp()));
-            let [of_here, of_there] = [here, there].map(|eps| cost(self, eps));
-            for (eps, cost) in [(here, of_here), (there, of_there)] {
-                if cost < least {
-                    (best, least) = (eps, cost);
-                }
-            }
-            // Where neither is legal, the best one shows the way.
-            let is_left = if of_here.is_finite() || of_there.is_finite() {
-                of_here <= of_there
-            } else {
-                best.ln() < a
-            };
-            if is_left {
-                right = b;
-            } else {
-                left = a;
-            }
-        }
-        if let Some(zero) = zero {
-            let of_zero = cost(self, zero);
-            if of_zero <= least {
-                (best, least) = (zero, of_zero);
-            }
-        }
-        least.is_finite().then_some(best)
     }
 }
