@@ -56,3 +56,4 @@ mod verify_references;
 mod verify_running;
 mod verify_scenarios;
 mod verify_stiff;
+mod zero_dynamics;

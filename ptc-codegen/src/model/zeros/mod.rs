@@ -19,7 +19,7 @@ use crate::expression::enclosure::{Interval, Range};
 use crate::expression::evaluator::Names;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
-use number::{Number, characteristic, solved, times, unstable_roots};
+use number::{Number, characteristic, has_both_signs, solved, times, unstable_roots};
 use rest::{Equations, Point};
 
 /// What is known of the zero dynamics at a rest point.
@@ -249,6 +249,7 @@ fn judged(
     match unstable_roots(&p) {
         Some(0) => Zeros::Stable(about),
         Some(_) => Zeros::Unstable(about),
+        None if has_both_signs(&p) => Zeros::Unstable(about),
         None => Zeros::Critical(about),
     }
 }

@@ -181,6 +181,13 @@ pub(super) fn unstable_roots(coefficients: &[Range]) -> Option<usize> {
     Some(changes)
 }
 
+/// Whether a coefficient has another sign than the leading one, as none does where no root has a positive real part.
+pub(super) fn has_both_signs(coefficients: &[Range]) -> bool {
+    let signs = coefficients.iter().filter(|c| c.is_apart()).map(|c| c.low() > 0.0);
+    let signs: Vec<_> = signs.collect();
+    signs.contains(&true) && signs.contains(&false)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -205,6 +212,9 @@ mod tests {
             assert_eq!(unstable_roots(&of(roots)), Some(count), "{roots:?}");
         }
         assert_eq!(unstable_roots(&of(&[0.0, -1.0])), None);
+        // A pivot is 0, but one root is on the right.
+        assert_eq!(unstable_roots(&of(&[-2.0, 2.0])), None);
+        assert!(has_both_signs(&of(&[-2.0, 2.0])) && !has_both_signs(&of(&[0.0, -1.0])));
     }
 
     #[test]
