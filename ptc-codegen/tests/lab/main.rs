@@ -56,4 +56,5 @@ mod verify_references;
 mod verify_running;
 mod verify_scenarios;
 mod verify_stiff;
+mod verify_sums;
 mod zero_dynamics;

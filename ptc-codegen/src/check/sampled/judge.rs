@@ -14,6 +14,7 @@ use super::gain::{Gain, true_gain};
 use super::gains::gains;
 use super::moved::{Moved, Response};
 use super::relative::Late;
+use super::sums::Sum;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
 use crate::expansion::Expanded;
@@ -45,6 +46,8 @@ pub(crate) struct Loop<'a> {
     pub(super) followed: Option<Followed>,
     /// What inputs do to a linear plant that follows one.
     response: Option<Response>,
+    /// Sums that are bounded on the way.
+    sums: Vec<Sum>,
 }
 
 impl<'a> Loop<'a> {
@@ -138,6 +141,7 @@ impl<'a> Loop<'a> {
             late,
             followed,
             response,
+            sums: Vec::new(),
         })
     }
 
@@ -145,6 +149,12 @@ impl<'a> Loop<'a> {
     #[cfg(feature = "lab")]
     pub(super) fn around(self, middle: &[f64]) -> Self {
         Self { middle: middle.to_vec(), ..self }
+    }
+
+    /// The same, with sums to be bounded on the way.
+    #[cfg(feature = "lab")]
+    pub(super) fn with_sums(self, sums: &[Sum]) -> Self {
+        Self { sums: sums.to_vec(), ..self }
     }
 
     /// The same, to be bounded at the samples alone.
@@ -191,6 +201,7 @@ impl<'a> Loop<'a> {
         sampled.gain_error = gain.error;
         sampled.late.clone_from(&self.late);
         sampled.between.clone_from(&self.between);
+        sampled.sums.clone_from(&self.sums);
         sampled
     }
 

@@ -30,6 +30,7 @@ mod relative;
 mod rounded;
 mod span;
 mod stability;
+mod sums;
 mod systems;
 #[cfg(feature = "files")]
 mod trajectory;
@@ -53,6 +54,7 @@ pub use stability::Stability;
 #[cfg(feature = "files")]
 pub use stability::stability;
 pub(crate) use stability::{Tolerance, smallest_tolerant, tolerance};
+pub use sums::Sum;
 #[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};

@@ -3,15 +3,16 @@
 use super::cells::Worst;
 use super::judge::Loop;
 use super::outcome::clipping;
+use super::sums::Sum;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{PlantBounds, Spec};
 
 /// The worst case of a loop in which u is not clipped and all that disturbs it is bounded, from a box of states
-/// around a `middle`.
+/// around a `middle`; on the way that of sums too.
 ///
 /// # Errors
 /// What the loop lacks, or why its bounds are not those of every run.
-pub(crate) fn proved(spec: &Spec, middle: &[f64]) -> Result<Worst, String> {
+pub(crate) fn proved(spec: &Spec, middle: &[f64], sums: &[Sum]) -> Result<Worst, String> {
     if !spec.fixed.contains_key(&Parameter::Eps) && spec.sampled().is_none() {
         return Err("`eps` is left to run time".to_owned());
     }
@@ -27,7 +28,7 @@ pub(crate) fn proved(spec: &Spec, middle: &[f64]) -> Result<Worst, String> {
     if let Some(PlantBounds::Unknown(why)) = &spec.promises.plant {
         return Err(why.clone());
     }
-    let closed = Loop::new(spec, None)?.around(middle);
+    let closed = Loop::new(spec, None)?.around(middle).with_sums(sums);
     let worst = closed.worst(true)?;
     match clipping(spec, &worst, &closed) {
         (Some(why), true) => Err(format!("u may be clipped: {why}")),

@@ -28,13 +28,13 @@ impl Span {
 
     /// What is within both.
     #[must_use]
-    pub(super) fn common(self, other: Self) -> Self {
+    pub(crate) fn common(self, other: Self) -> Self {
         Self { low: self.low.max(other.low), high: self.high.min(other.high) }
     }
 
     /// The same and everything up to a distance of it.
     #[must_use]
-    pub(super) fn wider(self, by: f64) -> Self {
+    pub(crate) fn wider(self, by: f64) -> Self {
         Self { low: self.low - by, high: self.high + by }
     }
 }

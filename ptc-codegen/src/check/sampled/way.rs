@@ -31,6 +31,8 @@ pub struct Way {
     pub u: f64,
     /// What the input that acts is within, as the actuator resolves it, that of the sample at the deadline included.
     pub acts: Span,
+    /// What each sum that was asked for is within; empty where they are not bounded as sums.
+    pub sums: Vec<Span>,
     /// What |u| reaches at least.
     pub u_attained: f64,
     /// The greatest standard deviation of u by random noise.
@@ -59,6 +61,7 @@ impl Way {
             between: self.between && other.between,
             u: self.u.max(other.u),
             acts: self.acts.hull(other.acts),
+            sums: hulls(&self.sums, &other.sums),
             u_attained: self.u_attained.max(other.u_attained),
             u_rms: self.u_rms.max(other.u_rms),
         }
@@ -114,6 +117,8 @@ impl Sampled {
         let fits = |outputs: usize| self.of_outputs(outputs, 0.5 * (last * last) as f64);
         fits(n + 1).then_some(())?;
         let between = self.between.as_ref().filter(|between| fits(n + 1 + between.outputs()));
+        let all = |between: &Between| n + 1 + between.outputs() + self.outputs_of_sums();
+        let sums = between.is_some_and(|between| self.knows_sums() && fits(all(between)));
         let fading = match reach {
             Some(_) => None,
             None => Some(self.fading(None, last)?),
@@ -127,6 +132,7 @@ impl Sampled {
             between: between.is_some(),
             u: 0.0,
             acts: Span::default(),
+            sums: Vec::new(),
             u_attained: 0.0,
             u_rms: 0.0,
         };
@@ -154,6 +160,10 @@ impl Sampled {
             };
             let here: Vec<_> = (0..n).map(here).collect();
             way.within = hulls(&way.within, &here);
+            if sums {
+                let own = self.sums(k, k < last, &here, trust);
+                way.sums = if k == 0 { own } else { hulls(&way.sums, &own) };
+            }
             if let Some((between, before)) = between.zip(before) {
                 let ends = [before.as_slice(), &here];
                 way.within = hulls(&way.within, &self.until_next(between, k - 1, ends, trust));

@@ -199,7 +199,7 @@ fn moves(expression: &Expression) -> bool {
 
 impl Linear {
     /// The sum that an expression is; none where it is no such sum as it is spelt.
-    fn of(expression: &Expression) -> Option<Self> {
+    pub(super) fn of(expression: &Expression) -> Option<Self> {
         use Expression as E;
         if !moves(expression) {
             return Some(Self { slopes: BTreeMap::new(), rest: expression.clone() });

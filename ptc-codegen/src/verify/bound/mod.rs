@@ -6,6 +6,7 @@
 //! them. What an objective leaves of its bound is looked at over cells of T/tau and tau that cover all
 //! of them, which are halved until it is positive on each.
 
+mod affine;
 mod aim;
 mod between;
 mod cell;

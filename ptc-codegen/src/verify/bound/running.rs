@@ -5,10 +5,11 @@ use num_traits::Zero;
 use super::super::allowance::{Comparison, over};
 use super::super::{Campaign, Interval, Kind, Objective, Signal};
 use super::Proof;
+use super::affine::Affine;
 use crate::check::sampled::{Bound, Span, Worst, causes, proved as worst_case};
 use crate::diagnostic::{digits, digits_up};
+use crate::expression::Expression;
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Variable};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 use crate::syntax::number;
@@ -153,7 +154,40 @@ fn worst(campaign: &Campaign) -> Result<Worst, String> {
     };
     let radii = campaign.x0.iter().zip(&middle).map(radius);
     spec.promises.x0_max = radii.collect::<Result<_, _>>()?;
-    worst_case(&spec, &middle)
+    let sums: Vec<_> = sums(campaign).map(|affine| affine.sum()).collect();
+    worst_case(&spec, &middle, &sums)
+}
+
+/// The sums of several parts that objectives bound.
+fn sums(campaign: &Campaign) -> impl Iterator<Item = Affine> {
+    let of = |objective: &Objective| match &objective.kind {
+        Kind::Within { h, .. } => Affine::of(h, campaign.spec.n),
+        _ => None,
+    };
+    campaign.objectives.iter().filter_map(of).filter(|affine| !affine.is_of_one())
+}
+
+/// What a sum is within along a run.
+struct Largest {
+    span: Span,
+    /// Whether between the samples too.
+    between: bool,
+    /// Whether that is attained, or nearly so.
+    is_close: bool,
+}
+
+impl Largest {
+    /// Bounds of the parts of a sum one by one need not be attained together: that they leave no room says nothing of it.
+    fn lack(&self, lack: Lack) -> Lack {
+        match lack {
+            Lack::NoRoom { what, most, bound } if !self.is_close => Lack::Unknown(format!(
+                "with its parts bounded one by one {what} may reach {}, and its bound is {}",
+                digits_up(most),
+                digits(bound)
+            )),
+            lack => lack,
+        }
+    }
 }
 
 /// What of the run a proof of the objective is about, or why it is not proved.
@@ -168,28 +202,28 @@ fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Lack
         true => "the emitted program with its rounding, between the samples too",
         false => "the emitted program with its rounding, at the samples",
     };
-    // What x_i, or the u that acts, is within from t0 to the end.
-    let largest = |part: Part| -> Result<(Span, bool), Lack> {
+    // What a sum over x and the u that acts is within from t0 to the end.
+    let largest = |affine: &Affine| -> Result<Largest, Lack> {
         let (way, after) = (way()?, after()?);
-        let nowhere = || Span { low: f64::NEG_INFINITY, high: f64::INFINITY };
-        let on_way = match part {
-            Part::State(i) => way.within.get(i).copied().unwrap_or_else(nowhere),
-            Part::Control => way.acts,
-        };
-        let later = after.map(|after| match part {
-            Part::State(i) => after.x.get(i).copied().unwrap_or(f64::INFINITY),
-            Part::Control => after.acts,
-        });
         let between = way.between && after.is_none_or(|after| after.between);
         // A sample that is early or late is none of those that are bounded.
         if !between
-            && part != Part::Control
+            && affine.has_states()
             && campaign.around.as_ref().is_some_and(|a| a.jitter > 0.0)
         {
             return Err("it bounds the samples alone, and jitter moves them".into());
         }
-        let all = later.map_or(on_way, |later| on_way.hull(Span::of_size(later)));
-        Ok((all, between || part == Part::Control))
+        let place = sums(campaign).position(|other| other == *affine);
+        let exact = place.and_then(|place| way.sums.get(place)).map(|sum| affine.moved(*sum));
+        let apart = affine.over(&way.within, way.acts);
+        let on_way = exact.map_or(apart, |exact| exact.common(apart));
+        let later = after.map(|after| {
+            let states: Vec<_> = after.x.iter().map(|size| Span::of_size(*size)).collect();
+            affine.over(&states, Span::of_size(after.acts))
+        });
+        let is_close = affine.is_of_one() || exact.is_some() && later.is_none();
+        let span = later.map_or(on_way, |later| on_way.hull(later));
+        Ok(Largest { span, between: between || !affine.has_states(), is_close })
     };
     // |x_i| at the deadline, and from there on.
     let at_end = || -> Result<Vec<f64>, Lack> {
@@ -223,21 +257,22 @@ fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Lack
             scope_at_end()
         }
         Kind::Input { upsilon } => {
-            let (all, of_all) = largest(Part::Control)?;
-            within(all.size(), constant(upsilon)?, "|u|")?;
-            Ok(between(of_all).to_owned())
+            let found = largest(&Affine::control())?;
+            within(found.span.size(), constant(upsilon)?, "|u|")?;
+            Ok(between(found.between).to_owned())
         }
         Kind::Inputs { .. } => Err("the plant has several inputs".into()),
         Kind::Within { h, low, high } => {
-            let part = Part::of(h).ok_or("the worst case bounds x1..xn and u, and not h")?;
-            let (all, of_all) = largest(part)?;
+            let affine = Affine::of(h, campaign.spec.n);
+            let affine = affine.ok_or("the worst case bounds sums of x1..xn and u, and not h")?;
+            let found = largest(&affine)?;
             if let Some(high) = high {
-                within(all.high, constant(high)?, "h")?;
+                within(found.span.high, constant(high)?, "h").map_err(|lack| found.lack(lack))?;
             }
             if let Some(low) = low {
-                within(-all.low, -constant(low)?, "-h")?;
+                within(-found.span.low, -constant(low)?, "-h").map_err(|lack| found.lack(lack))?;
             }
-            Ok(between(of_all).to_owned())
+            Ok(between(found.between).to_owned())
         }
         Kind::State { .. } => {
             Err("the worst case is of the box of initial states, and the bound goes with x0".into())
@@ -245,21 +280,10 @@ fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Lack
     }
 }
 
-/// What the worst case bounds.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
-    State(usize),
-    Control,
-}
-
-impl Part {
-    fn of(h: &Expression) -> Option<Self> {
-        match h.variable()? {
-            Variable::State(j) => Some(Self::State(j - 1)),
-            Variable::Control => Some(Self::Control),
-            _ => None,
-        }
-    }
+/// The value of an expression without variables, in doubles.
+pub(super) fn number_of(expression: &Expression) -> Option<f64> {
+    let exact = normal(expression).number().cloned();
+    exact.and_then(|value| num_traits::ToPrimitive::to_f64(&value))
 }
 
 /// The Euclidean norm of what is bounded in each part, rounded up.
@@ -270,9 +294,7 @@ fn size(parts: impl Iterator<Item = f64>) -> f64 {
 }
 
 fn constant(bound: &Expression) -> Result<f64, String> {
-    let exact = normal(bound).number().cloned();
-    exact
-        .and_then(|value| num_traits::ToPrimitive::to_f64(&value))
+    number_of(bound)
         .ok_or_else(|| format!("its bound {bound} goes with time, and the worst case does not"))
 }
 

@@ -17,6 +17,7 @@ use super::chain::{Chain, Gains, Step, Unit};
 use super::force::Force;
 use super::moved::Moved;
 use super::relative::Late;
+use super::sums::Sum;
 use super::transition::growth;
 use super::trust::Fading;
 use crate::collect::map;
@@ -55,6 +56,8 @@ pub(super) struct Sampled {
     pub(super) late: Option<Late>,
     /// The plant between two samples; `None` if it is not known there.
     pub(super) between: Option<Between>,
+    /// Sums that are bounded on the way.
+    pub(super) sums: Vec<Sum>,
 }
 
 /// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds), or by how much it has
@@ -147,6 +150,7 @@ impl Sampled {
             gain_error: 0.0,
             late: None,
             between: None,
+            sums: Vec::new(),
         }
     }
 
