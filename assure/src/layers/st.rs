@@ -1,7 +1,9 @@
 //! Structured Text: parsed by blark, its parse tree run by an interpreter, compared with C. Its
 //! PLCopen XML: validated.
 
+mod grammar;
 mod plcopen;
+mod words;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -9,7 +11,7 @@ use std::process::Command;
 use anyhow::Result;
 use ptc_codegen::emit::Language;
 
-use super::comparison::{Side, compare};
+use super::comparison::{Side, compare, controllers};
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
 use crate::harness::program::driver;
@@ -19,8 +21,8 @@ use crate::tool::{GCC, PYTHON};
 
 pub(super) const LAYER: Layer = Layer {
     name: "st",
-    claim: "blark parses emitted Structured Text, an interpreter of its parse tree with strict types \
-            gives the bits of C where no library is called, and its PLCopen XML is valid.",
+    claim: "blark and a second, strict grammar parse emitted Structured Text, an interpreter of its parse tree \
+            with strict types gives the bits of C where no library is called, and its PLCopen XML is valid.",
     tools: &[GCC, PYTHON],
     run,
 };
@@ -30,6 +32,15 @@ const REFUSED: [Defect; 3] = [
     ("END_FUNCTION_BLOCK", "", "a function block without an end"),
     ("u := LREAL#0.0;", "u = LREAL#0.0;", "an assignment written as a comparison"),
     (" THEN", " {", "a brace of C"),
+];
+
+/// Files that a vendor may take, and iec2c does not.
+const STRICT: [Defect; 5] = [
+    ("END_STRUCT;", "END_STRUCT", "a declaration without its semicolon"),
+    ("LREAL#0.0", "LREAL#1.7976931348623157E+308", "a literal beyond the range of a float"),
+    ("x : ptc_exp2_vector2", "x : ARRAY[1..2] OF LREAL", "an input of a type without a name"),
+    ("VAR_TEMP\n", "VAR_TEMP\n    built2 : ptc_exp2_fields;\n", "a structure among temporaries"),
+    ("ABS(", "FABS(", "a function that nobody declares"),
 ];
 
 /// An interpreter with what reads Structured Text, and with NumPy.
@@ -65,8 +76,36 @@ fn run(context: &Context) -> Result<Finding> {
         let said = parsed(&python, &files)?;
         finding.seed(defect.2, said.map(|_| "blark".to_owned()));
     }
+    strictly(context, &mut finding)?;
     plcopen::validate(context, &mut finding)?;
     Ok(finding)
+}
+
+/// Holds the files of all controllers that compute all of their law against the strict grammar.
+fn strictly(context: &Context, finding: &mut Finding) -> Result<()> {
+    let mut count = 0;
+    for spec in controllers(context).iter().chain(&context.in_samples()) {
+        let Ok(files) = ptc_codegen::generate(spec, Language::StructuredText) else { continue };
+        // Functions of the user's are in another file.
+        let others = ["pi0", "after"].map(|law| format!("{}_{law}", spec.name()));
+        for file in &files {
+            count += 1;
+            if let Err(wrong) = grammar::parse(&file.text, &others) {
+                finding.failures.push(format!("{}: {wrong}", file.name));
+            }
+        }
+    }
+    finding.notes.push(format!(
+        "{count} files were parsed by the strict grammar of src/layers/st/grammar.rs."
+    ));
+    for defect in STRICT {
+        let folder = context.scratch("st_strict");
+        let files = with_defect(&folder, &context.example(), Language::StructuredText, defect)?;
+        let said = files.iter().map(std::fs::read_to_string).collect::<Result<Vec<_>, _>>()?;
+        let said = said.iter().find_map(|text| grammar::parse(text, &[]).err());
+        finding.seed(defect.2, said.map(|_| "the strict grammar".to_owned()));
+    }
+    Ok(())
 }
 
 /// What blark says of files that it does not take.
