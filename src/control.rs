@@ -14,6 +14,9 @@ pub enum Status {
     Saturated,
     /// The deadline is over, and what was chosen for then gives u: `after = zero` or `extern`.
     After,
+    /// A reading was lost or further from its prediction than `innovation_max`: the observer predicted alone. Wins over
+    /// all others.
+    Gated,
 }
 
 /// The control of one step; `R` is the floating-point type of the controller.

@@ -73,8 +73,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM3_BA297004_H
-#define PTC_EXP_SUM3_BA297004_H
+#ifndef PTC_EXP_SUM3_A0BB5723_H
+#define PTC_EXP_SUM3_A0BB5723_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -88,6 +88,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */

@@ -92,8 +92,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 25
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER5_24709FCF_H
-#define PTC_POWER5_24709FCF_H
+#ifndef PTC_POWER5_4B8253FA_H
+#define PTC_POWER5_4B8253FA_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -107,6 +107,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */

@@ -62,8 +62,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 23
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN1_C89B10DF_H
-#define PTC_TAN1_C89B10DF_H
+#ifndef PTC_TAN1_CCBCE35B_H
+#define PTC_TAN1_CCBCE35B_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -77,6 +77,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */

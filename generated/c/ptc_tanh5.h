@@ -93,8 +93,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 24
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_TANH5_B94AE30B_H
-#define PTC_TANH5_B94AE30B_H
+#ifndef PTC_TANH5_9C84EDFE_H
+#define PTC_TANH5_9C84EDFE_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -108,6 +108,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */

@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_27C65B62_HPP
-#define PTC_EXP3_27C65B62_HPP
+#ifndef PTC_EXP3_9EA6AA1C_HPP
+#define PTC_EXP3_9EA6AA1C_HPP
 
 #include <array>
 #include <cfloat>
@@ -107,6 +107,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

@@ -66,8 +66,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_4F18133F_HPP
-#define PTC_EXP_SUM2_4F18133F_HPP
+#ifndef PTC_EXP_SUM2_AEC9320E_HPP
+#define PTC_EXP_SUM2_AEC9320E_HPP
 
 #include <array>
 #include <cfloat>
@@ -104,6 +104,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

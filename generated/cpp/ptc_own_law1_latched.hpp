@@ -55,8 +55,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_OWN_LAW1_LATCHED_EA1A6D70_HPP
-#define PTC_OWN_LAW1_LATCHED_EA1A6D70_HPP
+#ifndef PTC_OWN_LAW1_LATCHED_9F6AB9F3_HPP
+#define PTC_OWN_LAW1_LATCHED_9F6AB9F3_HPP
 
 #include <array>
 #include <cfloat>
@@ -91,6 +91,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

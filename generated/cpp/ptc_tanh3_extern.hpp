@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_C830E521_HPP
-#define PTC_TANH3_EXTERN_C830E521_HPP
+#ifndef PTC_TANH3_EXTERN_131C133B_HPP
+#define PTC_TANH3_EXTERN_131C133B_HPP
 
 #include <array>
 #include <cfloat>
@@ -103,6 +103,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

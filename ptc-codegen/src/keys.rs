@@ -19,7 +19,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 57] = [
+pub static KEYS: [KeyInfo; 60] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -338,6 +338,24 @@ pub static KEYS: [KeyInfo; 57] = [
         meaning: "poles of the observer in 1/s, in place of its last gains, once the estimates are exact; with clock = samples",
         legal: "one for each state that is estimated, with real parts < 0; complex ones in pairs",
         example: "-100,-120,-150",
+    },
+    KeyInfo {
+        key: "innovation_max",
+        meaning: "gate of the observer: a reading further than this from its prediction is not believed, and the observer predicts alone; with clock = samples and coast",
+        legal: "a number > 0, or one for each measured value",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "measurement_max",
+        meaning: "range of the sensor: a larger reading counts as lost; with clock = samples and an observer",
+        legal: "a number > 0, or one for each measured value",
+        example: "0.5",
+    },
+    KeyInfo {
+        key: "coast",
+        meaning: "consecutive samples that the observer predicts alone where readings are lost or not believed; with clock = samples",
+        legal: "an integer 0..=65535; 0 if not given",
+        example: "5",
     },
     KeyInfo {
         key: "x0_max",

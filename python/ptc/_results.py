@@ -24,6 +24,8 @@ class Status(IntEnum):
     """u was clipped to u_max."""
     AFTER = 3
     """The deadline is over."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone."""
     PARAM = -1
     """A parameter is outside its domain."""
     INPUT = -2

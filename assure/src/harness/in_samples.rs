@@ -226,8 +226,9 @@ const DESIGNS: [Keys; 25] = [
     ],
 ];
 
-/// Limits of u that are not symmetric: left to run time, around 0, and above it.
-const APART: [Keys; 3] = [
+/// Limits of u that are not symmetric: left to run time, around 0, and above it. Behind them observers with a gate, and
+/// one whose sensor has a range.
+const APART: [Keys; 6] = [
     &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
     &[
         ("n", "2"),
@@ -245,6 +246,44 @@ const APART: [Keys; 3] = [
         ("u_min", "0"),
     ],
     &[("n", "1"), ("mu", "exp"), ("u_min", "1/3"), ("guard", "none")],
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("poles", "-4,-5,-6"),
+        ("sample_time", "1e-3"),
+        ("tau", "0.04"),
+        ("delay", "1"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6"),
+        ("observer_samples", "20"),
+        ("innovation_max", "0.5"),
+        ("measurement_max", "1.5"),
+        ("coast", "2"),
+        ("u_max", "6"),
+        ("reference", "input"),
+    ],
+    &[
+        ("what", "observer"),
+        ("observer_samples", "20"),
+        ("A", "[[0,1,0],[0,-0.5,15],[0,-15,-60]]"),
+        ("B", "[0,0,50]"),
+        ("C", "[[1,0,0],[0,0,1]]"),
+        ("mu", "exp(a=1)"),
+        ("sample_time", "0.01"),
+        ("precision", "f32"),
+        ("observer_poles", "-4,-5,-6"),
+        ("innovation_max", "1,0.75"),
+        ("coast", "1"),
+    ],
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=2)"),
+        ("measured", "x1"),
+        ("observer_poles", "-4,-5"),
+        ("measurement_max", "1.5"),
+        ("after", "zero"),
+    ],
 ];
 
 /// Plants with several inputs: of different orders with held gains, a mechanical one with all left to run time,

@@ -154,6 +154,7 @@ pub extern \"C\" fn drive_{index}(record: *const {real}, status: *mut i32, u: *m
             Status::Hold => 1,
             Status::Saturated => 2,
             Status::After => 3,
+            Status::Gated => 4,
         }}, control.u),
         Err(Error::Param) => (-1, 0.0),
         Err(Error::Input) => (-2, 0.0),

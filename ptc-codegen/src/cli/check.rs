@@ -6,7 +6,7 @@ use crate::accepted::Accepted;
 use crate::check::Outcome;
 use crate::check::examine::{Report, examine_expanded};
 use crate::check::resolved::Choice;
-use crate::check::sampled::{Bound, Margins, Stability, Worst, margins, stability};
+use crate::check::sampled::{Bound, Cost, Gating, Margins, Stability, Worst, margins, stability};
 use clap::Args;
 use serde_json::json;
 
@@ -159,6 +159,21 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
         "x": worst.way.as_ref().map(|way| &way.x),
         "between": worst.way.as_ref().map(|way| way.between),
         "after": worst.after.as_ref().map(|after| json!({ "x": after.x, "u": after.u, "between": after.between })),
+        "gate": worst.gating.as_ref().map(gate),
+    })
+}
+
+/// What the gate of an observer does.
+fn gate(found: &Gating) -> serde_json::Value {
+    let cost = |cost: &Option<Cost>| {
+        cost.as_ref()
+            .map(|cost| json!({ "x": cost.x, "u": cost.u, "innovations": cost.innovations }))
+    };
+    json!({
+        "readings": found.readings,
+        "innovations": found.innovations,
+        "lost": cost(&found.lost),
+        "wild": cost(&found.wild),
     })
 }
 

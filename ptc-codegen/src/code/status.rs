@@ -14,6 +14,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over, and u is 0.
     After,
+    /// A reading was not believed: the observer predicted alone.
+    Gated,
     /// A parameter outside its domain, or a coefficient that overflows.
     Param,
     /// An argument that is not finite.
@@ -30,6 +32,7 @@ impl Status {
             Self::Hold => "Hold",
             Self::Saturated => "Saturated",
             Self::After => "After",
+            Self::Gated => "Gated",
             Self::Param => "Param",
             Self::Input => "Input",
             Self::Range => "Range",
@@ -44,6 +47,7 @@ impl Status {
             Self::Hold,
             Self::Saturated,
             Self::After,
+            Self::Gated,
             Self::Param,
             Self::Input,
             Self::Range,
@@ -59,6 +63,7 @@ impl Status {
             Self::Hold => 1,
             Self::Saturated => 2,
             Self::After => 3,
+            Self::Gated => 4,
             Self::Param => -1,
             Self::Input => -2,
             Self::Range => -3,

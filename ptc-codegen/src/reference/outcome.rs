@@ -23,6 +23,8 @@ pub enum Status {
     Saturated = 2,
     /// The deadline is over, and another law than the controller's gives u.
     After = 3,
+    /// A reading was not believed.
+    Gated = 4,
 }
 
 impl From<code::Status> for Status {
@@ -32,6 +34,7 @@ impl From<code::Status> for Status {
             code::Status::Hold => Self::Hold,
             code::Status::Saturated => Self::Saturated,
             code::Status::After => Self::After,
+            code::Status::Gated => Self::Gated,
             code::Status::Param => Self::Param,
             code::Status::Input => Self::Input,
             code::Status::Range => Self::Range,
@@ -50,6 +53,7 @@ impl Status {
             Self::Hold => "PTC_HOLD",
             Self::Saturated => "PTC_SATURATED",
             Self::After => "PTC_AFTER",
+            Self::Gated => "PTC_GATED",
         }
     }
 

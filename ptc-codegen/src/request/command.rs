@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::RUNTIME;
-use super::{After, Axes, Clock, Feedback, Guard, Reference, Sampled, Spec, What};
+use super::{After, Axes, Clock, Feedback, Gate, Guard, Reference, Sampled, Spec, What};
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Subject};
 use crate::family::Family;
@@ -177,6 +177,7 @@ impl Spec {
             if !observer.after.is_empty() {
                 words.push(format!("--after-observer={}", written(&observer.after)));
             }
+            words.extend(gate_words(&observer.gate));
         }
         words
     }
@@ -269,6 +270,13 @@ impl Spec {
             format!("--mu \"{name}({})\"", arguments.join(","))
         }
     }
+}
+
+/// The flags of the gate of an observer.
+fn gate_words(gate: &Gate) -> Vec<String> {
+    let bounds = [("--innovation-max", &gate.innovation), ("--measurement-max", &gate.range)];
+    let bounds = bounds.into_iter().filter_map(|(flag, all)| Some(word(flag, &list(all.iter())?)));
+    bounds.chain(gate.coasts().then(|| format!("--coast={}", gate.coast))).collect()
 }
 
 /// The flags of a plant with several inputs.

@@ -28,7 +28,7 @@ pub(crate) use read::derivatives;
 pub use read::{Entry, read};
 pub(crate) use read::{items, known, meant};
 pub use reference::Reference;
-pub use sampled::{Exact, Observer, Sampled};
+pub use sampled::{Exact, Gate, Observer, Sampled};
 pub use spec::Spec;
 #[cfg(feature = "files")]
 pub(crate) use units::chain_unit;

@@ -205,4 +205,38 @@ pub struct Observer {
     /// The poles of the observer from there on, in 1/s and in the order of those before; empty where
     /// its last gains stay.
     pub after: Vec<(BigRational, BigRational)>,
+    /// Which readings correct the estimates.
+    pub gate: Gate,
+}
+
+/// Which readings an observer believes; the default believes each that is finite.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Gate {
+    /// Bounds of |y - predicted y|, one for all measured values or one for each; empty without.
+    pub innovation: Vec<Fixed>,
+    /// Bounds of |y|, one for all measured values or one for each; empty without.
+    pub range: Vec<Fixed>,
+    /// Consecutive samples for which the observer predicts alone.
+    pub coast: u32,
+}
+
+impl Gate {
+    /// Returns the bound of |y_l - predicted y_l|, with l from 0.
+    pub fn innovation(&self, l: usize) -> Option<&BigRational> {
+        Self::one_or_each(&self.innovation, l)
+    }
+
+    /// Returns the bound of |y_l|, with l from 0.
+    pub fn range(&self, l: usize) -> Option<&BigRational> {
+        Self::one_or_each(&self.range, l)
+    }
+
+    fn one_or_each(bounds: &[Fixed], l: usize) -> Option<&BigRational> {
+        bounds.get(if bounds.len() == 1 { 0 } else { l }).and_then(Fixed::number)
+    }
+
+    /// Returns true if the observer can predict alone.
+    pub fn coasts(&self) -> bool {
+        self.coast > 0
+    }
 }

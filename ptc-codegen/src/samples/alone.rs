@@ -17,9 +17,8 @@ impl Builder<'_> {
         };
         let (count, measured) = (Shape::Count, self.sampled.measured);
         let last = Expr::local("u");
-        let elements = (0..measured).map(|j| Expr::Element("y".to_owned(), j));
-        let finite = self.finite(elements.chain([last.clone()]));
-        let mut body: Vec<_> = finite.into_iter().collect();
+        let legal = self.legal("y", measured, vec![last.clone()]);
+        let mut body: Vec<_> = legal.into_iter().collect();
         body.push(Self::elapsed(start));
         self.remember_inputs(2);
         body.extend(self.observe(&Expr::Count(samples)));
@@ -28,7 +27,9 @@ impl Builder<'_> {
             Statement::Set(_, value @ Expr::Local(_)) => Some(Test::Finite(value.clone())),
             _ => None,
         };
-        let finite = kept.iter().filter_map(of_kept).collect();
+        let trust = self.keep_trust();
+        let numbers = kept.iter().filter(|statement| trust.as_ref() != Some(*statement));
+        let finite = numbers.filter_map(of_kept).collect();
         body.push(Statement::Require(Test::All(finite), Status::Range));
         body.extend(self.shift_inputs(&last));
         body.extend(kept);
@@ -58,7 +59,8 @@ impl Builder<'_> {
                 false => vec![Status::Range],
             },
             body,
-            finish: Finish::choose(over, done(Status::Hold), done(Status::Ok)),
+            finish: self
+                .gated(Vec::new(), Finish::choose(over, done(Status::Hold), done(Status::Ok))),
             guarded: self.guarded(),
         }
     }

@@ -73,16 +73,21 @@ impl<'a> Builder<'a> {
             let input = self.moved(&pair, i, &force);
             body.push(Statement::Let(format!("p{}", i + 1), real, Expr::sum(terms).add(input)));
         }
-        body.push(Statement::Note("Correct by what is measured.".to_owned()));
+        body.push(Statement::Note(match self.coasts() {
+            true => "Correct by what is measured, where it is believed.".to_owned(),
+            false => "Correct by what is measured.".to_owned(),
+        }));
         let y = Expr::Element("y".to_owned(), measured - 1);
         let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
         body.push(Statement::Variable("base".to_owned(), real));
-        body.push(Statement::Variable("miss".to_owned(), real));
+        let gap = self.before_gate("");
+        body.push(Statement::Variable(gap.clone(), real));
         body.push(Statement::If(
             unseen,
-            vec![set("base", y.clone()), set("miss", Expr::integer(0))],
-            vec![set("base", Expr::local("p1")), set("miss", y.sub(Expr::local("p1")))],
+            vec![set("base", y.clone()), set(&gap, Expr::integer(0))],
+            vec![set("base", Expr::local("p1")), set(&gap, y.sub(Expr::local("p1")))],
         ));
+        body.extend(self.believe(&[(measured - 1, String::new())]));
         let observer = self.observer();
         let switch = deadbeat_from(order, &observer.greatest);
         let recurrence = self.recurrence(0..order, &switch);
@@ -248,7 +253,17 @@ impl<'a> Builder<'a> {
             }
         }
         statements.push(set("seen".to_owned(), Expr::Count(1)));
+        statements.extend(self.keep_trust());
         statements
+    }
+
+    /// Tests that the predictions that are kept are finite, which u does not show.
+    pub(super) fn finite_predictions(&self) -> Vec<Test> {
+        if !self.sampled.observes() || self.sampled.linear.is_none() {
+            return Vec::new();
+        }
+        let test = |name| Test::Finite(Expr::local(format!("{name}_on")));
+        self.estimated().into_iter().map(test).collect()
     }
 
     /// The functions that give the estimates.

@@ -6,7 +6,7 @@
 //! u = sum_j row_j z_j/((T - (j-1) h) ... (T - (m-1) h)). By duality the same rows give an observer
 //! (`observer`). [`controller()`] stages both into one imperative program: `start` is its `init`,
 //! `feedback` and `estimates` are parts of its `step`. `alone` makes a program of the observer without
-//! a law, of the same parts. A plant with several inputs has a law for each output (`chains`), and the
+//! a law, of the same parts. `gate` decides which readings correct the estimates. A plant with several inputs has a law for each output (`chains`), and the
 //! `step` of `inputs`.
 
 mod alone;
@@ -14,6 +14,7 @@ mod chains;
 mod controller;
 mod estimates;
 mod feedback;
+mod gate;
 mod inputs;
 mod model;
 #[cfg(feature = "files")]

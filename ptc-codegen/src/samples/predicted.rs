@@ -66,9 +66,12 @@ impl Builder<'_> {
         let c = Matrix::of(plant.c.clone());
         let count = plant.c.len();
         for l in 0..count {
-            let miss = measured(l).sub(combination(&c, l, &state));
-            body.push(Statement::Let(format!("miss{}", l + 1), real, miss));
+            let gap = self.before_gate(&format!("{}", l + 1));
+            let value = measured(l).sub(combination(&c, l, &state));
+            body.push(Statement::Let(gap, real, value));
         }
+        let measurements: Vec<_> = (0..count).map(|l| (l, format!("{}", l + 1))).collect();
+        body.extend(self.believe(&measurements));
         let miss = |l: usize| Expr::local(format!("miss{}", l + 1));
         let mixed: Vec<_> = (0..count).map(|i| combination(&outputs.mixing, i, &miss)).collect();
         let (injections, switch) = self.injections(&outputs);

@@ -43,7 +43,10 @@ fn pages_show_what_is_printed() {
     let [wish] = &blocks_of(DESIGN, "toml")[..] else { panic!("one wish") };
     fs::write(folder.join("wish.toml"), wish).expect("writable");
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
-    assert_eq!(blocks_of(SAMPLES, "toml"), [MOTOR]);
+    let [gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("a gate and a motor") };
+    let gated = ENCODER.replace("[params]", &format!("{gate}\n[params]"));
+    fs::write(folder.join("gated.toml"), gated).expect("writable");
+    assert_eq!(motor, MOTOR);
     fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
     let [shown @ .., uncertain] = &blocks_of(MODELS, "toml")[..] else { panic!("designs") };
     let [drive, tank, robot, barrier, pendulum] = shown else { panic!("designs") };

@@ -96,6 +96,7 @@ fn status(word: &str) -> Result<i64> {
         Status::Hold,
         Status::Saturated,
         Status::After,
+        Status::Gated,
         Status::Param,
         Status::Input,
         Status::Range,

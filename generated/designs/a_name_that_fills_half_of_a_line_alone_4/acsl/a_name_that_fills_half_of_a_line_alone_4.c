@@ -124,6 +124,12 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_arm(
 
     if (self != NULL) {
         self->start = k;
+        if (!(fabsf(self->x1_hat) + fabsf(self->x2_hat) + fabsf(self->d_hat) <= 1e18f)) {
+            self->seen = 0U;
+            self->x1_hat = 0.0f;
+            self->x2_hat = 0.0f;
+            self->d_hat = 0.0f;
+        }
         status = PTC_OK;
     }
     return status;

@@ -24,15 +24,16 @@ typedef struct a_name_that_fills_half_of_a_line_alone_4_selftest_session {
     uint32_t count;
 } a_name_that_fills_half_of_a_line_alone_4_selftest_session;
 
-static const a_name_that_fills_half_of_a_line_alone_4_selftest_session a_name_that_fills_half_of_a_line_alone_4_selftest_sessions[5] = {
+static const a_name_that_fills_half_of_a_line_alone_4_selftest_session a_name_that_fills_half_of_a_line_alone_4_selftest_sessions[6] = {
     {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY, .k = {9.0f, 6.0f}, .deadbeat = 0.0f}, .first = 0U, .count = 42U},
     {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY, .k = {9.0f, 0.0f}, .deadbeat = 0.0f}, .first = 42U, .count = 1U},
     {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY, .k = {9.0f, 6.0f}, .deadbeat = 3.4028235e38f}, .first = 43U, .count = 1U},
-    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY, .k = {9.0f, 6.0f}, .deadbeat = 0.0f}, .first = 44U, .count = 3U},
-    {.params = {.samples = 60U, .h = 0.015625f, .u_max = 1.0f, .k = {9.0f, 6.0f}, .deadbeat = 0.0f}, .first = 47U, .count = 2U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY, .k = {9.0f, 6.0f}, .deadbeat = 0.0f}, .first = 44U, .count = 4U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY, .k = {9.0f, 6.0f}, .deadbeat = 0.0f}, .first = 48U, .count = 1U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = 1.0f, .k = {9.0f, 6.0f}, .deadbeat = 0.0f}, .first = 49U, .count = 2U},
 };
 
-static const a_name_that_fills_half_of_a_line_alone_4_selftest_call a_name_that_fills_half_of_a_line_alone_4_selftest_calls[49] = {
+static const a_name_that_fills_half_of_a_line_alone_4_selftest_call a_name_that_fills_half_of_a_line_alone_4_selftest_calls[51] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75f}, .status = PTC_OK, .u = -1.9525423f, .xhat = {0.75f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.72520834f}, .status = PTC_OK, .u = -1.9298353f, .xhat = {0.7460424f, -0.036314182f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333f}, .status = PTC_OK, .u = -1.8851763f, .xhat = {0.7382789f, -0.07774559f}, .d = 0.0f},
@@ -79,7 +80,9 @@ static const a_name_that_fills_half_of_a_line_alone_4_selftest_call a_name_that_
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.0f}, .status = PTC_OK, .u = -0.0f, .xhat = {0.0f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 24U, .y = {-0.5711237f}, .status = PTC_OK, .u = 4.177362f, .xhat = {-0.5711237f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 25U, .y = {0.90159416f}, .status = PTC_OK, .u = 6468.9f, .xhat = {0.9015942f, 42.46486f}, .d = -6633.1807f},
-    {.is_armed = 1U, .start = 4294967290U, .k = 44U, .y = {-2.818105e38f}, .status = PTC_E_RANGE, .u = 0.0f, .xhat = {0.9015942f, 42.46486f}, .d = -6633.1807f},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4294967289U, .y = {-1.132438e19f}, .status = PTC_AFTER, .u = 0.0f, .xhat = {-1.132438e19f, -1.0871405e21f}, .d = -4.638466e22f},
+    {.is_armed = 1U, .start = 0U, .k = 56U, .y = {1.0127787e19f}, .status = PTC_OK, .u = -4.1483417e22f, .xhat = {1.0127787e19f, 0.0f}, .d = 0.0f},
+    {.is_armed = 1U, .start = 4294967290U, .k = 44U, .y = {-2.818105e38f}, .status = PTC_E_RANGE, .u = 0.0f, .xhat = {0.0f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.5702025f}, .status = PTC_SATURATED, .u = -1.0f, .xhat = {0.5702025f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 11U, .y = {-0.9303121f}, .status = PTC_SATURATED, .u = 1.0f, .xhat = {0.22788566f, -0.8579506f}, .d = 0.0f},
 };
@@ -141,7 +144,7 @@ static uint32_t a_name_that_fills_half_of_a_line_alone_4_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 5U; i++) {
+    for (uint32_t i = 0U; i < 6U; i++) {
         const a_name_that_fills_half_of_a_line_alone_4_selftest_session *session = &a_name_that_fills_half_of_a_line_alone_4_selftest_sessions[i];
         a_name_that_fills_half_of_a_line_alone_4 self;
 

@@ -3,7 +3,7 @@
  *   ptc-codegen emit --lang c --n 2 --mu "exp(a=2)" --name a_name_that_fills_half_of_a_line_alone_4 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --eps=0 --after zero --selftest
  * Version 0.1.0.
  *
- * 5 sets of parameters with 49 calls, 34 sets that init must refuse. The expected values were
+ * 6 sets of parameters with 51 calls, 34 sets that init must refuse. The expected values were
  * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
  * operations are its own alone, so that a target has to give the same numbers.
  *

@@ -90,8 +90,8 @@
  * Operations of one step, without input checks and clipping: 29 additions or comparisons, 52
  *       multiplications, 5 divisions, 4 function calls.
  */
-#ifndef BARRIER_ARM_257CFD39_H
-#define BARRIER_ARM_257CFD39_H
+#ifndef BARRIER_ARM_AAF217A2_H
+#define BARRIER_ARM_AAF217A2_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -105,6 +105,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */

@@ -56,6 +56,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
 }
 
 /// What a step gives.
@@ -159,10 +161,16 @@ impl Stage {
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept.
+    /// kept. Estimates too large to compute with begin anew.
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
+        if !((self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs() <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x2_hat = 0.0;
+            self.d_hat = 0.0;
+        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each

@@ -24,12 +24,13 @@ typedef struct stage_selftest_session {
     uint32_t count;
 } stage_selftest_session;
 
-static const stage_selftest_session stage_selftest_sessions[2] = {
+static const stage_selftest_session stage_selftest_sessions[3] = {
     {.params = {.none = (char)0}, .first = 0U, .count = 42U},
     {.params = {.none = (char)0}, .first = 42U, .count = 1U},
+    {.params = {.none = (char)0}, .first = 43U, .count = 2U},
 };
 
-static const stage_selftest_call stage_selftest_calls[43] = {
+static const stage_selftest_call stage_selftest_calls[45] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .status = PTC_OK, .u = -0.2646635361871512, .xhat = {0.75, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7481261718750001}, .status = PTC_OK, .u = -0.5259273950713397, .xhat = {0.7498887115858045, -0.0017033497552366567}, .d = -0.008690559975697227},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7462546875}, .status = PTC_OK, .u = -0.783413974907968, .xhat = {0.7496701228988316, -0.005220793788197867}, .d = -0.025794190585197968},
@@ -73,6 +74,8 @@ static const stage_selftest_call stage_selftest_calls[43] = {
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.01950036175714482, -24.485740406105606}, .d = -454.4581873015442},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.02826416979969929, -23.02363733576127}, .d = -389.23318007146895},
     {.is_armed = 0U, .start = 0U, .k = 94U, .y = {6.260933143287877e301}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {0.0, 0.0}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 108U, .y = {7.1200186866681e153}, .status = PTC_SATURATED, .u = -6.0, .xhat = {7.1200186866681e153, 0.0}, .d = 0.0},
+    {.is_armed = 1U, .start = 4294967290U, .k = 703U, .y = {8.967500654424333e153}, .status = PTC_SATURATED, .u = -6.0, .xhat = {8.967500654424333e153, 0.0}, .d = 0.0},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -132,7 +135,7 @@ static uint32_t stage_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 2U; i++) {
+    for (uint32_t i = 0U; i < 3U; i++) {
         const stage_selftest_session *session = &stage_selftest_sessions[i];
         stage self;
 

@@ -62,6 +62,17 @@ ptc_status motor_arm(motor *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
+        if (!(fabs(self->x1_next) + fabs(self->x2_next) + fabs(self->x3_next) + fabs(self->d_next) <= 1e150)) {
+            self->seen = 0U;
+            self->x1_hat = 0.0;
+            self->x1_next = 0.0;
+            self->x2_hat = 0.0;
+            self->x2_next = 0.0;
+            self->x3_hat = 0.0;
+            self->x3_next = 0.0;
+            self->d_hat = 0.0;
+            self->d_next = 0.0;
+        }
         status = PTC_OK;
     }
     return status;
@@ -140,7 +151,11 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
             const double s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self->u1 + d)));
             v = s13 - d;
             status = PTC_E_RANGE;
-            if (PTC_FINITE_F64(v)) {
+            if (PTC_FINITE_F64(v)
+                && PTC_FINITE_F64(x1_on)
+                && PTC_FINITE_F64(x2_on)
+                && PTC_FINITE_F64(x3_on)
+                && PTC_FINITE_F64(d_on)) {
                 double u_now;
                 if (24.0 < v) {
                     u_now = 24.0;

@@ -10,6 +10,7 @@ function [u, status, self] = motor_step(self, k, y) %#codegen
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
 %      3  after: the deadline is over, u is 0 or that of the user-defined law
+%      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
@@ -79,7 +80,7 @@ s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
 s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
 s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self.u1 + d)));
 v = s13 - d;
-if ~isfinite(v)
+if ~(isfinite(v) && isfinite(x1_on) && isfinite(x2_on) && isfinite(x3_on) && isfinite(d_on))
     status = int32(-3);
     return;
 end

@@ -71,6 +71,8 @@ class Status(IntEnum):
     """u was clipped to u_max; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone; wins over all above."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -118,12 +120,22 @@ class Motor:
 
     def arm(self, k: int) -> None:
         """Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
-        are kept.
+        are kept. Estimates too large to compute with begin anew.
 
         On a negative status u is 0 and nothing has changed.
         """
         k = k.__index__() & _WRAP
         self._start = k
+        if not (np.abs(self._x1_next) + np.abs(self._x2_next) + np.abs(self._x3_next) + np.abs(self._d_next) <= 1e150):
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x1_next = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._x2_next = _R(0.0)
+            self._x3_hat = _R(0.0)
+            self._x3_next = _R(0.0)
+            self._d_hat = _R(0.0)
+            self._d_next = _R(0.0)
 
     def step(self, k: int, y: ArrayLike) -> Control:
         """u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each
@@ -189,7 +201,13 @@ class Motor:
             s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3)
             s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self._u1 + d)))
             v = s13 - d
-            if not np.isfinite(v):
+            if not (
+                np.isfinite(v)
+                and np.isfinite(x1_on)
+                and np.isfinite(x2_on)
+                and np.isfinite(x3_on)
+                and np.isfinite(d_on)
+            ):
                 return Control(_R(0.0), Status.RANGE)
             if 24.0 < v:
                 u_now = _R(24.0)

@@ -57,6 +57,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
 }
 
 /// What a step gives.
@@ -175,10 +177,21 @@ impl Motor {
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept.
+    /// kept. Estimates too large to compute with begin anew.
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
+        if !((self.x1_next).abs() + (self.x2_next).abs() + (self.x3_next).abs() + (self.d_next).abs() <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x1_next = 0.0;
+            self.x2_hat = 0.0;
+            self.x2_next = 0.0;
+            self.x3_hat = 0.0;
+            self.x3_next = 0.0;
+            self.d_hat = 0.0;
+            self.d_next = 0.0;
+        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick.
@@ -261,7 +274,12 @@ impl Motor {
         let s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
         let s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self.u1 + d)));
         v = s13 - d;
-        if !v.is_finite() {
+        if !(v.is_finite()
+            && x1_on.is_finite()
+            && x2_on.is_finite()
+            && x3_on.is_finite()
+            && d_on.is_finite())
+        {
             return Err(Error::Range);
         }
         let u_now: f64;

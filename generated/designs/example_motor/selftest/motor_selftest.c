@@ -24,12 +24,13 @@ typedef struct motor_selftest_session {
     uint32_t count;
 } motor_selftest_session;
 
-static const motor_selftest_session motor_selftest_sessions[2] = {
+static const motor_selftest_session motor_selftest_sessions[3] = {
     {.params = {.none = (char)0}, .first = 0U, .count = 42U},
-    {.params = {.none = (char)0}, .first = 42U, .count = 1U},
+    {.params = {.none = (char)0}, .first = 42U, .count = 2U},
+    {.params = {.none = (char)0}, .first = 44U, .count = 1U},
 };
 
-static const motor_selftest_call motor_selftest_calls[43] = {
+static const motor_selftest_call motor_selftest_calls[45] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .status = PTC_OK, .u = -4.4389918906768885e-5, .xhat = {0.75, 0.0, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7462546875}, .status = PTC_OK, .u = -0.00010823454627897538, .xhat = {0.75, 0.0, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.74251875}, .status = PTC_OK, .u = -0.1267619091596313, .xhat = {0.7513527612465957, -0.7600296471537633, 0.2833293297069995}, .d = -3.374670658297988e-7},
@@ -72,6 +73,8 @@ static const motor_selftest_call motor_selftest_calls[43] = {
     {.is_armed = 0U, .start = 0U, .k = 398U, .y = {0.0}, .status = PTC_SATURATED, .u = -24.0, .xhat = {2.2142449912794753, -53.75845805435689, 85.82832261758514}, .d = -0.09336765634281427},
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0}, .status = PTC_SATURATED, .u = -24.0, .xhat = {2.3630156996000395, -140.5937546673312, 103.09130970356435}, .d = -0.1364180633453002},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0}, .status = PTC_SATURATED, .u = -24.0, .xhat = {2.446134153806112, -219.04609212701723, 117.76497758700668}, .d = -0.18236094140156395},
+    {.is_armed = 0U, .start = 0U, .k = 58U, .y = {7.1200186866681e153}, .status = PTC_SATURATED, .u = -24.0, .xhat = {7.1200186866681e153, 0.0, 0.0}, .d = 0.0},
+    {.is_armed = 1U, .start = 4294967290U, .k = 303U, .y = {8.967500654424333e153}, .status = PTC_SATURATED, .u = -24.0, .xhat = {8.967500654424333e153, 0.0, 0.0}, .d = 0.0},
     {.is_armed = 1U, .start = 0U, .k = 88U, .y = {1.6834135823229552e302}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {0.0, 0.0, 0.0}, .d = 0.0},
 };
 
@@ -132,7 +135,7 @@ static uint32_t motor_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 2U; i++) {
+    for (uint32_t i = 0U; i < 3U; i++) {
         const motor_selftest_session *session = &motor_selftest_sessions[i];
         motor self;
 

@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_5A01C6EE_HPP
-#define QUADROTOR_5A01C6EE_HPP
+#ifndef QUADROTOR_CA763175_HPP
+#define QUADROTOR_CA763175_HPP
 
 #include <array>
 #include <cfloat>
@@ -109,6 +109,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

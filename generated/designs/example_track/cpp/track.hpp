@@ -69,8 +69,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_A2457084_HPP
-#define TRACK_A2457084_HPP
+#ifndef TRACK_05F4C9ED_HPP
+#define TRACK_05F4C9ED_HPP
 
 #include <array>
 #include <cfloat>
@@ -106,6 +106,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

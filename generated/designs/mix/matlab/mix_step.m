@@ -10,6 +10,7 @@ function [u, axes, status] = mix_step(self, t, x) %#codegen
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
 %      3  after: the deadline is over, u is 0 or that of the user-defined law
+%      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 

@@ -24,15 +24,16 @@ typedef struct stage11_selftest_session {
     uint32_t count;
 } stage11_selftest_session;
 
-static const stage11_selftest_session stage11_selftest_sessions[5] = {
+static const stage11_selftest_session stage11_selftest_sessions[6] = {
     {.params = {.samples = 60U, .u_max = (float)INFINITY, .k = {625.0f, 500.0f, 150.0f, 20.0f}, .deadbeat = 0.0f}, .first = 0U, .count = 42U},
     {.params = {.samples = 60U, .u_max = (float)INFINITY, .k = {625.0f, 500.0f, 150.0f, 0.0f}, .deadbeat = 0.0f}, .first = 42U, .count = 1U},
     {.params = {.samples = 60U, .u_max = (float)INFINITY, .k = {625.0f, 500.0f, 150.0f, 20.0f}, .deadbeat = 3.4028235e38f}, .first = 43U, .count = 1U},
     {.params = {.samples = 60U, .u_max = (float)INFINITY, .k = {625.0f, 500.0f, 150.0f, 20.0f}, .deadbeat = 0.0f}, .first = 44U, .count = 5U},
-    {.params = {.samples = 60U, .u_max = 1.0f, .k = {625.0f, 500.0f, 150.0f, 20.0f}, .deadbeat = 0.0f}, .first = 49U, .count = 2U},
+    {.params = {.samples = 60U, .u_max = (float)INFINITY, .k = {625.0f, 500.0f, 150.0f, 20.0f}, .deadbeat = 0.0f}, .first = 49U, .count = 2U},
+    {.params = {.samples = 60U, .u_max = 1.0f, .k = {625.0f, 500.0f, 150.0f, 20.0f}, .deadbeat = 0.0f}, .first = 51U, .count = 2U},
 };
 
-static const stage11_selftest_call stage11_selftest_calls[51] = {
+static const stage11_selftest_call stage11_selftest_calls[53] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75f}, .status = PTC_OK, .u = -4005.301f, .xhat = {0.75f, 0.0f, 0.0f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.72520834f}, .status = PTC_OK, .u = -1723.5654f, .xhat = {0.73629916f, -0.3272728f, -2.8096275f, -45.271736f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333f}, .status = PTC_OK, .u = 1016.27124f, .xhat = {0.7146918f, -0.8093058f, -7.1046376f, -70.332634f}, .d = 0.0f},
@@ -82,6 +83,8 @@ static const stage11_selftest_call stage11_selftest_calls[51] = {
     {.is_armed = 0U, .start = 0U, .k = 20U, .y = {0.7499843f}, .status = PTC_OK, .u = 148096000.0f, .xhat = {0.7499843f, 22.482468f, 6492.544f, 885363.3f}, .d = -182956770.0f},
     {.is_armed = 0U, .start = 0U, .k = 21U, .y = {0.93389285f}, .status = PTC_OK, .u = 37636028.0f, .xhat = {0.93389285f, 56.618904f, 11756.551f, 1367720.1f}, .d = -94320560.0f},
     {.is_armed = 0U, .start = 0U, .k = 11U, .y = {1.6637926e32f}, .status = PTC_E_RANGE, .u = 0.0f, .xhat = {0.93389285f, 56.618904f, 11756.551f, 1367720.1f}, .d = -94320560.0f},
+    {.is_armed = 1U, .start = 0U, .k = 60U, .y = {-7.0453863e18f}, .status = PTC_HOLD, .u = 7.045386e26f, .xhat = {-7.0453863e18f, 0.0f, 0.0f, 0.0f}, .d = 0.0f},
+    {.is_armed = 1U, .start = 4294967290U, .k = 1U, .y = {-7.417328e18f}, .status = PTC_OK, .u = -1.9720224e26f, .xhat = {-7.417328e18f, 1.1742311e20f, 3.522693e22f, 7.0453863e24f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.9413883f}, .status = PTC_SATURATED, .u = -1.0f, .xhat = {0.9413883f, 0.0f, 0.0f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.4992295f}, .status = PTC_SATURATED, .u = 1.0f, .xhat = {0.69704765f, -5.8253913f, -46.541126f, -93.092155f}, .d = 0.0f},
 };
@@ -143,7 +146,7 @@ static uint32_t stage11_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 5U; i++) {
+    for (uint32_t i = 0U; i < 6U; i++) {
         const stage11_selftest_session *session = &stage11_selftest_sessions[i];
         stage11 self;
 

@@ -114,6 +114,17 @@ ptc_status stage12_arm(stage12 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
+        if (!(fabs(self->x1_next) + fabs(self->x2_next) + fabs(self->x3_next) + fabs(self->d_next) <= 1e150)) {
+            self->seen = 0U;
+            self->x1_hat = 0.0;
+            self->x1_next = 0.0;
+            self->x2_hat = 0.0;
+            self->x2_next = 0.0;
+            self->x3_hat = 0.0;
+            self->x3_next = 0.0;
+            self->d_hat = 0.0;
+            self->d_next = 0.0;
+        }
         status = PTC_OK;
     }
     return status;
@@ -231,7 +242,11 @@ ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
                 v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
             }
             status = PTC_E_RANGE;
-            if (PTC_FINITE_F64(v)) {
+            if (PTC_FINITE_F64(v)
+                && PTC_FINITE_F64(x1_on)
+                && PTC_FINITE_F64(x2_on)
+                && PTC_FINITE_F64(x3_on)
+                && PTC_FINITE_F64(d_on)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

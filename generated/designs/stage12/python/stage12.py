@@ -72,6 +72,8 @@ class Status(IntEnum):
     """u was clipped to u_max; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone; wins over all above."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -194,12 +196,22 @@ class Stage12:
 
     def arm(self, k: int) -> None:
         """Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
-        are kept.
+        are kept. Estimates too large to compute with begin anew.
 
         On a negative status u is 0 and nothing has changed.
         """
         k = k.__index__() & _WRAP
         self._start = k
+        if not (np.abs(self._x1_next) + np.abs(self._x2_next) + np.abs(self._x3_next) + np.abs(self._d_next) <= 1e150):
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x1_next = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._x2_next = _R(0.0)
+            self._x3_hat = _R(0.0)
+            self._x3_next = _R(0.0)
+            self._d_hat = _R(0.0)
+            self._d_next = _R(0.0)
 
     def step(self, k: int, y: ArrayLike) -> Control:
         """u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each
@@ -298,7 +310,13 @@ class Stage12:
                 s10 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2)
                 s11 = 2.5314283505021953 * (self._u1 + d)
                 v = ((s10 - (6.801905651476086 * x3)) - s11) - d
-            if not np.isfinite(v):
+            if not (
+                np.isfinite(v)
+                and np.isfinite(x1_on)
+                and np.isfinite(x2_on)
+                and np.isfinite(x3_on)
+                and np.isfinite(d_on)
+            ):
                 return Control(_R(0.0), Status.RANGE)
             if self._u_max < v:
                 u_now = self._u_max

@@ -24,15 +24,16 @@ typedef struct stage12_selftest_session {
     uint32_t count;
 } stage12_selftest_session;
 
-static const stage12_selftest_session stage12_selftest_sessions[5] = {
+static const stage12_selftest_session stage12_selftest_sessions[6] = {
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 0U, .count = 48U},
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 0.0}, .deadbeat = 0.0}, .first = 48U, .count = 1U},
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 1.7976931348623157e308}, .first = 49U, .count = 1U},
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 50U, .count = 3U},
-    {.params = {.samples = 60U, .u_max = 1.0, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 53U, .count = 3U},
+    {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 53U, .count = 1U},
+    {.params = {.samples = 60U, .u_max = 1.0, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 54U, .count = 3U},
 };
 
-static const stage12_selftest_call stage12_selftest_calls[56] = {
+static const stage12_selftest_call stage12_selftest_calls[57] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75, 0.25}, .status = PTC_OK, .u = -0.14699615752289702, .xhat = {0.75, 0.0, 0.25}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7252083333333332, 0.2417361111111111}, .status = PTC_OK, .u = -0.29886562624342694, .xhat = {0.7501547067911507, 0.28086551021682454, 0.13530225268777896}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333333333333, 0.2336111111111111}, .status = PTC_OK, .u = -0.448521456841301, .xhat = {0.743786601756977, 0.1731735070678129, 0.009090463752227294}, .d = -0.0005961975456877776},
@@ -84,11 +85,12 @@ static const stage12_selftest_call stage12_selftest_calls[56] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.0, 0.0}, .status = PTC_OK, .u = 0.0, .xhat = {0.0, 0.0, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.0, 0.0}, .status = PTC_OK, .u = -0.0, .xhat = {0.0, 0.0, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 22U, .y = {-0.25521958213887375, -0.3118448293798519}, .status = PTC_OK, .u = 0.23255630658235743, .xhat = {-0.25521958213887375, 0.0, -0.3118448293798519}, .d = 0.0},
-    {.is_armed = 1U, .start = 0U, .k = 29U, .y = {1.6747853665227253e308, 6.846606579637552e307}, .status = PTC_OK, .u = 0.645396730950676, .xhat = {-0.25541256019043496, -0.3503458284490028, -0.16877323161652016}, .d = 0.0},
-    {.is_armed = 1U, .start = 4294967290U, .k = 14U, .y = {6.250375894014648e307, 1.12215540771896e308}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {-0.25541256019043496, -0.3503458284490028, -0.16877323161652016}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 53U, .y = {7.69667584940382e153, -9.650715777189601e153}, .status = PTC_OK, .u = 456.18669356508894, .xhat = {-0.25541256019043496, -0.3503458284490028, -0.16877323161652016}, .d = 0.0},
+    {.is_armed = 1U, .start = 0U, .k = 51U, .y = {9.94450903404861e153, 5.18359445648785e153}, .status = PTC_OK, .u = -1.770513891195623e157, .xhat = {9.94450903404861e153, 0.0, 5.18359445648785e153}, .d = 0.0},
+    {.is_armed = 1U, .start = 0U, .k = 28U, .y = {-1.7824469226013917e308, -1.1909659812386371e308}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {0.0, 0.0, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 31U, .y = {-0.6021979331681786, 0.5081729849404194}, .status = PTC_SATURATED, .u = 1.0, .xhat = {-0.6021979331681786, 0.0, 0.5081729849404194}, .d = 0.0},
     {.is_armed = 1U, .start = 0U, .k = 48U, .y = {8.66572763576271e301, 5.242845272058633e301}, .status = PTC_SATURATED, .u = 1.0, .xhat = {-0.6018834619207801, 0.5709130587747904, 0.27502779847004605}, .d = 0.0},
-    {.is_armed = 1U, .start = 4294967290U, .k = 4U, .y = {-5.87032678324089e301, 4.716259431692308e301}, .status = PTC_SATURATED, .u = -1.0, .xhat = {1.4981005238990386e301, 7.340613348219797e302, -1.313481157423062e301}, .d = 2.1709386428043196e301},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4U, .y = {-5.87032678324089e301, 4.716259431692308e301}, .status = PTC_SATURATED, .u = -1.0, .xhat = {-5.87032678324089e301, 0.0, 4.716259431692308e301}, .d = 0.0},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -148,7 +150,7 @@ static uint32_t stage12_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 5U; i++) {
+    for (uint32_t i = 0U; i < 6U; i++) {
         const stage12_selftest_session *session = &stage12_selftest_sessions[i];
         stage12 self;
 

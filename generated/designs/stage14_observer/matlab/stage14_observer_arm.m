@@ -1,5 +1,6 @@
 function self = stage14_observer_arm(self, k) %#codegen
-%STAGE14_OBSERVER_ARM Starts a round of 12 samples at tick `k`. The estimates are kept.
+%STAGE14_OBSERVER_ARM Starts a round of 12 samples at tick `k`. The estimates are kept. Estimates
+%too large to compute with begin anew.
 %
 %   self = stage14_observer_arm(self, k), with self from stage14_observer_init. Keep self: it is
 %   what the next call needs.
@@ -10,4 +11,10 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
+if ~(abs(self.x1_hat) + abs(self.x2_hat) + abs(self.x3_hat) <= 1e150)
+    self.seen = uint32(0);
+    self.x1_hat = 0.0;
+    self.x2_hat = 0.0;
+    self.x3_hat = 0.0;
+end
 end

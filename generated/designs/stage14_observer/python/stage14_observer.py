@@ -61,6 +61,8 @@ class Status(IntEnum):
     """u was clipped to u_max; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone; wins over all above."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -138,9 +140,18 @@ class Stage14Observer:
             self._e0_3 = e0_3
 
     def arm(self, k: int) -> None:
-        """Starts a round of 12 samples at tick `k`. The estimates are kept."""
+        """Starts a round of 12 samples at tick `k`. The estimates are kept. Estimates too large to
+        compute with begin anew.
+
+        On a negative status u is 0 and nothing has changed.
+        """
         k = k.__index__() & _WRAP
         self._start = k
+        if not (np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._x3_hat) <= 1e150):
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._x3_hat = _R(0.0)
 
     def update(self, k: int, y: ArrayLike, u: float) -> Status:
         """The estimates of tick `k`, which may wrap, from what is measured, y = (x1, ...) at that

@@ -48,6 +48,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
 }
 
 /// What a step gives.
@@ -214,10 +216,17 @@ impl Stage14Observer {
         })
     }
 
-    /// Starts a round of 12 samples at tick `k`. The estimates are kept.
+    /// Starts a round of 12 samples at tick `k`. The estimates are kept. Estimates too large to
+    /// compute with begin anew.
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
+        if !((self.x1_hat).abs() + (self.x2_hat).abs() + (self.x3_hat).abs() <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x2_hat = 0.0;
+            self.x3_hat = 0.0;
+        }
     }
 
     /// The estimates of tick `k`, which may wrap, from what is measured, y = (x1, ...) at that tick

@@ -25,12 +25,12 @@ typedef struct stage14_observer_selftest_session {
 
 static const stage14_observer_selftest_session stage14_observer_selftest_sessions[4] = {
     {.params = {.h = 0.015625}, .first = 0U, .count = 36U},
-    {.params = {.h = 0.015625}, .first = 36U, .count = 2U},
-    {.params = {.h = 0.015625}, .first = 38U, .count = 2U},
-    {.params = {.h = 0.015625}, .first = 40U, .count = 2U},
+    {.params = {.h = 0.015625}, .first = 36U, .count = 3U},
+    {.params = {.h = 0.015625}, .first = 39U, .count = 2U},
+    {.params = {.h = 0.015625}, .first = 41U, .count = 2U},
 };
 
-static const stage14_observer_selftest_call stage14_observer_selftest_calls[42] = {
+static const stage14_observer_selftest_call stage14_observer_selftest_calls[43] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .applied = -0.1875, .status = PTC_OK, .xhat = {0.75, -2.288818359375e-5, -0.0029296875}},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.6302083333333333}, .applied = -0.15755208333333331, .status = PTC_OK, .xhat = {0.6615475560320012, -1.9283575993997089, -9.917781876929018}},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.5208333333333334}, .applied = -0.13020833333333334, .status = PTC_OK, .xhat = {0.5445307918996722, -4.20274230962918, -22.364020265178908}},
@@ -68,11 +68,12 @@ static const stage14_observer_selftest_call stage14_observer_selftest_calls[42] 
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {0.0, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {0.0, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 5U, .y = {-0.8205386008982269}, .applied = 0.25, .status = PTC_OK, .xhat = {-0.8205386008982269, 3.0517578125e-5, 0.00390625}},
-    {.is_armed = 1U, .start = 0U, .k = 8U, .y = {8.911300860034393e307}, .applied = 0.5, .status = PTC_E_RANGE, .xhat = {-0.8205386008982269, 3.0517578125e-5, 0.00390625}},
-    {.is_armed = 1U, .start = 4294967290U, .k = 4294967290U, .y = {9.337850396188135e307}, .applied = 0.0, .status = PTC_OK, .xhat = {9.337850396188135e307, 0.0, 0.0}},
-    {.is_armed = 1U, .start = 0U, .k = 2147483647U, .y = {-1.3057591957188517e308}, .applied = 0.5, .status = PTC_E_RANGE, .xhat = {9.337850396188135e307, 0.0, 0.0}},
-    {.is_armed = 1U, .start = 4294967290U, .k = 0U, .y = {-7.310609502274109e307}, .applied = 0.5, .status = PTC_OK, .xhat = {-7.310609502274109e307, 6.103515625e-5, 0.0078125}},
-    {.is_armed = 1U, .start = 0U, .k = 0U, .y = {-8.127391790762499e307}, .applied = 0.5, .status = PTC_E_RANGE, .xhat = {-7.310609502274109e307, 6.103515625e-5, 0.0078125}},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4294967295U, .y = {-1.4767969614601757e302}, .applied = 1.797693134862316e302, .status = PTC_OK, .xhat = {-1.4767969614601757e302, -4.6132140387806993e303, -1.008132750317004e305}},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4U, .y = {-7.52311181552385e301}, .applied = 0.5, .status = PTC_OK, .xhat = {-7.52311181552385e301, 6.103515625e-5, 0.0078125}},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4U, .y = {1.170883277815434e308}, .applied = 0.5, .status = PTC_OK, .xhat = {1.170883277815434e308, 6.103515625e-5, 0.0078125}},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {-4.706150794908862e307}, .applied = 0.0, .status = PTC_E_RANGE, .xhat = {1.170883277815434e308, 6.103515625e-5, 0.0078125}},
+    {.is_armed = 0U, .start = 0U, .k = 8U, .y = {-1.1823905605105972e308}, .applied = 1.7976931348623157e308, .status = PTC_OK, .xhat = {-1.1823905605105972e308, 2.1944496275174752e304, 2.8088955232223683e306}},
+    {.is_armed = 0U, .start = 0U, .k = 6U, .y = {1.7830647727139082e308}, .applied = 1.7976931348623157e308, .status = PTC_E_RANGE, .xhat = {-1.1823905605105972e308, 2.1944496275174752e304, 2.8088955232223683e306}},
 };
 
 /* 1 where a number is not the one that must come. */

@@ -3,7 +3,7 @@
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+1i,-5-1i --observer-samples=12 --selftest
  * Version 0.1.0.
  *
- * 4 sets of parameters with 42 calls, 13 sets that init must refuse. The expected values were
+ * 4 sets of parameters with 43 calls, 13 sets that init must refuse. The expected values were
  * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
  * operations are its own alone, so that a target has to give the same numbers.
  *
@@ -28,6 +28,7 @@
  *     it.
  *   PTC_FINITE_F64(e0_3): held with each of 3012 sets of parameters that passed the tests before
  *     it.
+ *   PTC_FINITE_F64(x3): never false in 638 calls.
  */
 #ifndef STAGE14_OBSERVER_SELFTEST_H
 #define STAGE14_OBSERVER_SELFTEST_H

@@ -1,6 +1,6 @@
 function self = stage15_observer_arm(self, k) %#codegen
 %STAGE15_OBSERVER_ARM Starts a round of 9 samples at tick `k`. Estimates and inputs under way are
-%kept.
+%kept. Estimates too large to compute with begin anew.
 %
 %   self = stage15_observer_arm(self, k), with self from stage15_observer_init. Keep self: it is
 %   what the next call needs.
@@ -11,4 +11,10 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
+if ~(abs(self.x1_hat) + abs(self.x2_hat) + abs(self.d_hat) <= single(9.999999843067494e17))
+    self.seen = uint32(0);
+    self.x1_hat = single(0.0);
+    self.x2_hat = single(0.0);
+    self.d_hat = single(0.0);
+end
 end

@@ -50,6 +50,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
 }
 
 /// What a step gives.
@@ -213,10 +215,17 @@ impl Stage15Observer {
         })
     }
 
-    /// Starts a round of 9 samples at tick `k`. Estimates and inputs under way are kept.
+    /// Starts a round of 9 samples at tick `k`. Estimates and inputs under way are kept. Estimates
+    /// too large to compute with begin anew.
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
+        if !((self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs() <= 1e18) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x2_hat = 0.0;
+            self.d_hat = 0.0;
+        }
     }
 
     /// The estimates of tick `k`, which may wrap, from what is measured, y = (x1, ...) at that tick

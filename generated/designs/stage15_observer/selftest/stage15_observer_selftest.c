@@ -24,13 +24,14 @@ typedef struct stage15_observer_selftest_session {
     uint32_t count;
 } stage15_observer_selftest_session;
 
-static const stage15_observer_selftest_session stage15_observer_selftest_sessions[3] = {
+static const stage15_observer_selftest_session stage15_observer_selftest_sessions[4] = {
     {.params = {.h = 0.015625f}, .first = 0U, .count = 36U},
     {.params = {.h = 0.015625f}, .first = 36U, .count = 2U},
     {.params = {.h = 0.015625f}, .first = 38U, .count = 2U},
+    {.params = {.h = 0.015625f}, .first = 40U, .count = 2U},
 };
 
-static const stage15_observer_selftest_call stage15_observer_selftest_calls[40] = {
+static const stage15_observer_selftest_call stage15_observer_selftest_calls[42] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75f}, .applied = -0.1875f, .status = PTC_OK, .xhat = {0.75f, -0.15328126f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.5925926f}, .applied = -0.14814815f, .status = PTC_OK, .xhat = {0.6381665f, -1.9674883f}, .d = -6.6668143f},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.4537037f}, .applied = -0.113425925f, .status = PTC_OK, .xhat = {0.48822924f, -4.342594f}, .d = -17.215372f},
@@ -68,9 +69,11 @@ static const stage15_observer_selftest_call stage15_observer_selftest_calls[40] 
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0f}, .applied = -0.0f, .status = PTC_HOLD, .xhat = {8.369889e-5f, 0.31984818f}, .d = 98.67584f},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0f}, .applied = -0.0f, .status = PTC_HOLD, .xhat = {6.6709705e-5f, 0.24701798f}, .d = 81.597946f},
     {.is_armed = 1U, .start = 0U, .k = 4294967295U, .y = {2.8752094e38f}, .applied = 3.4028235e38f, .status = PTC_HOLD, .xhat = {2.8752094e38f, -0.15328126f}, .d = 0.0f},
-    {.is_armed = 1U, .start = 0U, .k = 1U, .y = {1.1072857e38f}, .applied = 0.0f, .status = PTC_E_RANGE, .xhat = {2.8752094e38f, -0.15328126f}, .d = 0.0f},
+    {.is_armed = 1U, .start = 0U, .k = 1U, .y = {1.1072857e38f}, .applied = 0.0f, .status = PTC_OK, .xhat = {1.1072857e38f, 1.3292279e36f}, .d = 0.0f},
     {.is_armed = 1U, .start = 0U, .k = 9U, .y = {-1.5434798e38f}, .applied = 0.5f, .status = PTC_HOLD, .xhat = {-1.5434798e38f, -0.15328126f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 6U, .y = {2.2314715e38f}, .applied = 0.5f, .status = PTC_E_RANGE, .xhat = {-1.5434798e38f, -0.15328126f}, .d = 0.0f},
+    {.is_armed = 1U, .start = 0U, .k = 10U, .y = {1.8086417e38f}, .applied = 3.4028235e38f, .status = PTC_HOLD, .xhat = {1.8086417e38f, -0.15328126f}, .d = 0.0f},
+    {.is_armed = 0U, .start = 0U, .k = 8U, .y = {2.4548766e38f}, .applied = 0.5f, .status = PTC_E_RANGE, .xhat = {1.8086417e38f, -0.15328126f}, .d = 0.0f},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -128,7 +131,7 @@ static uint32_t stage15_observer_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const stage15_observer_selftest_session *session = &stage15_observer_selftest_sessions[i];
         stage15_observer self;
 

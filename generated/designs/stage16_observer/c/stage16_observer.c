@@ -61,6 +61,17 @@ ptc_status stage16_observer_arm(stage16_observer *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
+        if (!(fabs(self->x1_next) + fabs(self->x2_next) + fabs(self->x3_next) + fabs(self->d_next) <= 1e150)) {
+            self->seen = 0U;
+            self->x1_hat = 0.0;
+            self->x1_next = 0.0;
+            self->x2_hat = 0.0;
+            self->x2_next = 0.0;
+            self->x3_hat = 0.0;
+            self->x3_next = 0.0;
+            self->d_hat = 0.0;
+            self->d_next = 0.0;
+        }
         status = PTC_OK;
     }
     return status;

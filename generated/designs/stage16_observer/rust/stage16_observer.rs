@@ -49,6 +49,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
 }
 
 /// What a step gives.
@@ -163,10 +165,22 @@ impl Stage16Observer {
         })
     }
 
-    /// Starts a round of 20 samples at tick `k`. Estimates and inputs under way are kept.
+    /// Starts a round of 20 samples at tick `k`. Estimates and inputs under way are kept. Estimates
+    /// too large to compute with begin anew.
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
+        if !((self.x1_next).abs() + (self.x2_next).abs() + (self.x3_next).abs() + (self.d_next).abs() <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x1_next = 0.0;
+            self.x2_hat = 0.0;
+            self.x2_next = 0.0;
+            self.x3_hat = 0.0;
+            self.x3_next = 0.0;
+            self.d_hat = 0.0;
+            self.d_next = 0.0;
+        }
     }
 
     /// The estimates of tick `k`, which may wrap, from what is measured, y = C x at that tick and

@@ -24,13 +24,14 @@ typedef struct stage16_observer_selftest_session {
     uint32_t count;
 } stage16_observer_selftest_session;
 
-static const stage16_observer_selftest_session stage16_observer_selftest_sessions[3] = {
+static const stage16_observer_selftest_session stage16_observer_selftest_sessions[4] = {
     {.params = {.none = (char)0}, .first = 0U, .count = 42U},
-    {.params = {.none = (char)0}, .first = 42U, .count = 2U},
-    {.params = {.none = (char)0}, .first = 44U, .count = 1U},
+    {.params = {.none = (char)0}, .first = 42U, .count = 3U},
+    {.params = {.none = (char)0}, .first = 45U, .count = 2U},
+    {.params = {.none = (char)0}, .first = 47U, .count = 2U},
 };
 
-static const stage16_observer_selftest_call stage16_observer_selftest_calls[45] = {
+static const stage16_observer_selftest_call stage16_observer_selftest_calls[49] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75, 0.25}, .applied = -0.1875, .status = PTC_OK, .xhat = {0.75, 0.0, 0.25}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.676875, 0.225625}, .applied = -0.16921875, .status = PTC_OK, .xhat = {0.7501344261711317, 0.22285046353529728, 0.06506653678467897}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.6075, 0.2025}, .applied = -0.151875, .status = PTC_OK, .xhat = {0.719800495020264, -2.055852972646272, -0.004836718229721579}, .d = -0.03963667092400406},
@@ -74,8 +75,12 @@ static const stage16_observer_selftest_call stage16_observer_selftest_calls[45] 
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.012806451138288006, -5.5181204445372956, -0.00012495096036518725}, .d = -0.16594878626696183},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {-0.01612037464133158, -5.416945569634645, -0.00019686618366532337}, .d = -0.1629587923412317},
     {.is_armed = 0U, .start = 0U, .k = 12U, .y = {0.9345176227593099, -0.34868870628381476}, .applied = 0.25, .status = PTC_OK, .xhat = {0.9345176227593099, 0.0, -0.34868870628381476}, .d = 0.0},
-    {.is_armed = 0U, .start = 0U, .k = 17U, .y = {-1.0106924722705522e308, 1.6512261333402054e308}, .applied = 1.7976931348623157e308, .status = PTC_E_RANGE, .xhat = {0.9345176227593099, 0.0, -0.34868870628381476}, .d = 0.0},
-    {.is_armed = 1U, .start = 0U, .k = 12U, .y = {8.192421146273686e307, 1.7501158716715385e308}, .applied = 0.0, .status = PTC_E_RANGE, .xhat = {0.0, 0.0, 0.0}, .d = 0.0},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4294967291U, .y = {-1.307336388687966e302, 6.987964186393432e301}, .applied = 0.0, .status = PTC_OK, .xhat = {0.9343288855425633, -0.3143851300136227, -0.09506584858381648}, .d = 0.0},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4294967292U, .y = {-1.2079432732140247e302, 1.4474159757076022e302}, .applied = 1.797693134862316e302, .status = PTC_OK, .xhat = {-1.2079432732140247e302, 0.0, 1.4474159757076022e302}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 16U, .y = {4.532244146086889e307, -1.4232089975984815e308}, .applied = 1.7976931348623157e308, .status = PTC_OK, .xhat = {4.532244146086889e307, 0.0, -1.4232089975984815e308}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 0U, .y = {1.0398779474332157e308, -5.339298256842942e307}, .applied = 0.5, .status = PTC_E_RANGE, .xhat = {4.532244146086889e307, 0.0, -1.4232089975984815e308}, .d = 0.0},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4294967294U, .y = {1.7042583729633567e308, -1.0131148354307286e308}, .applied = 0.5, .status = PTC_OK, .xhat = {1.7042583729633567e308, 0.0, -1.0131148354307286e308}, .d = 0.0},
+    {.is_armed = 0U, .start = 0U, .k = 7U, .y = {8.034846972429222e307, 9.633521266728811e307}, .applied = 0.0, .status = PTC_E_RANGE, .xhat = {1.7042583729633567e308, 0.0, -1.0131148354307286e308}, .d = 0.0},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -133,7 +138,7 @@ static uint32_t stage16_observer_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const stage16_observer_selftest_session *session = &stage16_observer_selftest_sessions[i];
         stage16_observer self;
 

@@ -67,6 +67,11 @@ ptc_status stage17_observer_arm(stage17_observer *self, uint32_t k)
     ptc_status status = PTC_OK;
 
     self->start = k;
+    if (!(fabs(self->x2_hat) + fabs(self->d_hat) <= 1e150)) {
+        self->seen = 0U;
+        self->x2_hat = 0.0;
+        self->d_hat = 0.0;
+    }
     status = PTC_OK;
     return status;
 }

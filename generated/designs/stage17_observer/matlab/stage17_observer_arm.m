@@ -1,5 +1,6 @@
 function self = stage17_observer_arm(self, k) %#codegen
-%STAGE17_OBSERVER_ARM Starts a round of 8 samples at tick `k`. The estimates are kept.
+%STAGE17_OBSERVER_ARM Starts a round of 8 samples at tick `k`. The estimates are kept. Estimates too
+%large to compute with begin anew.
 %
 %   self = stage17_observer_arm(self, k), with self from stage17_observer_init. Keep self: it is
 %   what the next call needs.
@@ -10,4 +11,9 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
+if ~(abs(self.x2_hat) + abs(self.d_hat) <= 1e150)
+    self.seen = uint32(0);
+    self.x2_hat = 0.0;
+    self.d_hat = 0.0;
+end
 end

@@ -10,6 +10,7 @@ function [status, self] = stage17_observer_update(self, k, y, u) %#codegen
 %   status (int32); on a negative one self is as it was:
 %      0  tracking
 %      1  hold: the round of the observer is over
+%      4  gated: a reading was not believed, the estimates are predicted; wins over 1
 %     -2  an argument is not finite, or a tick is not whole
 %     -3  an estimate is not finite
 

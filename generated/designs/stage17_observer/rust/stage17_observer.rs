@@ -48,6 +48,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
 }
 
 /// What a step gives.
@@ -171,10 +173,16 @@ impl Stage17Observer {
         })
     }
 
-    /// Starts a round of 8 samples at tick `k`. The estimates are kept.
+    /// Starts a round of 8 samples at tick `k`. The estimates are kept. Estimates too large to
+    /// compute with begin anew.
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
+        if !((self.x2_hat).abs() + (self.d_hat).abs() <= 1e150) {
+            self.seen = 0;
+            self.x2_hat = 0.0;
+            self.d_hat = 0.0;
+        }
     }
 
     /// The estimates of tick `k`, which may wrap, from what is measured, y = (x1, ...) at that tick

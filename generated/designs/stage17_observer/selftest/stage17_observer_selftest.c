@@ -24,13 +24,14 @@ typedef struct stage17_observer_selftest_session {
     uint32_t count;
 } stage17_observer_selftest_session;
 
-static const stage17_observer_selftest_session stage17_observer_selftest_sessions[3] = {
+static const stage17_observer_selftest_session stage17_observer_selftest_sessions[4] = {
     {.params = {.h = 0.015625}, .first = 0U, .count = 22U},
     {.params = {.h = 0.015625}, .first = 22U, .count = 2U},
     {.params = {.h = 0.015625}, .first = 24U, .count = 2U},
+    {.params = {.h = 0.015625}, .first = 26U, .count = 2U},
 };
 
-static const stage17_observer_selftest_call stage17_observer_selftest_calls[26] = {
+static const stage17_observer_selftest_call stage17_observer_selftest_calls[28] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75, 0.25}, .applied = -0.1875, .status = PTC_OK, .xhat = {0.25}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.57421875, 0.19140625}, .applied = -0.1435546875, .status = PTC_OK, .xhat = {0.1994563511439732}, .d = -1.0304129464285714},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.421875, 0.140625}, .applied = -0.10546875, .status = PTC_OK, .xhat = {0.140625}, .d = -1.9068545386904758},
@@ -53,6 +54,8 @@ static const stage17_observer_selftest_call stage17_observer_selftest_calls[26] 
     {.is_armed = 0U, .start = 0U, .k = 6U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0, 0.0}, .applied = -0.0, .status = PTC_HOLD, .xhat = {0.0}, .d = 0.0},
+    {.is_armed = 1U, .start = 0U, .k = 2147483647U, .y = {1.6609504755056282e302, -1.6826022174671476e302}, .applied = 0.5, .status = PTC_HOLD, .xhat = {-1.6826022174671476e302}, .d = 0.0},
+    {.is_armed = 1U, .start = 4294967290U, .k = 0U, .y = {-1.6289170468515274e302, -5.023417769909703e301}, .applied = 1.797693134862316e302, .status = PTC_OK, .xhat = {-5.023417769909703e301}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 5U, .y = {7.534286791159686e307, 8.098610135816677e307}, .applied = 0.5, .status = PTC_OK, .xhat = {8.098610135816677e307}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 6U, .y = {5.50470895039603e307, 5.65825786190865e307}, .applied = 0.0, .status = PTC_E_RANGE, .xhat = {8.098610135816677e307}, .d = 0.0},
     {.is_armed = 1U, .start = 4294967290U, .k = 3U, .y = {5.139832755204136e307, -6.933478737733689e307}, .applied = 1.7976931348623157e308, .status = PTC_HOLD, .xhat = {-6.933478737733689e307}, .d = 0.0},
@@ -114,7 +117,7 @@ static uint32_t stage17_observer_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const stage17_observer_selftest_session *session = &stage17_observer_selftest_sessions[i];
         stage17_observer self;
 

@@ -3,7 +3,7 @@
  *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage17 --what observer --clock samples --disturbance constant --observer-poles=-4,-5 --observer-samples=8 --guard none --selftest
  * Version 0.1.0.
  *
- * 3 sets of parameters with 26 calls, 12 sets that init must refuse. The expected values were
+ * 4 sets of parameters with 28 calls, 12 sets that init must refuse. The expected values were
  * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
  * operations are its own alone, so that a target has to give the same numbers.
  *

@@ -25,15 +25,16 @@ typedef struct stage20_selftest_session {
     uint32_t count;
 } stage20_selftest_session;
 
-static const stage20_selftest_session stage20_selftest_sessions[5] = {
+static const stage20_selftest_session stage20_selftest_sessions[6] = {
     {.params = {.samples = 60U, .h = 0.015625, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 0U, .count = 60U},
     {.params = {.samples = 60U, .h = 0.015625, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 0.0}, .deadbeat = 0.0}, .first = 60U, .count = 1U},
     {.params = {.samples = 60U, .h = 0.015625, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 1.7976931348623157e308}, .first = 61U, .count = 1U},
     {.params = {.samples = 60U, .h = 0.015625, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 62U, .count = 3U},
-    {.params = {.samples = 60U, .h = 0.015625, .u_max = 1.0, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 65U, .count = 2U},
+    {.params = {.samples = 60U, .h = 0.015625, .u_max = (double)INFINITY, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 65U, .count = 2U},
+    {.params = {.samples = 60U, .h = 0.015625, .u_max = 1.0, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 67U, .count = 2U},
 };
 
-static const stage20_selftest_call stage20_selftest_calls[67] = {
+static const stage20_selftest_call stage20_selftest_calls[69] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .r = {0.25, -0.25, -0.75}, .status = PTC_OK, .u = -1.7920346804068787, .xhat = {0.75, 0.00390625}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7252083333333332}, .r = {0.2417361111111111, -0.2417361111111111, -0.7252083333333332}, .status = PTC_OK, .u = -2.2481061776604827, .xhat = {0.7408710056437865, -0.06017711754241954}, .d = -0.22314541142127436},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333333333333}, .r = {0.2336111111111111, -0.2336111111111111, -0.7008333333333333}, .status = PTC_OK, .u = -2.8243357963379654, .xhat = {0.7249611791335613, -0.1829547696117069}, .d = -0.6137685592384037},
@@ -99,6 +100,8 @@ static const stage20_selftest_call stage20_selftest_calls[67] = {
     {.is_armed = 0U, .start = 0U, .k = 22U, .y = {0.848777075081289}, .r = {-0.2574043310789601, 0.8038724357084645, 0.619551077038064}, .status = PTC_OK, .u = -1.2282097838022377, .xhat = {0.848777075081289, 0.00390625}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 23U, .y = {-0.5394443453822192}, .r = {-0.29978843416492973, 0.9667719280209335, 0.8346155160974523}, .status = PTC_OK, .u = -166.07408949396327, .xhat = {-0.5394443453822192, -76.15107060114102}, .d = 3249.4456789820165},
     {.is_armed = 1U, .start = 4294967290U, .k = 37U, .y = {1.5956250322646197e302}, .r = {-8.835435194688349e301, 1.0853200721551672e302, 7.236780503001228e301}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {-0.5394443453822192, -76.15107060114102}, .d = 3249.4456789820165},
+    {.is_armed = 0U, .start = 0U, .k = 42U, .y = {6.934706200815667e153}, .r = {7.254012678704029e153, -3.555293132098338e153, 7.05344441988137e153}, .status = PTC_OK, .u = 5.1245949286245e151, .xhat = {6.934706200815667e153, 0.00390625}, .d = 0.0},
+    {.is_armed = 1U, .start = 4294967290U, .k = 15U, .y = {-9.921247990295325e153}, .r = {-1.2335022506071407e154, 4.775426651090837e153, -1.241483445109339e154}, .status = PTC_OK, .u = -4.9521200598338686e154, .xhat = {-9.921247990295325e153, 0.00390625}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {-0.25651864234512545}, .r = {0.6246033109171112, -0.5197410453143261, 0.44609843361329055}, .status = PTC_SATURATED, .u = 1.0, .xhat = {-0.25651864234512545, 0.00390625}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 8U, .y = {-0.39202133136894945}, .r = {-0.6442172505072369, 0.6473731833694953, -0.8361845599908263}, .status = PTC_SATURATED, .u = -1.0, .xhat = {-0.32017399287889076, -0.6345872323817012}, .d = -2.8851637103458865},
 };
@@ -160,7 +163,7 @@ static uint32_t stage20_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 5U; i++) {
+    for (uint32_t i = 0U; i < 6U; i++) {
         const stage20_selftest_session *session = &stage20_selftest_sessions[i];
         stage20 self;
 

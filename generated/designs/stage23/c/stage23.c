@@ -64,6 +64,15 @@ ptc_status stage23_arm(stage23 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
+        if (!(fabs(self->x1_next) + fabs(self->x2_next) + fabs(self->x3_next) <= 1e150)) {
+            self->seen = 0U;
+            self->x1_hat = 0.0;
+            self->x1_next = 0.0;
+            self->x2_hat = 0.0;
+            self->x2_next = 0.0;
+            self->x3_hat = 0.0;
+            self->x3_next = 0.0;
+        }
         status = PTC_OK;
     }
     return status;
@@ -161,7 +170,10 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
                 v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
             }
             status = PTC_E_RANGE;
-            if (PTC_FINITE_F64(v)) {
+            if (PTC_FINITE_F64(v)
+                && PTC_FINITE_F64(x1_on)
+                && PTC_FINITE_F64(x2_on)
+                && PTC_FINITE_F64(x3_on)) {
                 double u_now;
                 if (self->u_max < v) {
                     u_now = self->u_max;

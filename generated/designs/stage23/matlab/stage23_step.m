@@ -10,6 +10,7 @@ function [u, status, self] = stage23_step(self, k, y, r) %#codegen
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
 %      3  after: the deadline is over, u is 0 or that of the user-defined law
+%      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
@@ -97,7 +98,7 @@ else
     s12 = 2.5950153689199906 * (self.u1 - self.u_r1);
     v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
 end
-if ~isfinite(v)
+if ~(isfinite(v) && isfinite(x1_on) && isfinite(x2_on) && isfinite(x3_on))
     status = int32(-3);
     return;
 end

@@ -68,6 +68,8 @@ pub enum Status {
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
 }
 
 /// What a step gives.
@@ -193,10 +195,19 @@ impl Stage23 {
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept.
+    /// kept. Estimates too large to compute with begin anew.
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
+        if !((self.x1_next).abs() + (self.x2_next).abs() + (self.x3_next).abs() <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x1_next = 0.0;
+            self.x2_hat = 0.0;
+            self.x2_next = 0.0;
+            self.x3_hat = 0.0;
+            self.x3_next = 0.0;
+        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = C x, and the reference. Call it
@@ -292,7 +303,7 @@ impl Stage23 {
             let s12 = 2.5950153689199906 * (self.u1 - self.u_r1);
             v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
         }
-        if !v.is_finite() {
+        if !(v.is_finite() && x1_on.is_finite() && x2_on.is_finite() && x3_on.is_finite()) {
             return Err(Error::Range);
         }
         let u_now: f64;

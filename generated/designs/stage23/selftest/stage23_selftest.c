@@ -24,13 +24,14 @@ typedef struct stage23_selftest_session {
     uint32_t count;
 } stage23_selftest_session;
 
-static const stage23_selftest_session stage23_selftest_sessions[3] = {
+static const stage23_selftest_session stage23_selftest_sessions[4] = {
     {.params = {.u_max = (double)INFINITY}, .first = 0U, .count = 66U},
-    {.params = {.u_max = (double)INFINITY}, .first = 66U, .count = 3U},
-    {.params = {.u_max = 1.0}, .first = 69U, .count = 2U},
+    {.params = {.u_max = (double)INFINITY}, .first = 66U, .count = 4U},
+    {.params = {.u_max = (double)INFINITY}, .first = 70U, .count = 1U},
+    {.params = {.u_max = 1.0}, .first = 71U, .count = 2U},
 };
 
-static const stage23_selftest_call stage23_selftest_calls[71] = {
+static const stage23_selftest_call stage23_selftest_calls[73] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .r = {0.25, -0.25, -0.75, -1.25}, .status = PTC_OK, .u = -0.1771457068759387, .xhat = {0.75, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7202999999999999}, .r = {0.24009999999999998, -0.24009999999999998, -0.7202999999999999, -1.2005}, .status = PTC_OK, .u = -0.31028941179333525, .xhat = {0.75, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.6912}, .r = {0.2304, -0.2304, -0.6912, -1.152}, .status = PTC_OK, .u = -0.4727972264549133, .xhat = {0.7471519387961455, -0.08521489387323455, 0.19389186447646276}},
@@ -99,7 +100,9 @@ static const stage23_selftest_call stage23_selftest_calls[71] = {
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0}, .r = {0.0, -0.0, -0.0, -0.0}, .status = PTC_HOLD, .u = 173542.3918054441, .xhat = {19.91196022707578, 3595.1447758216814, 37143.358603386805}},
     {.is_armed = 0U, .start = 0U, .k = 17U, .y = {-0.4184869858837193}, .r = {0.3958962442832529, -0.3718227983378573, -0.5737328186357484, 0.29463498691783807}, .status = PTC_OK, .u = 0.7606834762984129, .xhat = {-0.4184869858837193, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 18U, .y = {-0.8292409381343521}, .r = {-0.5250119877612838, -0.45400181013931795, -0.36527886689690436, 0.49147095196367724}, .status = PTC_OK, .u = 0.4182899474298861, .xhat = {-0.4184869858837193, 0.0, 0.0}},
-    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {4.762510369200913e307}, .r = {1.222337168385354e308, 1.3380350065951717e308, 1.4854275734348078e308, 1.3623909902899295e308}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {-0.4184869858837193, 0.0, 0.0}},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4294967290U, .y = {5.398103476350059e153}, .r = {6.429154741389957e153, 1.149171731178575e154, -8.595195463877276e153, 1.059181016980802e154}, .status = PTC_OK, .u = 2.2115143935760808e153, .xhat = {-0.9561754837937694, -2.6810768748433245, 167.83434732002863}},
+    {.is_armed = 1U, .start = 4294967290U, .k = 18U, .y = {-9.811433711115302e153}, .r = {1.2346630850318382e154, 4.13770893468814e153, 6.79560003780808e153, -7.950435990783086e153}, .status = PTC_OK, .u = 6.98847159795749e154, .xhat = {-9.811433711115302e153, 0.0, 0.0}},
+    {.is_armed = 0U, .start = 0U, .k = 2U, .y = {4.762510369200913e307}, .r = {1.222337168385354e308, 1.3380350065951717e308, 1.4854275734348078e308, 1.3623909902899295e308}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {0.0, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 11U, .y = {0.643431834156915}, .r = {-0.9983017033611402, -0.9102730401086383, -0.6995953855917312, 0.29242747596827645}, .status = PTC_SATURATED, .u = -1.0, .xhat = {0.643431834156915, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 34U, .y = {0.8906576738018435}, .r = {0.870173419820952, 0.906667175486672, -0.30305505350937567, 0.6295414268117009}, .status = PTC_SATURATED, .u = 1.0, .xhat = {0.643431834156915, 0.0, 0.0}},
 };
@@ -156,7 +159,7 @@ static uint32_t stage23_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const stage23_selftest_session *session = &stage23_selftest_sessions[i];
         stage23 self;
 

@@ -56,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_B03AFFED_H
-#define STAGE28_B03AFFED_H
+#ifndef STAGE28_3BCCA11D_H
+#define STAGE28_3BCCA11D_H
 
 #include <stdint.h>
 
@@ -73,6 +73,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */

@@ -1,6 +1,6 @@
 function self = stage3_arm(self, k) %#codegen
 %STAGE3_ARM Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
-%are kept.
+%are kept. Estimates too large to compute with begin anew.
 %
 %   self = stage3_arm(self, k), with self from stage3_init. Keep self: it is what the next call
 %   needs.
@@ -11,4 +11,10 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
+if ~(abs(self.x1_hat) + abs(self.x2_hat) + abs(self.d_hat) <= 1e150)
+    self.seen = uint32(0);
+    self.x1_hat = 0.0;
+    self.x2_hat = 0.0;
+    self.d_hat = 0.0;
+end
 end

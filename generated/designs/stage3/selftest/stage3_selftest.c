@@ -24,13 +24,14 @@ typedef struct stage3_selftest_session {
     uint32_t count;
 } stage3_selftest_session;
 
-static const stage3_selftest_session stage3_selftest_sessions[3] = {
+static const stage3_selftest_session stage3_selftest_sessions[4] = {
     {.params = {.u_max = (double)INFINITY}, .first = 0U, .count = 42U},
     {.params = {.u_max = (double)INFINITY}, .first = 42U, .count = 3U},
-    {.params = {.u_max = 1.0}, .first = 45U, .count = 2U},
+    {.params = {.u_max = (double)INFINITY}, .first = 45U, .count = 2U},
+    {.params = {.u_max = 1.0}, .first = 47U, .count = 2U},
 };
 
-static const stage3_selftest_call stage3_selftest_calls[47] = {
+static const stage3_selftest_call stage3_selftest_calls[49] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .status = PTC_OK, .u = -1518.2186234817814, .xhat = {0.75, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7129687499999999}, .status = PTC_OK, .u = -2422.03022327676, .xhat = {0.7303570046439628, -3.6687306501548056}, .d = -152.86377708978358},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.676875}, .status = PTC_OK, .u = -2669.0996113403235, .xhat = {0.6987229102167183, -10.741768873541323}, .d = -392.950702548226},
@@ -76,6 +77,8 @@ static const stage3_selftest_call stage3_selftest_calls[47] = {
     {.is_armed = 0U, .start = 0U, .k = 12U, .y = {-0.6436469406731915}, .status = PTC_OK, .u = 3929.468502278336, .xhat = {-0.6436469406731915, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 13U, .y = {0.2610565074889896}, .status = PTC_OK, .u = 55402.15108189016, .xhat = {0.2610565074889897, 775.4600984247267}, .d = -258486.69947490894},
     {.is_armed = 0U, .start = 0U, .k = 40U, .y = {1.4463899282428682e302}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {0.2610565074889897, 775.4600984247267}, .d = -258486.69947490894},
+    {.is_armed = 1U, .start = 4294967290U, .k = 33U, .y = {4.377355581021666e153}, .status = PTC_OK, .u = -4.377355581021666e159, .xhat = {4.377355581021666e153, 0.0}, .d = 0.0},
+    {.is_armed = 1U, .start = 0U, .k = 30U, .y = {-6.056058047674721e153}, .status = PTC_OK, .u = 3.1980207984566205e159, .xhat = {-6.056058047674721e153, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {-0.5918653123115474}, .status = PTC_SATURATED, .u = 1.0, .xhat = {-0.5918653123115474, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.9637360253933878}, .status = PTC_SATURATED, .u = -1.0, .xhat = {0.2332937047992233, 154.11530280668086}, .d = 6421.47095027837},
 };
@@ -137,7 +140,7 @@ static uint32_t stage3_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const stage3_selftest_session *session = &stage3_selftest_sessions[i];
         stage3 self;
 

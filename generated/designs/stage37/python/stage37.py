@@ -68,6 +68,8 @@ class Status(IntEnum):
     """u was clipped to u_max; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone; wins over all above."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3

@@ -27,10 +27,10 @@ typedef struct stage38_selftest_session {
 static const stage38_selftest_session stage38_selftest_sessions[3] = {
     {.params = {.none = (char)0}, .first = 0U, .count = 42U},
     {.params = {.none = (char)0}, .first = 42U, .count = 3U},
-    {.params = {.none = (char)0}, .first = 45U, .count = 1U},
+    {.params = {.none = (char)0}, .first = 45U, .count = 3U},
 };
 
-static const stage38_selftest_call stage38_selftest_calls[46] = {
+static const stage38_selftest_call stage38_selftest_calls[48] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75f}, .status = PTC_SATURATED, .u = 0.0f, .xhat = {0.75f, 0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.71296877f}, .status = PTC_SATURATED, .u = 0.0f, .xhat = {0.730357f, -0.3668729f}, .d = -1.5286372f},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.676875f}, .status = PTC_SATURATED, .u = 0.0f, .xhat = {0.6990615f, -0.9307276f}, .d = -3.9667184f},
@@ -77,6 +77,8 @@ static const stage38_selftest_call stage38_selftest_calls[46] = {
     {.is_armed = 0U, .start = 0U, .k = 13U, .y = {0.7853281f}, .status = PTC_SATURATED, .u = 1.0f, .xhat = {0.78532815f, 91.82178f}, .d = -3060.7258f},
     {.is_armed = 1U, .start = 0U, .k = 16U, .y = {3.1065425e38f}, .status = PTC_E_RANGE, .u = 0.0f, .xhat = {0.78532815f, 91.82178f}, .d = -3060.7258f},
     {.is_armed = 1U, .start = 4294967290U, .k = 10U, .y = {-0.0f}, .status = PTC_OK, .u = 0.0f, .xhat = {0.0f, 0.0f}, .d = 0.0f},
+    {.is_armed = 0U, .start = 0U, .k = 4294967294U, .y = {-2.0989235e32f}, .status = PTC_SATURATED, .u = 1.0f, .xhat = {-1.2743464e32f, -2.923501e33f}, .d = -1.4992313e34f},
+    {.is_armed = 1U, .start = 4294967290U, .k = 30U, .y = {-2.1819111e32f}, .status = PTC_SATURATED, .u = 1.0f, .xhat = {-2.1819111e32f, 0.0f}, .d = 0.0f},
 };
 
 /* 1 where a number is not the one that must come. */

@@ -92,6 +92,11 @@ ptc_status stage6_arm(stage6 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
+        if (!(fabs(self->x2_hat) + fabs(self->x3_hat) <= 1e150)) {
+            self->seen = 0U;
+            self->x2_hat = 0.0;
+            self->x3_hat = 0.0;
+        }
         status = PTC_OK;
     }
     return status;

@@ -23,15 +23,16 @@ typedef struct stage6_selftest_session {
     uint32_t count;
 } stage6_selftest_session;
 
-static const stage6_selftest_session stage6_selftest_sessions[5] = {
+static const stage6_selftest_session stage6_selftest_sessions[6] = {
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {64.0, 48.0, 12.0}, .deadbeat = 0.0}, .first = 0U, .count = 48U},
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {64.0, 48.0, 0.0}, .deadbeat = 0.0}, .first = 48U, .count = 1U},
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {64.0, 48.0, 12.0}, .deadbeat = 1.7976931348623157e308}, .first = 49U, .count = 1U},
     {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {64.0, 48.0, 12.0}, .deadbeat = 0.0}, .first = 50U, .count = 2U},
-    {.params = {.samples = 60U, .u_max = 1.0, .k = {64.0, 48.0, 12.0}, .deadbeat = 0.0}, .first = 52U, .count = 2U},
+    {.params = {.samples = 60U, .u_max = (double)INFINITY, .k = {64.0, 48.0, 12.0}, .deadbeat = 0.0}, .first = 52U, .count = 2U},
+    {.params = {.samples = 60U, .u_max = 1.0, .k = {64.0, 48.0, 12.0}, .deadbeat = 0.0}, .first = 54U, .count = 2U},
 };
 
-static const stage6_selftest_call stage6_selftest_calls[54] = {
+static const stage6_selftest_call stage6_selftest_calls[56] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75, 0.25}, .status = PTC_OK, .u = -43317.7169391253, .xhat = {0.25, 0.001}},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7252083333333332, 0.2417361111111111}, .status = PTC_OK, .u = -33736.13442650668, .xhat = {0.14034002979732002, -170.1212348028338}},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333333333333, 0.2336111111111111}, .status = PTC_OK, .u = -26201.19050176233, .xhat = {-0.10871533131026156, -293.4175710655298}},
@@ -84,6 +85,8 @@ static const stage6_selftest_call stage6_selftest_calls[54] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.0, 0.0}, .status = PTC_OK, .u = -0.7083333333333333, .xhat = {0.0, 0.001}},
     {.is_armed = 0U, .start = 0U, .k = 21U, .y = {-0.41330936950436414, -0.9660334530411353}, .status = PTC_OK, .u = 94516.01669115612, .xhat = {-0.9660334530411353, 0.001}},
     {.is_armed = 1U, .start = 0U, .k = 9U, .y = {-6.227221554326833e301, -1.4220768841726614e302}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {-0.9660334530411353, 0.001}},
+    {.is_armed = 0U, .start = 0U, .k = 28U, .y = {1.274378838819341e154, -1.306709740853777e154}, .status = PTC_OK, .u = -4.860348533039707e159, .xhat = {-1.306709740853777e154, 0.001}},
+    {.is_armed = 1U, .start = 0U, .k = 58U, .y = {9.894115997061516e153, 4.2963513557999444e153}, .status = PTC_OK, .u = -6.105456986780553e161, .xhat = {4.2963513557999444e153, -1.944139413215883e157}},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {-0.7104224394383356, 0.8625194574972337}, .status = PTC_SATURATED, .u = 1.0, .xhat = {0.8625194574972337, 0.001}},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.2749599792465945, -0.9024438672065972}, .status = PTC_SATURATED, .u = -1.0, .xhat = {0.1821425517892976, -33.66275631974987}},
 };
@@ -140,7 +143,7 @@ static uint32_t stage6_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 5U; i++) {
+    for (uint32_t i = 0U; i < 6U; i++) {
         const stage6_selftest_session *session = &stage6_selftest_sessions[i];
         stage6 self;
 

@@ -3,7 +3,7 @@
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3 --selftest
  * Version 0.1.0.
  *
- * 5 sets of parameters with 54 calls, 27 sets that init must refuse. The expected values were
+ * 6 sets of parameters with 56 calls, 27 sets that init must refuse. The expected values were
  * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
  * operations are its own alone, so that a target has to give the same numbers.
  *

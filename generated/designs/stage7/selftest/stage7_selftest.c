@@ -24,13 +24,14 @@ typedef struct stage7_selftest_session {
     uint32_t count;
 } stage7_selftest_session;
 
-static const stage7_selftest_session stage7_selftest_sessions[3] = {
+static const stage7_selftest_session stage7_selftest_sessions[4] = {
     {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY}, .first = 0U, .count = 36U},
-    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY}, .first = 36U, .count = 2U},
-    {.params = {.samples = 60U, .h = 0.015625f, .u_max = 1.0f}, .first = 38U, .count = 2U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY}, .first = 36U, .count = 3U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = (float)INFINITY}, .first = 39U, .count = 1U},
+    {.params = {.samples = 60U, .h = 0.015625f, .u_max = 1.0f}, .first = 40U, .count = 2U},
 };
 
-static const stage7_selftest_call stage7_selftest_calls[40] = {
+static const stage7_selftest_call stage7_selftest_calls[42] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75f}, .status = PTC_OK, .u = -2.4f, .xhat = {0.75f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.72520834f}, .status = PTC_OK, .u = -2.341461f, .xhat = {0.7158179f}, .d = 0.012019736f},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333f}, .status = PTC_OK, .u = -2.3020158f, .xhat = {0.6851985f}, .d = 0.033772532f},
@@ -68,7 +69,9 @@ static const stage7_selftest_call stage7_selftest_calls[40] = {
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0f}, .status = PTC_HOLD, .u = 42.181805f, .xhat = {0.0f}, .d = -42.181805f},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0f}, .status = PTC_HOLD, .u = 42.181805f, .xhat = {0.0f}, .d = -42.181805f},
     {.is_armed = 0U, .start = 0U, .k = 24U, .y = {-0.36344036f}, .status = PTC_OK, .u = 1.9383485f, .xhat = {-0.36344036f}, .d = 0.0f},
-    {.is_armed = 1U, .start = 0U, .k = 29U, .y = {-1.5510462e38f}, .status = PTC_E_RANGE, .u = 0.0f, .xhat = {-0.36344036f}, .d = 0.0f},
+    {.is_armed = 1U, .start = 4294967290U, .k = 12U, .y = {-1.04901e19f}, .status = PTC_OK, .u = 8.864361e19f, .xhat = {-6.039754e18f}, .d = -6.103331e19f},
+    {.is_armed = 1U, .start = 0U, .k = 4U, .y = {-5.9731294e18f}, .status = PTC_OK, .u = 2.04793e19f, .xhat = {-5.9731294e18f}, .d = 0.0f},
+    {.is_armed = 1U, .start = 0U, .k = 29U, .y = {-1.5510462e38f}, .status = PTC_E_RANGE, .u = 0.0f, .xhat = {0.0f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.66494954f}, .status = PTC_SATURATED, .u = -1.0f, .xhat = {0.66494954f}, .d = 0.0f},
     {.is_armed = 0U, .start = 0U, .k = 5U, .y = {-0.8910031f}, .status = PTC_SATURATED, .u = 1.0f, .xhat = {0.18722627f}, .d = -1.9716192f},
 };
@@ -130,7 +133,7 @@ static uint32_t stage7_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const stage7_selftest_session *session = &stage7_selftest_sessions[i];
         stage7 self;
 

@@ -3,7 +3,7 @@
  *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3 --selftest
  * Version 0.1.0.
  *
- * 3 sets of parameters with 40 calls, 17 sets that init must refuse. The expected values were
+ * 4 sets of parameters with 42 calls, 17 sets that init must refuse. The expected values were
  * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
  * operations are its own alone, so that a target has to give the same numbers.
  *

@@ -72,6 +72,8 @@ class Status(IntEnum):
     """u was clipped to u_max; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone; wins over all above."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -206,12 +208,17 @@ class Stage9:
 
     def arm(self, k: int) -> None:
         """Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
-        are kept.
+        are kept. Estimates too large to compute with begin anew.
 
         On a negative status u is 0 and nothing has changed.
         """
         k = k.__index__() & _WRAP
         self._start = k
+        if not (np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._x3_hat) <= 1e150):
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._x3_hat = _R(0.0)
 
     def step(self, k: int, y: ArrayLike) -> Control:
         """u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for

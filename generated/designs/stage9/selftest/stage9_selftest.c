@@ -23,13 +23,14 @@ typedef struct stage9_selftest_session {
     uint32_t count;
 } stage9_selftest_session;
 
-static const stage9_selftest_session stage9_selftest_sessions[3] = {
+static const stage9_selftest_session stage9_selftest_sessions[4] = {
     {.params = {.samples = 60U, .h = 0.015625, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 0U, .count = 42U},
     {.params = {.samples = 60U, .h = 0.015625, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 42U, .count = 1U},
     {.params = {.samples = 60U, .h = 0.015625, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 43U, .count = 2U},
+    {.params = {.samples = 60U, .h = 0.015625, .k = {625.0, 500.0, 150.0, 20.0}, .deadbeat = 0.0}, .first = 45U, .count = 2U},
 };
 
-static const stage9_selftest_call stage9_selftest_calls[45] = {
+static const stage9_selftest_call stage9_selftest_calls[47] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .status = PTC_OK, .u = -10.499656505377999, .xhat = {0.75, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7252083333333332}, .status = PTC_OK, .u = -18.24019918788813, .xhat = {0.7408133780332056, -0.06773946360153284, -0.1111621966794385}},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7008333333333333}, .status = PTC_OK, .u = -22.8006163979338, .xhat = {0.7248676354828368, -0.18475475931257423, -0.4697736805727416}},
@@ -73,6 +74,8 @@ static const stage9_selftest_call stage9_selftest_calls[45] = {
     {.is_armed = 0U, .start = 0U, .k = 2147483644U, .y = {0.0}, .status = PTC_SATURATED, .u = 1000.0, .xhat = {-0.029787455868754767, 3.334221318414383, -140.29222550812585}},
     {.is_armed = 0U, .start = 0U, .k = 4294967292U, .y = {0.0}, .status = PTC_SATURATED, .u = 1000.0, .xhat = {-0.0021708528281849243, 0.7719875162716399, -208.84468493815825}},
     {.is_armed = 0U, .start = 0U, .k = 11U, .y = {8.789725912568524e301}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {0.0, 0.0, 0.0}},
+    {.is_armed = 1U, .start = 0U, .k = 60U, .y = {-5.120859724142336e153}, .status = PTC_SATURATED, .u = 1000.0, .xhat = {-5.120859724142336e153, 0.0, 0.0}},
+    {.is_armed = 1U, .start = 4294967290U, .k = 1U, .y = {-5.39120140779861e153}, .status = PTC_SATURATED, .u = 1000.0, .xhat = {-5.39120140779861e153, 0.0, 0.0}},
     {.is_armed = 1U, .start = 0U, .k = 58U, .y = {0.0}, .status = PTC_OK, .u = -0.0, .xhat = {0.0, 0.0, 0.0}},
     {.is_armed = 0U, .start = 0U, .k = 60U, .y = {0.0}, .status = PTC_HOLD, .u = 0.0, .xhat = {0.0, 0.0, 0.0}},
 };
@@ -129,7 +132,7 @@ static uint32_t stage9_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const stage9_selftest_session *session = &stage9_selftest_sessions[i];
         stage9 self;
 

@@ -5,7 +5,9 @@
 
 use num_traits::ToPrimitive;
 
+use super::gating::Gating;
 use super::judge::Loop;
+use super::outcome::closed;
 use super::reach::Reach;
 use super::trust::Trust;
 use super::way::{Afterwards, Way, larger};
@@ -47,6 +49,8 @@ pub struct Worst {
     pub way: Option<Way>,
     /// From the deadline on with the gains held; `None` where no bounds are found.
     pub after: Option<Afterwards>,
+    /// What the gate of an observer does; `None` without one, and where that is not bounded.
+    pub gating: Option<Gating>,
 }
 
 impl Worst {
@@ -60,12 +64,13 @@ impl Worst {
             samples: self.samples,
             way: both(self.way, &other.way),
             after: self.after.zip(other.after).map(|(a, b)| a.most(&b)),
+            gating: self.gating.zip(other.gating).map(|(a, b)| a.most(&b)),
         }
     }
 }
 
 impl Worst {
-    /// Whether each state is within `error`, and u below its limit.
+    /// Whether each state is within `error`, u below its limit, and every reading believed.
     pub(crate) fn is_met(&self, spec: &Spec) -> bool {
         let errors = &spec.promises.error;
         let limit = spec.radius(0).and_then(|radius| radius.to_f64());
@@ -74,6 +79,7 @@ impl Worst {
             .into_iter()
             .all(|(i, bound)| one_or_each(errors, i).is_none_or(|error| bound.total() <= error))
             && limit.is_none_or(|limit| self.way.as_ref().is_some_and(|way| way.u < limit))
+            && closed(spec, self).is_none()
     }
 
     /// What is known by two bounds of the same loop.
@@ -89,6 +95,7 @@ impl Worst {
             samples: self.samples,
             way,
             after: self.after.or(other.after),
+            gating: self.gating.or(other.gating),
         }
     }
 }
@@ -181,6 +188,7 @@ impl Loop<'_> {
             states.ok_or("no bound found: an error of one sample may grow until the deadline")?;
         let way = if way { sampled.way(self.samples, reach) } else { None };
         let reached = states.iter().map(|b| b.at_least() - b.rounding).collect();
-        Ok(Worst { states, reached, samples: self.samples, way, after: None })
+        let gating = sampled.gating(self.samples, reach);
+        Ok(Worst { states, reached, samples: self.samples, way, after: None, gating })
     }
 }

@@ -12,6 +12,7 @@ use super::followed::Followed;
 use super::force::Force;
 use super::gain::{Gain, true_gain};
 use super::gains::gains;
+use super::gating::Gate;
 use super::moved::{Moved, Response};
 use super::relative::Late;
 use super::sums::Sum;
@@ -21,7 +22,8 @@ use crate::expansion::Expanded;
 use crate::expression::enclosure::{Interval, Range};
 use crate::linear::{self, Linear};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{PlantBounds, Spec, one_or_each};
+use crate::program::number::round;
+use crate::request::{self, PlantBounds, Spec, one_or_each};
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;
@@ -202,7 +204,24 @@ impl<'a> Loop<'a> {
         sampled.late.clone_from(&self.late);
         sampled.between.clone_from(&self.between);
         sampled.sums.clone_from(&self.sums);
+        sampled.gate = self.gate();
         sampled
+    }
+
+    /// What the observer believes, as the emitted program compares it; `None` if that is all that is finite.
+    fn gate(&self) -> Option<Gate> {
+        let own = self.spec.sampled()?;
+        let gate = &own.observer.as_ref()?.gate;
+        if *gate == request::Gate::default() {
+            return None;
+        }
+        let limits = |of: fn(&request::Gate, usize) -> Option<&BigRational>| {
+            let limit =
+                |l| of(gate, l).map_or(f64::INFINITY, |most| round(most, self.spec.precision));
+            (0..own.measured).map(limit).collect()
+        };
+        let (range, innovation) = (limits(request::Gate::range), limits(request::Gate::innovation));
+        Some(Gate { range, innovation })
     }
 
     /// What moves the plant beside u, if that is bounded and not 0.

@@ -15,6 +15,7 @@ mod followed;
 mod force;
 mod gain;
 mod gains;
+mod gating;
 mod judge;
 mod lost;
 #[cfg(feature = "files")]
@@ -42,6 +43,7 @@ mod worst;
 pub use cells::Worst;
 pub(crate) use eps::Candidate;
 pub use eps::{Choice, curve};
+pub use gating::{Cost, Gating};
 pub(crate) use judge::Loop;
 #[cfg(feature = "files")]
 pub use margins::{Margins, margins};

@@ -230,6 +230,6 @@ fn off(gain: &Gain, known: Range) -> f64 {
 }
 
 #[allow(clippy::cast_precision_loss)]
-fn real(count: usize) -> f64 {
+pub(super) fn real(count: usize) -> f64 {
     count as f64
 }

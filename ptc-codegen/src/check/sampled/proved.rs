@@ -2,7 +2,7 @@
 
 use super::cells::Worst;
 use super::judge::Loop;
-use super::outcome::clipping;
+use super::outcome::{clipping, closed as closed_gate};
 use super::sums::Sum;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{PlantBounds, Spec};
@@ -32,6 +32,9 @@ pub(crate) fn proved(spec: &Spec, middle: &[f64], sums: &[Sum]) -> Result<Worst,
     let worst = closed.worst(true)?;
     match clipping(spec, &worst, &closed) {
         (Some(why), true) => Err(format!("u may be clipped: {why}")),
-        _ => Ok(worst),
+        _ => match closed_gate(spec, &worst) {
+            Some(closed) => Err(closed.why),
+            None => Ok(worst),
+        },
     }
 }

@@ -89,6 +89,8 @@ impl<'b> Frame<'_, 'b> {
             Statement::Variable(name, Shape::Reals(length)) => {
                 self.define(name, Held::Reals(vec![f64::NAN; *length]));
             }
+            // Its shape decides how what it is set to is read.
+            Statement::Variable(name, Shape::Count) => self.define(name, Held::Count(0)),
             Statement::Array(name, values) => self.define(name, Held::Reals(self.list(values))),
             Statement::View { name, array, .. } => match self.locals.get(array.as_str()).cloned() {
                 Some(values) => self.define(name, values),

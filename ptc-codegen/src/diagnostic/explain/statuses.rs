@@ -2,7 +2,7 @@
 
 use super::Explanation;
 
-pub(super) static STATUSES: [Explanation; 7] = [
+pub(super) static STATUSES: [Explanation; 8] = [
     Explanation {
         code: "PTC_OK",
         means: "The law is active. u is that of the law, within its limits.",
@@ -30,6 +30,13 @@ pub(super) static STATUSES: [Explanation; 7] = [
         design: "",
         example: "a step at t0 + tau or later of a controller with `after = zero`",
         fix: "nothing is wrong; `arm` starts a new run",
+    },
+    Explanation {
+        code: "PTC_GATED",
+        means: "A reading was lost, or further from its prediction than `innovation_max`. The observer predicted alone, and u is that of the law with the prediction, within its limits; this wins over every other status of a valid u.",
+        design: "",
+        example: "one wild count of an encoder with `innovation_max = 1e-3` and `coast = 5`",
+        fix: "one is nothing to worry about: `check` bounds its cost; after `coast` of them in a row PTC_E_INPUT follows, and the sensor, the plant or `innovation_max` is wrong",
     },
     Explanation {
         code: "PTC_E_PARAM",

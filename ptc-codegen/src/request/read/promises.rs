@@ -129,7 +129,7 @@ impl Reader<'_> {
     }
 
     /// One number for all states, or one for each.
-    fn one_or_each(
+    pub(in crate::request::read) fn one_or_each(
         &mut self,
         key: &'static str,
         n: Option<usize>,

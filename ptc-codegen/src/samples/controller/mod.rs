@@ -157,19 +157,43 @@ impl Builder<'_> {
             Some(Reference::Known(_)) => " The time of the reference counts from there.",
             _ => "",
         };
+        let mut body = vec![Statement::Set(Place::Field("start".to_owned()), Expr::local("k"))];
+        body.extend(self.forget());
+        let anew = match (self.coasts(), self.sampled.observes()) {
+            (true, _) => {
+                " Estimates that have had no reading for all samples of `coast`, and those too large to compute with, begin anew."
+            }
+            (false, true) => " Estimates too large to compute with begin anew.",
+            (false, false) => "",
+        };
         Function {
             name: "arm",
-            about: format!("{starts}{time}{kept}"),
+            about: format!("{starts}{time}{kept}{anew}"),
             owner: Owner::Controller,
             access: Access::Change,
             arguments: vec![Variable::new("k", Shape::Count, "tick")],
             callbacks: Vec::new(),
             results: Vec::new(),
             failures: Vec::new(),
-            body: vec![Statement::Set(Place::Field("start".to_owned()), Expr::local("k"))],
+            body,
             finish: Finish::done(),
             guarded: self.guarded(),
         }
+    }
+
+    /// That `measured` readings are legal by themselves and `others` finite, where that is checked. A reading that an
+    /// observer can do without is examined later.
+    pub(super) fn legal(
+        &self,
+        given: &str,
+        measured: usize,
+        others: Vec<Expr>,
+    ) -> Option<Statement> {
+        let count = if self.coasts() { 0 } else { measured };
+        let mut tests: Vec<_> = (0..count).flat_map(|l| self.is_reading(given, l)).collect();
+        tests.extend(others.into_iter().map(Test::Finite));
+        let checked = self.guarded() && !tests.is_empty();
+        checked.then_some(Statement::Require(Test::All(tests), Status::Input))
     }
 
     /// That `arguments` are finite, where they are checked.

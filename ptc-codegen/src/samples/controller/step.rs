@@ -14,10 +14,8 @@ impl Builder<'_> {
         let given = if self.sampled.measures_states() { "x" } else { "y" };
         let (real, count) = (Shape::Real, Shape::Count);
         let mut model = self.spec.model.is_some().then(|| AtSample::new(self));
-        let element = |j| Expr::Element(given.to_owned(), j);
-        let elements = (0..measured).map(element);
-        let elements = elements.chain(self.given_references().into_iter().flatten());
-        let mut body: Vec<_> = self.finite(elements).into_iter().collect();
+        let references = self.given_references().into_iter().flatten().collect();
+        let mut body: Vec<_> = self.legal(given, measured, references).into_iter().collect();
         body.push(Self::elapsed(start));
         self.remember_inputs(1);
         if self.sampled.observes() {
@@ -47,7 +45,8 @@ impl Builder<'_> {
         let (finite, changes) = (Test::Finite(Expr::local("v")), self.remembered() > 0);
         if changes {
             // A call that fails changes nothing, so it fails before the inputs are remembered.
-            body.push(Statement::Require(finite, Status::Range));
+            let finite = std::iter::once(finite).chain(self.finite_predictions());
+            body.push(Statement::Require(Test::All(finite.collect()), Status::Range));
             let u = match finish.results() {
                 Some([u]) => u.clone(),
                 _ => {
@@ -57,6 +56,7 @@ impl Builder<'_> {
                 }
             };
             finish.give_all(std::slice::from_ref(&u));
+            finish = self.gated(vec![u.clone()], finish);
             body.extend(self.shift_inputs(&u));
             body.extend(self.shift_rates());
             if self.sampled.observes() {

@@ -18,6 +18,9 @@ const CALLS: usize = 400;
 /// A measurement above which the next call meets a controller that begins anew.
 const LARGE: f64 = 1e6;
 
+/// Most readings that are lost in a row.
+const LOST: u32 = 64;
+
 /// What was found so far.
 pub(super) struct Search<'a> {
     spec: &'a Spec,
@@ -83,6 +86,7 @@ impl<'a> Search<'a> {
                 self.ask(&mut life, Input { start, elapsed, y, applied }, true);
                 if index == 2 && self.spec.guard == Guard::Full {
                     self.without_numbers(&mut life, elapsed);
+                    self.without_readings(&mut life, elapsed);
                 }
             }
         }
@@ -102,6 +106,25 @@ impl<'a> Search<'a> {
                 }
                 self.ask(life, input, true);
             }
+        }
+    }
+
+    /// Readings that are lost until an observer may predict no longer, and `arm` behind them.
+    fn without_readings(&mut self, life: &mut Life<'a>, elapsed: u32) {
+        let observer = self.spec.sampled().and_then(|sampled| sampled.observer.as_ref());
+        let Some(coast) = observer.map(|own| own.gate.coast).filter(|coast| *coast > 0) else {
+            return;
+        };
+        let given = |y: f64| {
+            let mut all = vec![0.5; self.count()];
+            all[..self.measured].fill(y);
+            all
+        };
+        let lost = (0..=coast.min(LOST)).map(|_| (None, f64::NAN));
+        let all = std::iter::once((None, 0.5)).chain(lost).chain([(Some(life.start), 0.25)]);
+        let all: Vec<_> = all.map(|(start, y)| (start, given(y))).collect();
+        for (start, y) in all {
+            self.ask(life, Input { start, elapsed, y, applied: 0.25 }, true);
         }
     }
 

@@ -3,6 +3,8 @@
 
 mod emitted;
 mod exact;
+mod gate;
+mod gate_costs;
 use crate::support::exact_plant as plant;
 mod requests;
 mod same;

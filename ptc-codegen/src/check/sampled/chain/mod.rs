@@ -68,6 +68,9 @@ pub(super) struct Step {
     /// What rounding of a reference that is not part of the states adds to each of them at most, and to u.
     pub(super) lost: Vec<Near>,
     pub(super) lost_of_u: f64,
+    /// How far each measurement is from what an observer predicts, and what rounding of a reference adds to that;
+    /// empty without an observer that can predict alone.
+    pub(super) innovations: Vec<(Row, f64)>,
 }
 
 /// The unit of a state relative to u, in which all states have the same scale.
@@ -283,6 +286,13 @@ impl Chain {
         };
         let column = |l: usize| rows.iter().map(|row| row.of_cause[l]).collect();
         let columns = (0..causes).map(column).collect();
-        Step { matrix, columns, u: u.clone(), lost: Vec::new(), lost_of_u: 0.0 }
+        Step {
+            matrix,
+            columns,
+            u: u.clone(),
+            lost: Vec::new(),
+            lost_of_u: 0.0,
+            innovations: Vec::new(),
+        }
     }
 }

@@ -13,7 +13,7 @@ use super::followed::Followed;
 use super::lost::{lost, shifts};
 use super::rounded::Rounded;
 use crate::code::{Code, Expr, Place, Statement};
-use crate::request::{After, Reference, Sampled, Spec};
+use crate::request::{After, Gate, Observer, Reference, Sampled, Spec};
 use sample::Sample;
 
 /// What a name holds at one sample.
@@ -42,7 +42,11 @@ pub(super) fn steps(
     // is done with it.
     let reference = spec.reference.as_ref().map(|_| Reference::Input);
     let spec = &Spec { after: After::Hold, reference, ..spec.clone() };
-    let sampled = &Sampled { follows: None, ..sampled.clone() };
+    // Every reading is believed, which the innovations have to bear out.
+    let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
+    let observer = sampled.observer.clone();
+    let observer = observer.map(|own| Observer { gate: Gate::default(), ..own });
+    let sampled = &Sampled { follows: None, observer, ..sampled.clone() };
     let code = crate::samples::controller(spec, sampled, Vec::new());
     let kept: Vec<_> = kept(&code).collect();
     let acting = format!("u{}", chain.delay);
@@ -71,11 +75,18 @@ pub(super) fn steps(
             })
             .collect();
         let mut step = chain.step(&u, &rows?, acting);
-        if let Some(terms) = &terms {
-            let lost = |held: &Held| match held {
-                Held::Linear(sum) => lost(sum, terms),
-                Held::Known(_) | Held::Count(_) => 0.0,
-            };
+        let lost = |held: &Held| match (held, &terms) {
+            (Held::Linear(sum), Some(terms)) => lost(sum, terms),
+            _ => 0.0,
+        };
+        if coasts {
+            let rows = sample
+                .innovations()
+                .into_iter()
+                .map(|miss| Some((sample.row(&miss, chain, false)?, lost(&miss))));
+            step.innovations = rows.collect::<Option<_>>()?;
+        }
+        if terms.is_some() {
             step.lost_of_u = lost(&control);
             let of_u = if acting.is_none() { step.lost_of_u } else { 0.0 };
             let plant = chain.input.iter().map(|(b, error)| (b.abs() + error) * of_u);

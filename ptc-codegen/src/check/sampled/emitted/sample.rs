@@ -107,6 +107,15 @@ impl<'a> Sample<'a> {
         Some(Row { of_state, of_cause })
     }
 
+    /// How far each measurement is from its prediction.
+    pub(super) fn innovations(&self) -> Vec<Held> {
+        let of = |name: &str| self.locals.get(name).cloned();
+        match of("miss") {
+            Some(only) => vec![only],
+            None => (1..=self.measured.len()).map_while(|l| of(&format!("miss{l}"))).collect(),
+        }
+    }
+
     /// The value with which a call ends.
     pub(super) fn end(&self, finish: &Finish) -> Option<Held> {
         match finish {

@@ -2,9 +2,11 @@
 
 mod assumed;
 mod causes;
+mod gate;
 
 pub use causes::causes;
 pub(super) use causes::split;
+pub(super) use gate::closed;
 
 use super::cells::Worst;
 use super::eps::Candidate;
@@ -20,6 +22,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::program::number::round;
 use crate::request::{After, PlantBounds, Reference, Spec};
 use assumed::assumed;
+use gate::Closed;
 
 /// Why the bounds of a loop decide nothing where its u may be clipped.
 pub(super) const CLIPPED: &str = "u may reach its limit, and the bounds assume that it does not";
@@ -81,6 +84,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let wanted = closed.errors();
     let given = !spec.promises.error.is_empty();
     let (limit, clipped) = clipping(spec, worst, closed);
+    let refused = gate::closed(spec, worst);
     let share = |values: &[f64]| {
         let shares = values.iter().zip(&wanted).map(|(value, error)| value / error);
         shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN))
@@ -106,6 +110,11 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     };
     let (verdict, summary) = if clipped {
         (Verdict::Undecided, format!("{CLIPPED}: {}", told(state, &totals)))
+    } else if let Some(Closed { why, .. }) = &refused {
+        (
+            Verdict::Undecided,
+            format!("{why}, and the bounds assume that each is believed: {}", told(state, &totals)),
+        )
     } else if !given {
         (Verdict::NotChecked, format!("`error` is not given: {all}"))
     } else if most <= 1.0 {
@@ -130,11 +139,13 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     details.extend(on_the_way(worst));
     details.extend(afterwards(spec, worst, closed));
     details.extend(limit);
+    details.extend(gate::costs(spec, worst, closed));
     details.extend(random(worst));
     let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
     let fix = match fails {
         true => Some(fix(spec, worst, closed, state)),
-        false => unclipped(spec, worst).filter(|_| clipped),
+        false if clipped => unclipped(spec, worst),
+        false => refused.and_then(|refused| refused.fix),
     };
     Outcome { name: NAME, verdict, summary, details, fix }
 }

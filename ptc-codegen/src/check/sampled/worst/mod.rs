@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 use super::between::Between;
 use super::chain::{Chain, Gains, Step, Unit};
 use super::force::Force;
+use super::gating::Gate;
 use super::moved::Moved;
 use super::relative::Late;
 use super::sums::Sum;
@@ -58,6 +59,8 @@ pub(super) struct Sampled {
     pub(super) between: Option<Between>,
     /// Sums that are bounded on the way.
     pub(super) sums: Vec<Sum>,
+    /// What an observer believes; `None` for all that is finite.
+    pub(super) gate: Option<Gate>,
 }
 
 /// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds), or by how much it has
@@ -151,6 +154,7 @@ impl Sampled {
             late: None,
             between: None,
             sums: Vec::new(),
+            gate: None,
         }
     }
 

@@ -242,6 +242,7 @@ pub(in crate::emit) fn word(status: Status) -> &'static str {
         Status::Hold => "PTC_HOLD",
         Status::Saturated => "PTC_SATURATED",
         Status::After => "PTC_AFTER",
+        Status::Gated => "PTC_GATED",
         Status::Param => "PTC_E_PARAM",
         Status::Input => "PTC_E_INPUT",
         Status::Range => "PTC_E_RANGE",

@@ -52,11 +52,17 @@ pub(super) fn behaviour(
             d - 1
         ),
     };
-    vec![
+    let mut lines = vec![
         String::new(),
         format!("k counts samples and may wrap; arm again within 2^32 - {end} samples."),
         format!("u is the input of tick k - 1 as it was applied, after clipping: {acts}."),
         format!("From sample {end} on the status is HOLD; {then}."),
-        samples::guard(spec, language, ["what is measured and u are", "measurements and inputs"]),
-    ]
+    ];
+    lines.extend(samples::gate(observer));
+    let given = match observer.gate.coasts() {
+        false => "what is measured and u are finite",
+        true => "what is measured passes this gate, u is finite",
+    };
+    lines.push(samples::guard(spec, language, [given, "measurements and inputs"]));
+    lines
 }

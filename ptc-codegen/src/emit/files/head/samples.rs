@@ -5,7 +5,9 @@ use super::{Language, axes, coupled, followed, observed, plant, precision, time}
 use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
+use crate::diagnostic::counted;
 use crate::model::Coupled;
+use crate::parameter::Fixed;
 use crate::parameter::Name;
 use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
 
@@ -178,10 +180,19 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
     if let Some(observer) = &sampled.observer {
         lines.push(estimates(observer));
     }
+    lines.extend(sampled.observer.iter().flat_map(gate));
     lines.push(time::limits_of_u(spec, "Clipping voids the deadline where it lasts."));
-    let given = match spec.references() {
-        0 => ["what is measured is", "measurements"],
-        _ => ["what is measured and the reference are", "measurements and references"],
+    let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
+    let given = match (spec.references(), coasts) {
+        (0, false) => ["what is measured is finite", "measurements"],
+        (_, false) => {
+            ["what is measured and the reference are finite", "measurements and references"]
+        }
+        (0, true) => ["what is measured passes this gate", "measurements"],
+        (_, true) => [
+            "what is measured passes this gate, the reference is finite",
+            "measurements and references",
+        ],
     };
     lines.push(guard(spec, language, given));
     lines
@@ -194,6 +205,32 @@ fn estimates(observer: &Observer) -> String {
     format!(
         "The estimates are exact from sample {until} after the start on where the measurement is; {then}."
     )
+}
+
+/// Which readings the observer believes, and what becomes of a sample with another one.
+pub(super) fn gate(observer: &Observer) -> Option<String> {
+    let gate = &observer.gate;
+    let listed = |bounds: &[Fixed]| {
+        let all: Vec<_> = bounds.iter().map(ToString::to_string).collect();
+        all.join(", ")
+    };
+    let range = match listed(&gate.range) {
+        none if none.is_empty() => String::new(),
+        most => format!(" or beyond +-{most}"),
+    };
+    if !gate.coasts() {
+        let refused = "counts as not finite";
+        return (!range.is_empty())
+            .then(|| format!("A reading beyond +-{} {refused}.", listed(&gate.range)));
+    }
+    let far = match listed(&gate.innovation) {
+        none if none.is_empty() => String::new(),
+        most => format!(" or further than {most} from its prediction"),
+    };
+    let samples = counted(&gate.coast, "sample");
+    Some(format!(
+        "Gate: a reading that is not finite{range}{far} is not believed, and the estimates are predicted alone (status GATED) for at most {samples} in a row. Then the call is refused (E_INPUT) until a reading is believed or arm starts the estimates anew. The first reading has no prediction."
+    ))
 }
 
 /// What follows the round of an observer.
@@ -211,10 +248,10 @@ pub(super) fn guard(spec: &Spec, language: Language, [given, arguments]: [&str; 
     let pointers = language == Language::C;
     match (spec.guard, pointers) {
         (Guard::Full, true) => format!(
-            "Guard full: {given} finite and no pointer is NULL, or the call is refused (status E_INPUT)."
+            "Guard full: {given} and no pointer is NULL, or the call is refused (status E_INPUT)."
         ),
         (Guard::Full, false) => {
-            format!("Guard full: {given} finite, or the call is refused (INPUT).")
+            format!("Guard full: {given}, or the call is refused (INPUT).")
         }
         (Guard::Result | Guard::None, true) => format!(
             "Guard none: finite {arguments} and valid pointers are the responsibility of the caller."

@@ -106,6 +106,7 @@ status; on a negative one u is 0 and nothing has changed; u is 0 after init and 
    1  hold: time-to-go held at eps, the deadline is near or over, u is valid
    2  saturated: u clipped to u_max; wins over 1 and 3
    3  after: the deadline is over, u is 0 or that of the user-defined law
+   4  gated: a reading was not believed, u by prediction alone; wins over all above
   -1  a parameter outside its domain, or coefficients that overflow; arm without init
   -2  an argument is not finite or out of its domain, or no init before
   -3  u not finite

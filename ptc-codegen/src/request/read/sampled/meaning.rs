@@ -6,7 +6,7 @@ use crate::parameter::Parameter;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 10] = [
+const OWN: [&str; 13] = [
     "A",
     "B",
     "C",
@@ -17,6 +17,9 @@ const OWN: [&str; 10] = [
     "observer_samples",
     "observer_eps",
     "after_observer",
+    "innovation_max",
+    "measurement_max",
+    "coast",
 ];
 
 impl Reader<'_> {

@@ -2,6 +2,7 @@
 
 mod exponent;
 mod following;
+mod gate;
 mod meaning;
 mod observer;
 mod several;
@@ -82,7 +83,7 @@ impl Reader<'_> {
             }
         };
         let follows = linear.as_ref().and_then(|(plant, _)| self.following(spec, plant));
-        let sampled = Sampled {
+        let mut sampled = Sampled {
             delay: late,
             follows,
             linear: linear.map(|(plant, _)| plant),
@@ -94,6 +95,9 @@ impl Reader<'_> {
             observer: self.observer(spec, estimates, &blocks, a.as_ref()),
             leaves_eps: !self.keys.contains_key("eps"),
         };
+        if let Some(gate) = sampled.observes().then(|| self.gate(spec, &sampled)) {
+            sampled.observer.iter_mut().for_each(|observer| observer.gate = gate.clone());
+        }
         let least = sampled.least_samples(spec.highest_order());
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
         let samples = samples.filter(|_| spec.what != What::Observer);

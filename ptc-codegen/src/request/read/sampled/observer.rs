@@ -10,8 +10,19 @@ use crate::linear::{self, Delay};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::promises::finite_positive;
 use crate::request::read::{Reader, shown, whole};
-use crate::request::{Observer, Spec, What};
+use crate::request::{Gate, Observer, Spec, What};
 use crate::syntax::constant;
+
+/// The keys that have a meaning for an observer alone.
+const OF_OBSERVER: [&str; 7] = [
+    "observer_poles",
+    "observer_samples",
+    "observer_eps",
+    "after_observer",
+    "innovation_max",
+    "measurement_max",
+    "coast",
+];
 
 impl Reader<'_> {
     /// The observer of `estimates` states, where there are any.
@@ -27,7 +38,7 @@ impl Reader<'_> {
                 self.nothing_to_estimate();
                 return None;
             }
-            for key in ["observer_poles", "observer_samples", "observer_eps", "after_observer"] {
+            for key in OF_OBSERVER {
                 if let Some(node) = self.keys.get(key).copied() {
                     let message = format!("`{key}` without an observer");
                     let help = "every state is measured: leave it out, or give `measured`";
@@ -64,7 +75,9 @@ impl Reader<'_> {
         };
         let greatest = poles.iter().map(|(re, _)| -re / a).max()?;
         let after = self.after_observer(spec, blocks);
-        Some(Observer { poles, blocks: blocks.to_vec(), gains, greatest, samples, eps, after })
+        let blocks = blocks.to_vec();
+        let gate = Gate::default();
+        Some(Observer { poles, blocks, gains, greatest, samples, eps, after, gate })
     }
 
     /// The poles of the observer once the estimates are exact.

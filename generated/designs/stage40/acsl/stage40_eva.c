@@ -1,0 +1,275 @@
+/*
+ * Proof that stage40.c has no error at run time, with the plug-in Eva of Frama-C. Here are stage40.h,
+ * stage40.c and this file, all three written by ptc-codegen emit --acsl. DO NOT EDIT.
+ *
+ * Any inputs, with NaN, infinities and NULL:
+ *   frama-c -eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality -warn-special-float none stage40_eva.c stage40.c
+ * Finite inputs, and no value on the way may overflow or be NaN:
+ *   frama-c -cpp-extra-args=-DFINITE -eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality -warn-special-float non-finite stage40_eva.c stage40.c
+ *
+ * It is proved where no line begins with [eva:alarm] and the summary has no property unknown. A call is
+ * proved from whatever the calls before it may have left. In finite mode values are drawn from the ranges
+ * below; give others with -cpp-extra-args="-DFINITE -D<macro>=<number>".
+ */
+#include "stage40.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "__fc_builtin.h"
+
+/* Bounds of what is measured, and of the fields that calls change. */
+#ifndef STAGE40_EVA_Y1_MAX
+#define STAGE40_EVA_Y1_MAX 10.0
+#endif
+#ifndef STAGE40_EVA_R0_MAX
+#define STAGE40_EVA_R0_MAX 10.0
+#endif
+#ifndef STAGE40_EVA_R1_MAX
+#define STAGE40_EVA_R1_MAX 10.0
+#endif
+#ifndef STAGE40_EVA_R2_MAX
+#define STAGE40_EVA_R2_MAX 10.0
+#endif
+#ifndef STAGE40_EVA_U1_MAX
+#define STAGE40_EVA_U1_MAX 6.0
+#endif
+#ifndef STAGE40_EVA_U2_MAX
+#define STAGE40_EVA_U2_MAX 6.0
+#endif
+#ifndef STAGE40_EVA_X1_HAT_MAX
+#define STAGE40_EVA_X1_HAT_MAX 10.0
+#endif
+#ifndef STAGE40_EVA_X2_HAT_MAX
+#define STAGE40_EVA_X2_HAT_MAX 10.0
+#endif
+#ifndef STAGE40_EVA_D_HAT_MAX
+#define STAGE40_EVA_D_HAT_MAX 10.0
+#endif
+#ifndef STAGE40_EVA_RHO1_MAX
+#define STAGE40_EVA_RHO1_MAX 10.0
+#endif
+
+/* Frama-C leaves the sign of a true isfinite open; the code only asks whether it is 0. */
+/*@ ensures \result >= 0; */
+extern int __finite(double d);
+/*@ ensures \result >= 0; */
+extern int __finitef(float f);
+
+static volatile double stage40_eva_source;
+
+/* Any number, or in finite mode one of least to greatest. */
+static double stage40_eva_draw(double least, double greatest)
+{
+#ifdef FINITE
+    return Frama_C_double_interval(least, greatest);
+#else
+    (void)least;
+    (void)greatest;
+    return stage40_eva_source;
+#endif
+}
+
+static uint32_t stage40_eva_count(uint32_t least, uint32_t greatest)
+{
+    return (uint32_t)Frama_C_unsigned_int_interval(least, greatest);
+}
+
+/* Any tick. */
+static uint32_t stage40_eva_tick(void)
+{
+    return stage40_eva_count(0U, 4294967295U);
+}
+
+/* Fields that nothing has set. */
+static void stage40_eva_blank(stage40 *self)
+{
+    self->start = 42U;
+    self->u1 = 42.0;
+    self->u2 = 42.0;
+    self->seen = 42U;
+    self->x1_hat = 42.0;
+    self->x2_hat = 42.0;
+    self->d_hat = 42.0;
+    self->trust = 42U;
+    self->rho1 = 42.0;
+}
+
+static void stage40_eva_untouched(const stage40 *self)
+{
+    (void)self;
+    //@ assert untouched: self->start == 42;
+    //@ assert untouched: self->u1 == 42.0;
+    //@ assert untouched: self->u2 == 42.0;
+    //@ assert untouched: self->seen == 42;
+    //@ assert untouched: self->x1_hat == 42.0;
+    //@ assert untouched: self->x2_hat == 42.0;
+    //@ assert untouched: self->d_hat == 42.0;
+    //@ assert untouched: self->trust == 42;
+    //@ assert untouched: self->rho1 == 42.0;
+}
+
+/* What calls may leave, and more. */
+static void stage40_eva_kept(stage40 *self)
+{
+    self->start = stage40_eva_tick();
+    self->u1 = stage40_eva_draw(-STAGE40_EVA_U1_MAX, STAGE40_EVA_U1_MAX);
+    self->u2 = stage40_eva_draw(-STAGE40_EVA_U2_MAX, STAGE40_EVA_U2_MAX);
+    self->seen = stage40_eva_count(0U, 1U);
+    self->x1_hat = stage40_eva_draw(-STAGE40_EVA_X1_HAT_MAX, STAGE40_EVA_X1_HAT_MAX);
+    self->x2_hat = stage40_eva_draw(-STAGE40_EVA_X2_HAT_MAX, STAGE40_EVA_X2_HAT_MAX);
+    self->d_hat = stage40_eva_draw(-STAGE40_EVA_D_HAT_MAX, STAGE40_EVA_D_HAT_MAX);
+    self->trust = stage40_eva_tick();
+    self->rho1 = stage40_eva_draw(-STAGE40_EVA_RHO1_MAX, STAGE40_EVA_RHO1_MAX);
+}
+
+/* A call at any tick, and the estimates behind it: a status, with u = 0 where it is negative; at level 1 that
+ * u is finite, at 2 its bound. */
+static void stage40_eva_use(stage40 *self, double limit, int level)
+{
+    const uint32_t k = stage40_eva_tick();
+    double y[1];
+    double r[3];
+    ptc_status status;
+    double u;
+    double xhat[2];
+    double d;
+
+    (void)limit;
+    (void)level;
+    y[0] = stage40_eva_draw(-STAGE40_EVA_Y1_MAX, STAGE40_EVA_Y1_MAX);
+    r[0] = stage40_eva_draw(-STAGE40_EVA_R0_MAX, STAGE40_EVA_R0_MAX);
+    r[1] = stage40_eva_draw(-STAGE40_EVA_R1_MAX, STAGE40_EVA_R1_MAX);
+    r[2] = stage40_eva_draw(-STAGE40_EVA_R2_MAX, STAGE40_EVA_R2_MAX);
+    status = stage40_step(self, k, y, r, &u);
+    //@ assert known: -3 <= status <= 3 && status != PTC_E_PARAM;
+    //@ assert refused: status < 0 ==> u == 0.0;
+    if (level > 0) {
+        //@ assert finite: \is_finite(u);
+    }
+    if (level > 1) {
+        //@ assert bounded: -limit <= u <= limit;
+    }
+#ifdef FINITE
+    //@ assert accepted: status >= 0;
+#endif
+    status = stage40_estimate(self, xhat);
+    //@ assert given: status == PTC_OK;
+    status = stage40_disturbance(self, &d);
+    //@ assert given: status == PTC_OK;
+    //@ assert initialized: \initialized(xhat + (0 .. 1));
+    //@ assert initialized: \initialized(&d);
+}
+
+/* init and the first call, then arm and any call. */
+static void stage40_eva_live(double limit, int level)
+{
+    stage40_params params;
+    stage40 own;
+    stage40 *const self = &own;
+    ptc_status status;
+
+    params.none = 0;
+    stage40_eva_blank(self);
+    status = stage40_init(self, &params);
+    if (status == PTC_OK) {
+        stage40_eva_use(self, limit, level);
+        status = stage40_arm(self, stage40_eva_tick());
+        //@ assert armed: status == PTC_OK;
+        stage40_eva_kept(self);
+        stage40_eva_use(self, limit, level);
+    } else {
+        //@ assert refused: status == PTC_E_PARAM;
+        stage40_eva_untouched(self);
+#ifdef FINITE
+        //@ assert started: \false;
+#endif
+    }
+}
+
+#ifndef FINITE
+/* NULL for every pointer that is checked, and no number for every input. */
+static void stage40_eva_null(void)
+{
+    stage40_params params;
+    stage40 own;
+    stage40 *const self = &own;
+    ptc_status status;
+    const uint32_t k = stage40_eva_tick();
+    double y[1];
+    double r[3];
+    double u;
+    double xhat[2];
+    double d;
+
+    params.none = 0;
+    stage40_eva_blank(self);
+    status = stage40_init(NULL, &params);
+    //@ assert no_self: status == PTC_E_PARAM;
+    y[0] = stage40_eva_draw(0.0, 0.0);
+    r[0] = stage40_eva_draw(0.0, 0.0);
+    r[1] = stage40_eva_draw(0.0, 0.0);
+    r[2] = stage40_eva_draw(0.0, 0.0);
+    status = stage40_arm(NULL, k);
+    //@ assert missing: status == PTC_E_INPUT;
+    status = stage40_step(NULL, k, y, r, &u);
+    //@ assert missing: status == PTC_E_INPUT;
+    //@ assert zero: u == 0.0;
+    status = stage40_step(self, k, NULL, r, &u);
+    //@ assert missing: status == PTC_E_INPUT;
+    //@ assert zero: u == 0.0;
+    status = stage40_step(self, k, y, NULL, &u);
+    //@ assert missing: status == PTC_E_INPUT;
+    //@ assert zero: u == 0.0;
+    status = stage40_step(self, k, y, r, NULL);
+    //@ assert missing: status == PTC_E_INPUT;
+    status = stage40_estimate(NULL, xhat);
+    //@ assert missing: status == PTC_E_INPUT;
+    status = stage40_estimate(self, NULL);
+    //@ assert missing: status == PTC_E_INPUT;
+    status = stage40_disturbance(NULL, &d);
+    //@ assert missing: status == PTC_E_INPUT;
+    status = stage40_disturbance(self, NULL);
+    //@ assert missing: status == PTC_E_INPUT;
+    stage40_eva_untouched(self);
+    y[0] = 0.0;
+    r[0] = 0.0;
+    r[1] = 0.0;
+    r[2] = 0.0;
+    y[0] = NAN;
+    status = stage40_step(self, k, y, r, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+    y[0] = 0.0;
+    r[0] = NAN;
+    status = stage40_step(self, k, y, r, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+    r[0] = 0.0;
+    r[1] = NAN;
+    status = stage40_step(self, k, y, r, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+    r[1] = 0.0;
+    r[2] = NAN;
+    status = stage40_step(self, k, y, r, &u);
+    //@ assert no_number: status == PTC_E_INPUT;
+    r[2] = 0.0;
+    stage40_eva_untouched(self);
+}
+#endif
+
+/* The whole proof of stage40. */
+void stage40_eva(void)
+{
+#ifndef FINITE
+    stage40_eva_null();
+#endif
+    stage40_eva_live(6.0, 2);
+}
+
+/* Left out where a program of several proofs has a main of its own. */
+#ifndef PTC_EVA_PART
+int main(void)
+{
+    stage40_eva();
+    return 0;
+}
+#endif

@@ -1,0 +1,306 @@
+/*
+ * Prescribed-time controller stage40: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+ * Version 0.1.0, design 1f938d622e88.
+ *
+ * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+ *       sample late.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ * With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = w + rho/g,
+ *       where the inputs under way count less the rho of their own samples. At sample N e is
+ *       0 where r^(n) is constant over each sample; else an error of order h^(4-i) is left in
+ *       e_i.
+ * e_i = x_i - r[i-1] with r[0]..r[1] the reference and its derivatives at tick k, and rho =
+ *       r[2], r^(n) over the sample in which u acts: its mean, (r^(n-1)(t + h) -
+ *       r^(n-1)(t))/h, or that in its middle.
+ *
+ * Parameters:
+ *   samples = 40 [samples], fixed: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 6 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample 20 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * Gate: a reading that is not finite or beyond +-1.5 or further than 0.5 from its prediction
+ *       is not believed, and the estimates are predicted alone (status GATED) for at most 2
+ *       samples in a row. Then the call is refused (E_INPUT) until a reading is believed or
+ *       arm starts the estimates anew. The first reading has no prediction.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured passes this gate, the reference is finite, or the call is
+ *       refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample 40 from any state, but for what r does between samples:
+ *       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE40_C7AA4FF7_HPP
+#define STAGE40_C7AA4FF7_HPP
+
+#include <array>
+#include <cfloat>
+#include <cstdint>
+#include <limits>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage40Params {
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage40 {
+public:
+    using Params = Stage40Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        start_ = 0U;
+        u1_ = 0.0;
+        u2_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x2_hat_ = 0.0;
+        d_hat_ = 0.0;
+        trust_ = 1U;
+        rho1_ = 0.0;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates that have had no reading for all samples of `coast`, and those too large to
+    /// compute with, begin anew.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+        if (!((1U < trust_)
+                && (absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_) <= 1e150))) {
+            seen_ = 0U;
+            x1_hat_ = 0.0;
+            x2_hat_ = 0.0;
+            d_hat_ = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...), and the reference.
+    /// Call it once for each tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 1>& y, const std::array<double, 3>& r) noexcept
+    {
+        if (!(finite(r[0]) && finite(r[1]) && finite(r[2]))) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const double s1 = x1_hat_ + (0.001 * x2_hat_) + (5e-7 * d_hat_);
+        const double p1 = s1 + (5e-7 * u2_);
+        const double p2 = x2_hat_ + (0.001 * d_hat_) + (0.001 * u2_);
+        const double p3 = d_hat_;
+
+        // Correct by what is measured, where it is believed.
+        double base{};
+        double gap{};
+        if (seen_ == 0U) {
+            base = y[0];
+            gap = 0.0;
+        } else {
+            base = p1;
+            gap = y[0] - p1;
+        }
+        double miss{};
+        std::uint32_t trust{};
+        if (finite(y[0]) && (absolute(y[0]) <= 1.5) && (absolute(gap) <= 0.5)) {
+            miss = gap;
+            trust = 3U;
+        } else {
+            miss = 0.0;
+            trust = (1U < trust_) ? (trust_ - 1U) : 0U;
+        }
+        if (!(0U < trust)) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1{};
+        double l2{};
+        double l3{};
+        if (8.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            const double r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
+            l3 = 24000000.0 * r0 * r1 * r2;
+        } else if (left_o == 8U) {
+            l1 = 1.0;
+            l2 = 428.57142857142856;
+            l3 = 142857.14285714287;
+        } else if (left_o == 7U) {
+            l1 = 1.0;
+            l2 = 857.1428571428571;
+            l3 = -285714.28571428574;
+        } else {
+            l1 = 1.0;
+            l2 = 1500.0;
+            l3 = 1000000.0;
+        }
+        const double x1 = base + (l1 * miss);
+        const double x2 = p2 + (l2 * miss);
+        const double d = p3 + (l3 * miss);
+
+        // The tracking error.
+        const double e1 = x1 - r[0];
+        const double e2 = x2 - r[1];
+        double v{};
+        if (elapsed < 32U) {
+            // The exact law in samples.
+            const double m0 = static_cast<double>(40U - elapsed);
+            const double z1 = ((-120000000.0) * e1) + (60000.0 * e2);
+            const double z2 = (-60000.0) * e2;
+            const double z3 = (-12.0) * ((u1_ + d) - rho1_);
+            const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+            v = ((s2 + ((u1_ + d) - rho1_)) - d) + r[2];
+        } else {
+            // Deadbeat.
+            const double s3 = 2.0 * ((u1_ + d) - rho1_);
+            v = (((((-1000000.0) * e1) - (2500.0 * e2)) - s3) - d) + r[2];
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (6.0 < v) {
+            u_now = 6.0;
+        } else if (v < -6.0) {
+            u_now = -6.0;
+        } else {
+            u_now = v;
+        }
+        u2_ = u1_;
+        u1_ = u_now;
+        rho1_ = r[2];
+        x1_hat_ = x1;
+        x2_hat_ = x2;
+        d_hat_ = d;
+        seen_ = 1U;
+        trust_ = trust;
+        if (trust < 3U) {
+            return {u_now, Status::Gated};
+        } else if ((6.0 < v) || (v < -6.0)) {
+            return {u_now, Status::Saturated};
+        } else if (elapsed < 40U) {
+            return {u_now, Status::Ok};
+        } else {
+            return {u_now, Status::Hold};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 2> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr double disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    double u1_{}; // input of the last sample
+    double u2_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x2_hat_{}; // estimate of x2
+    double d_hat_{}; // estimate of d
+    std::uint32_t trust_{}; // samples for which the estimates may be used, the next one included
+    double rho1_{}; // last one of r, 1 samples ago
+};
+
+} // namespace ptc
+
+#endif

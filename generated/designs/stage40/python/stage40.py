@@ -1,0 +1,253 @@
+"""
+Prescribed-time controller stage40: order n = 2, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+Version 0.1.0, design 1f938d622e88.
+
+Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+      sample late.
+Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+      sample period, as long as u is not clipped and nothing else acts on the plant.
+Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+      the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+      over.
+With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = w + rho/g,
+      where the inputs under way count less the rho of their own samples. At sample N e is
+      0 where r^(n) is constant over each sample; else an error of order h^(4-i) is left in
+      e_i.
+e_i = x_i - r[i-1] with r[0]..r[1] the reference and its derivatives at tick k, and rho =
+      r[2], r^(n) over the sample in which u acts: its mean, (r^(n-1)(t + h) -
+      r^(n-1)(t))/h, or that in its middle.
+
+Parameters:
+  samples = 40 [samples], fixed: samples N from the start to rest
+  h = 1e-3 [s], fixed: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  u_max = 6 [unit of u], fixed: bound of |u|
+  a = 1 [1/s], fixed: rate of stretched time
+  k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+The estimates are exact from sample 20 after the start on where the measurement is; with
+      noise or sensor_step given, or observer_eps, the gains of the observer are then held
+      below deadbeat.
+Gate: a reading that is not finite or beyond +-1.5 or further than 0.5 from its prediction
+      is not believed, and the estimates are predicted alone (status GATED) for at most 2
+      samples in a row. Then the call is refused (E_INPUT) until a reading is believed or
+      arm starts the estimates anew. The first reading has no prediction.
+|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+      lasts.
+Guard full: what is measured passes this gate, the reference is finite, or the call is
+      refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: at rest at sample 40 from any state, but for what r does between samples:
+      deadbeat ends the loop, whatever the poles, and |u| is bounded.
+  sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+  deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+  loop: not checked: `x0_max` is not given.
+  envelope: not checked: it does not examine a clock in samples.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "Stage40", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone; wins over all above."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+class Stage40:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            self._start = 0
+            self._u1 = _R(0.0)
+            self._u2 = _R(0.0)
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._d_hat = _R(0.0)
+            self._trust = 1
+            self._rho1 = _R(0.0)
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way
+        are kept. Estimates that have had no reading for all samples of `coast`, and those too large
+        to compute with, begin anew.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        k = k.__index__() & _WRAP
+        self._start = k
+        if not (
+            (1 < self._trust)
+            and (np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._d_hat) <= 1e150)
+        ):
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._d_hat = _R(0.0)
+
+    def step(self, k: int, y: ArrayLike, r: ArrayLike) -> Control:
+        """u from tick `k`, which may wrap, and what is measured, y = (x1, ...), and the reference.
+        Call it once for each tick.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            y = _numbers(y, 1, "y")
+            r = _numbers(r, 3, "r")
+            if not (np.isfinite(r[0]) and np.isfinite(r[1]) and np.isfinite(r[2])):
+                return Control(_R(0.0), Status.INPUT)
+            elapsed = (k - self._start) & _WRAP
+
+            # Predict.
+            s1 = self._x1_hat + (0.001 * self._x2_hat) + (5e-7 * self._d_hat)
+            p1 = s1 + (5e-7 * self._u2)
+            p2 = self._x2_hat + (0.001 * self._d_hat) + (0.001 * self._u2)
+            p3 = self._d_hat
+
+            # Correct by what is measured, where it is believed.
+            if self._seen == 0:
+                base = y[0]
+                gap = _R(0.0)
+            else:
+                base = p1
+                gap = y[0] - p1
+            if np.isfinite(y[0]) and (np.abs(y[0]) <= 1.5) and (np.abs(gap) <= 0.5):
+                miss = gap
+                trust = 3
+            else:
+                miss = _R(0.0)
+                trust = max(self._trust - 1, 0)
+            if not (0 < trust):
+                return Control(_R(0.0), Status.INPUT)
+            left_o = max(20 - elapsed, 0)
+            o0 = _R(left_o)
+            if 8.0 < o0:
+                r0 = 1.0 / o0
+                r1 = 1.0 / (o0 - 1.0)
+                r2 = 1.0 / (o0 - 2.0)
+                l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
+                l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2
+                l3 = 24000000.0 * r0 * r1 * r2
+            elif left_o == 8:
+                l1 = _R(1.0)
+                l2 = _R(428.57142857142856)
+                l3 = _R(142857.14285714287)
+            elif left_o == 7:
+                l1 = _R(1.0)
+                l2 = _R(857.1428571428571)
+                l3 = _R(-285714.28571428574)
+            else:
+                l1 = _R(1.0)
+                l2 = _R(1500.0)
+                l3 = _R(1000000.0)
+            x1 = base + (l1 * miss)
+            x2 = p2 + (l2 * miss)
+            d = p3 + (l3 * miss)
+
+            # The tracking error.
+            e1 = x1 - r[0]
+            e2 = x2 - r[1]
+            if elapsed < 32:
+                # The exact law in samples.
+                m0 = _R((40 - elapsed) & _WRAP)
+                z1 = ((-120000000.0) * e1) + (60000.0 * e2)
+                z2 = (-60000.0) * e2
+                z3 = (-12.0) * ((self._u1 + d) - self._rho1)
+                s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)
+                v = ((s2 + ((self._u1 + d) - self._rho1)) - d) + r[2]
+            else:
+                # Deadbeat.
+                s3 = 2.0 * ((self._u1 + d) - self._rho1)
+                v = (((((-1000000.0) * e1) - (2500.0 * e2)) - s3) - d) + r[2]
+            if not np.isfinite(v):
+                return Control(_R(0.0), Status.RANGE)
+            if 6.0 < v:
+                u_now = _R(6.0)
+            elif v < -6.0:
+                u_now = _R(-6.0)
+            else:
+                u_now = v
+            self._u2 = self._u1
+            self._u1 = u_now
+            self._rho1 = r[2]
+            self._x1_hat = x1
+            self._x2_hat = x2
+            self._d_hat = d
+            self._seen = 1
+            self._trust = trust
+            if trust < 3:
+                return Control(u_now, Status.GATED)
+            elif (6.0 < v) or (v < -6.0):
+                return Control(u_now, Status.SATURATED)
+            elif elapsed < 40:
+                return Control(u_now, Status.OK)
+            else:
+                return Control(u_now, Status.HOLD)
+
+    def estimate(self) -> Array:
+        """The estimate of the state at the last sample."""
+        return np.array([self._x1_hat, self._x2_hat], dtype=_R)
+
+    def disturbance(self) -> np.float64:
+        """The estimate of the constant that is added to u."""
+        return self._d_hat

@@ -1,0 +1,325 @@
+//! Prescribed-time controller stage40: order n = 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+//! Version 0.1.0, design 1f938d622e88.
+//!
+//! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+//!       sample late.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+//!       over.
+//! With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = w + rho/g,
+//!       where the inputs under way count less the rho of their own samples. At sample N e is
+//!       0 where r^(n) is constant over each sample; else an error of order h^(4-i) is left in
+//!       e_i.
+//! e_i = x_i - r[i-1] with r[0]..r[1] the reference and its derivatives at tick k, and rho =
+//!       r[2], r^(n) over the sample in which u acts: its mean, (r^(n-1)(t + h) -
+//!       r^(n-1)(t))/h, or that in its middle.
+//!
+//! Parameters:
+//!   samples = 40 [samples], fixed: samples N from the start to rest
+//!   h = 1e-3 [s], fixed: sample period
+//!   eps = 0 [s], fixed: time-to-go at which the gains are held
+//!   u_max = 6 [unit of u], fixed: bound of |u|
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on the last gains are held (status HOLD).
+//! The estimates are exact from sample 20 after the start on where the measurement is; with
+//!       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+//!       below deadbeat.
+//! Gate: a reading that is not finite or beyond +-1.5 or further than 0.5 from its prediction
+//!       is not believed, and the estimates are predicted alone (status GATED) for at most 2
+//!       samples in a row. Then the call is refused (E_INPUT) until a reading is believed or
+//!       arm starts the estimates anew. The first reading has no prediction.
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured passes this gate, the reference is finite, or the call is
+//!       refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: at rest at sample 40 from any state, but for what r does between samples:
+//!       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+//!   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+//!   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+//!   loop: not checked: `x0_max` is not given.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Stage40`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage40Params {}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage40 {
+    /// tick at which it was armed.
+    start: u32,
+    /// input of the last sample.
+    u1: f64,
+    /// input of 2 samples ago.
+    u2: f64,
+    /// 1 once y has been measured.
+    seen: u32,
+    /// estimate of x1.
+    x1_hat: f64,
+    /// estimate of x2.
+    x2_hat: f64,
+    /// estimate of d.
+    d_hat: f64,
+    /// samples for which the estimates may be used, the next one included.
+    trust: u32,
+    /// last one of r, 1 samples ago.
+    rho1: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Stage40 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: Stage40Params) -> Result<Self, Error> {
+        Ok(Self {
+            start: 0,
+            u1: 0.0,
+            u2: 0.0,
+            seen: 0,
+            x1_hat: 0.0,
+            x2_hat: 0.0,
+            d_hat: 0.0,
+            trust: 1,
+            rho1: 0.0,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates that have had no reading for all samples of `coast`, and those too large to
+    /// compute with, begin anew.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+        if !((1 < self.trust)
+            && ((self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs() <= 1e150))
+        {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x2_hat = 0.0;
+            self.d_hat = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...), and the reference.
+    /// Call it once for each tick.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&mut self, k: u32, y: &[f64; 1], r: &[f64; 3]) -> Result<Control<f64>, Error> {
+        if !(r[0].is_finite() && r[1].is_finite() && r[2].is_finite()) {
+            return Err(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // Predict.
+        let s1 = self.x1_hat + (0.001 * self.x2_hat) + (5e-7 * self.d_hat);
+        let p1 = s1 + (5e-7 * self.u2);
+        let p2 = self.x2_hat + (0.001 * self.d_hat) + (0.001 * self.u2);
+        let p3 = self.d_hat;
+
+        // Correct by what is measured, where it is believed.
+        let base: f64;
+        let gap: f64;
+        if self.seen == 0 {
+            base = y[0];
+            gap = 0.0;
+        } else {
+            base = p1;
+            gap = y[0] - p1;
+        }
+        let miss: f64;
+        let trust: u32;
+        if y[0].is_finite() && ((y[0]).abs() <= 1.5) && (gap.abs() <= 0.5) {
+            miss = gap;
+            trust = 3;
+        } else {
+            miss = 0.0;
+            trust = self.trust.saturating_sub(1);
+        }
+        if !(0 < trust) {
+            return Err(Error::Input);
+        }
+        let left_o = 20_u32.saturating_sub(elapsed);
+        let o0 = left_o as f64;
+        let l1: f64;
+        let l2: f64;
+        let l3: f64;
+        if 8.0 < o0 {
+            let r0 = 1.0 / o0;
+            let r1 = 1.0 / (o0 - 1.0);
+            let r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
+            l3 = 24000000.0 * r0 * r1 * r2;
+        } else if left_o == 8 {
+            l1 = 1.0;
+            l2 = 428.57142857142856;
+            l3 = 142857.14285714287;
+        } else if left_o == 7 {
+            l1 = 1.0;
+            l2 = 857.1428571428571;
+            l3 = -285714.28571428574;
+        } else {
+            l1 = 1.0;
+            l2 = 1500.0;
+            l3 = 1000000.0;
+        }
+        let x1 = base + (l1 * miss);
+        let x2 = p2 + (l2 * miss);
+        let d = p3 + (l3 * miss);
+
+        // The tracking error.
+        let e1 = x1 - r[0];
+        let e2 = x2 - r[1];
+        let v: f64;
+        if elapsed < 32 {
+            // The exact law in samples.
+            let m0 = 40_u32.wrapping_sub(elapsed) as f64;
+            let z1 = ((-120000000.0) * e1) + (60000.0 * e2);
+            let z2 = (-60000.0) * e2;
+            let z3 = (-12.0) * ((self.u1 + d) - self.rho1);
+            let s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+            v = ((s2 + ((self.u1 + d) - self.rho1)) - d) + r[2];
+        } else {
+            // Deadbeat.
+            let s3 = 2.0 * ((self.u1 + d) - self.rho1);
+            v = (((((-1000000.0) * e1) - (2500.0 * e2)) - s3) - d) + r[2];
+        }
+        if !v.is_finite() {
+            return Err(Error::Range);
+        }
+        let u_now: f64;
+        if 6.0 < v {
+            u_now = 6.0;
+        } else if v < -6.0 {
+            u_now = -6.0;
+        } else {
+            u_now = v;
+        }
+        self.u2 = self.u1;
+        self.u1 = u_now;
+        self.rho1 = r[2];
+        self.x1_hat = x1;
+        self.x2_hat = x2;
+        self.d_hat = d;
+        self.seen = 1;
+        self.trust = trust;
+        let status = if trust < 3 {
+            Status::Gated
+        } else if (6.0 < v) || (v < -6.0) {
+            Status::Saturated
+        } else if elapsed < 40 {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
+        Ok(Control { u: u_now, status })
+    }
+
+    /// The estimate of the state at the last sample.
+    #[inline]
+    pub fn estimate(&self) -> [f64; 2] {
+        [self.x1_hat, self.x2_hat]
+    }
+
+    /// The estimate of the constant that is added to u.
+    #[inline]
+    pub fn disturbance(&self) -> f64 {
+        self.d_hat
+    }
+}

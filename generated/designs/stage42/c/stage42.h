@@ -1,0 +1,124 @@
+/*
+ * Prescribed-time controller stage42: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=2)" --name stage42 --clock samples --measured=x1 --observer-poles=-4,-5 --measurement-max=1.5 --eps=0 --after zero
+ * Version 0.1.0, design fd6e8fe81200.
+ *
+ * Plant: x1' = x2, x2' = u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h [s]: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 2 [1/s], fixed: rate of stretched time
+ *   k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+ *   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on u = 0 (status AFTER).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * A reading beyond +-1.5 counts as not finite.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
+ *       poles, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE42_D0BB8D3E_H
+#define STAGE42_D0BB8D3E_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage42_params {
+    uint32_t samples; /* samples N from the start to rest [samples], at least 4 */
+    double h; /* sample period [s], from 1e-150 to 1e150 */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double k[2]; /* gains k_i of pi0 = -sum k_i xi_i [1/s^2], finite */
+    double deadbeat; /* samples to go at which deadbeat takes over, 0 for a safe default [samples], finite */
+} stage42_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage42 {
+    uint32_t start; /* tick at which it was armed */
+    uint32_t samples; /* samples from the start to rest */
+    double u1; /* input of the last sample */
+    uint32_t seen; /* 1 once y has been measured */
+    double x1_hat; /* estimate of x1 */
+    double x2_hat; /* estimate of x2 */
+    double phi1_2; /* prediction from a state */
+    double gamma1; /* prediction from u */
+    double q2_1; /* weight in the observer's gains */
+    double e1_2; /* gain of the observer at its end */
+    double e0_2; /* gain of the observer at its end */
+    double deadbeat; /* samples to go at which deadbeat takes over */
+    double w1_1; /* weight of a state in the law */
+    double w1_2; /* weight of a state in the law */
+    double w2_2; /* weight of a state in the law */
+    double b_1; /* weight of a state in the law */
+    double b_2; /* weight of a state in the law */
+    double u_max; /* bound of |u| */
+} stage42;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stage42_init(stage42 *self, const stage42_params *params);
+
+/*
+ * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
+ * Estimates too large to compute with begin anew.
+ */
+ptc_status stage42_arm(stage42 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
+ * On a negative status u is 0 and nothing has changed.
+ */
+ptc_status stage42_step(stage42 *self, uint32_t k, const double y[1], double *u);
+
+/* The estimate of the state at the last sample. */
+ptc_status stage42_estimate(const stage42 *self, double xhat[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,318 @@
+/*
+ * Prescribed-time controller stage42: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=2)" --name stage42 --clock samples --measured=x1 --observer-poles=-4,-5 --measurement-max=1.5 --eps=0 --after zero
+ * Version 0.1.0, design fd6e8fe81200.
+ *
+ * Plant: x1' = x2, x2' = u; u held from sample to sample.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples [samples]: samples N from the start to rest
+ *   h [s]: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max [unit of u]: bound of |u|
+ *   a = 2 [1/s], fixed: rate of stretched time
+ *   k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+ *   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on u = 0 (status AFTER).
+ * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * A reading beyond +-1.5 counts as not finite.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
+ *       poles, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `samples` is left to run time.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE42_3C3D6B4D_HPP
+#define STAGE42_3C3D6B4D_HPP
+
+#include <array>
+#include <cfloat>
+#include <cstdint>
+#include <limits>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage42Params {
+    std::uint32_t samples{}; ///< samples N from the start to rest [samples], at least 4
+    double h{}; ///< sample period [s], from 1e-150 to 1e150
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+    std::array<double, 2> k{}; ///< gains k_i of pi0 = -sum k_i xi_i [1/s^2], finite
+    double deadbeat{}; ///< samples to go at which deadbeat takes over, 0 for a safe default [samples], finite
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage42 {
+public:
+    using Params = Stage42Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        if (!((3U < params.samples)
+                && (1e-150 <= params.h)
+                && (params.h <= 1e150)
+                && (0.0 < params.u_max)
+                && finite(params.k[0])
+                && finite(params.k[1])
+                && finite(params.deadbeat)
+                && (0.0 <= params.deadbeat))) {
+            return Status::Param;
+        }
+        const std::uint32_t samples = params.samples;
+        const double phi1_2 = params.h;
+        const double gamma1 = 0.5 * (params.h * params.h);
+        const double q2_1 = 1.5 * (1.0 / params.h);
+        const double e1_2 = 1.0 / params.h;
+        const double e0_2 = (-0.125) * (1.0 / params.h);
+        const double s1 = ((params.k[1] / 2.0) - 1.0) + 2.0;
+        const double s2 = (s1 < 4.0) ? 4.0 : s1;
+        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double w1_1 = (-(params.k[0] / 4.0)) * (1.0 / (params.h * params.h));
+        const double w1_2 = (-0.5) * (-(params.k[0] / 4.0)) * (1.0 / params.h);
+        const double w2_2 = (1.0 - (params.k[1] / 2.0)) * (1.0 / params.h);
+        const double b_1 = -(1.0 / (params.h * params.h));
+        const double b_2 = (-1.5) * (1.0 / params.h);
+        const double u_max = params.u_max;
+        if (!(finite(gamma1)
+                && finite(q2_1)
+                && finite(e1_2)
+                && finite(e0_2)
+                && finite(deadbeat)
+                && finite(w1_1)
+                && finite(w1_2)
+                && finite(w2_2)
+                && finite(b_1)
+                && finite(b_2)
+                && (1e-200 <= params.h * params.h)
+                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+            return Status::Param;
+        }
+        start_ = 0U;
+        samples_ = samples;
+        u1_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x2_hat_ = 0.0;
+        phi1_2_ = phi1_2;
+        gamma1_ = gamma1;
+        q2_1_ = q2_1;
+        e1_2_ = e1_2;
+        e0_2_ = e0_2;
+        deadbeat_ = deadbeat;
+        w1_1_ = w1_1;
+        w1_2_ = w1_2;
+        w2_2_ = w2_2;
+        b_1_ = b_1;
+        b_2_ = b_2;
+        u_max_ = u_max;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates too large to compute with begin anew.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+        if (!(absolute(x1_hat_) + absolute(x2_hat_) <= 1e150)) {
+            seen_ = 0U;
+            x1_hat_ = 0.0;
+            x2_hat_ = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 1>& y) noexcept
+    {
+        if (!(finite(y[0]) && (absolute(y[0]) <= 1.5))) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double p1 = s1 + (gamma1_ * u1_);
+        const double p2 = x2_hat_ + (phi1_2_ * u1_);
+
+        // Correct by what is measured.
+        double base{};
+        double miss{};
+        if (seen_ == 0U) {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        const std::uint32_t left_o = (elapsed < (samples_ / 2U)) ? ((samples_ / 2U) - elapsed) : 0U;
+        const double o0 = static_cast<double>(left_o);
+        double l1{};
+        double l2{};
+        if (4.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            l1 = (((-5.0) * r0) + 3.5) * r1;
+            l2 = q2_1_ * r0 * r1;
+        } else if (left_o == 4U) {
+            l1 = 1.0;
+            l2 = e0_2_;
+        } else {
+            l1 = 1.0;
+            l2 = e1_2_;
+        }
+        const double x1 = base + (l1 * miss);
+        const double x2 = p2 + (l2 * miss);
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0 = static_cast<double>(left);
+        double v{};
+        if (deadbeat_ < m0) {
+            // The exact law in samples.
+            const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+            const double z2 = w2_2_ * x2;
+            v = ((z1 / m0) + z2) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            v = (b_1_ * x1) + (b_2_ * x2);
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (elapsed < samples_) {
+            if (u_max_ < v) {
+                u_now = u_max_;
+            } else if (v < -u_max_) {
+                u_now = -u_max_;
+            } else {
+                u_now = v;
+            }
+        } else {
+            u_now = 0.0;
+        }
+        u1_ = u_now;
+        x1_hat_ = x1;
+        x2_hat_ = x2;
+        seen_ = 1U;
+        if (elapsed < samples_) {
+            if ((u_max_ < v) || (v < -u_max_)) {
+                return {u_now, Status::Saturated};
+            } else {
+                return {u_now, Status::Ok};
+            }
+        } else {
+            return {u_now, Status::After};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 2> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_}};
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    std::uint32_t samples_{}; // samples from the start to rest
+    double u1_{}; // input of the last sample
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x2_hat_{}; // estimate of x2
+    double phi1_2_{}; // prediction from a state
+    double gamma1_{}; // prediction from u
+    double q2_1_{}; // weight in the observer's gains
+    double e1_2_{}; // gain of the observer at its end
+    double e0_2_{}; // gain of the observer at its end
+    double deadbeat_{}; // samples to go at which deadbeat takes over
+    double w1_1_{}; // weight of a state in the law
+    double w1_2_{}; // weight of a state in the law
+    double w2_2_{}; // weight of a state in the law
+    double b_1_{}; // weight of a state in the law
+    double b_2_{}; // weight of a state in the law
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

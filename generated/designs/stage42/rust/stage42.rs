@@ -1,0 +1,357 @@
+//! Prescribed-time controller stage42: order n = 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=2)" --name stage42 --clock samples --measured=x1 --observer-poles=-4,-5 --measurement-max=1.5 --eps=0 --after zero
+//! Version 0.1.0, design fd6e8fe81200.
+//!
+//! Plant: x1' = x2, x2' = u; u held from sample to sample.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+//!       over.
+//!
+//! Parameters:
+//!   samples [samples]: samples N from the start to rest
+//!   h [s]: sample period
+//!   eps = 0 [s], fixed: time-to-go at which the gains are held
+//!   u_max [unit of u]: bound of |u|
+//!   a = 2 [1/s], fixed: rate of stretched time
+//!   k_1 [1/s^2]: gains k_i of pi0 = -sum k_i xi_i
+//!   k_2 [1/s]: gains k_i of pi0 = -sum k_i xi_i
+//!   deadbeat [samples]: samples to go at which deadbeat takes over, 0 for a safe default
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on u = 0 (status AFTER).
+//! The estimates are exact from sample N/2 after the start on where the measurement is; with
+//!       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+//!       below deadbeat.
+//! A reading beyond +-1.5 counts as not finite.
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
+//!       poles, and |u| is bounded.
+//!   sampling: not checked: the law is exact in samples, at any period.
+//!   deadline: not checked: the law is exact in samples, at any period.
+//!   loop: not checked: `samples` is left to run time.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Stage42`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage42Params {
+    /// samples N from the start to rest \[samples\], at least 4.
+    pub samples: u32,
+    /// sample period \[s\], from 1e-150 to 1e150.
+    pub h: f64,
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
+    pub u_max: f64,
+    /// gains k_i of pi0 = -sum k_i xi_i \[1/s^2\], finite.
+    pub k: [f64; 2],
+    /// samples to go at which deadbeat takes over, 0 for a safe default \[samples\], finite.
+    pub deadbeat: f64,
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage42 {
+    /// tick at which it was armed.
+    start: u32,
+    /// samples from the start to rest.
+    samples: u32,
+    /// input of the last sample.
+    u1: f64,
+    /// 1 once y has been measured.
+    seen: u32,
+    /// estimate of x1.
+    x1_hat: f64,
+    /// estimate of x2.
+    x2_hat: f64,
+    /// prediction from a state.
+    phi1_2: f64,
+    /// prediction from u.
+    gamma1: f64,
+    /// weight in the observer's gains.
+    q2_1: f64,
+    /// gain of the observer at its end.
+    e1_2: f64,
+    /// gain of the observer at its end.
+    e0_2: f64,
+    /// samples to go at which deadbeat takes over.
+    deadbeat: f64,
+    /// weight of a state in the law.
+    w1_1: f64,
+    /// weight of a state in the law.
+    w1_2: f64,
+    /// weight of a state in the law.
+    w2_2: f64,
+    /// weight of a state in the law.
+    b_1: f64,
+    /// weight of a state in the law.
+    b_2: f64,
+    /// bound of |u|.
+    u_max: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Stage42 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: Stage42Params) -> Result<Self, Error> {
+        if !((3 < params.samples)
+            && (1e-150 <= params.h)
+            && (params.h <= 1e150)
+            && (0.0 < params.u_max)
+            && params.k[0].is_finite()
+            && params.k[1].is_finite()
+            && params.deadbeat.is_finite()
+            && (0.0 <= params.deadbeat))
+        {
+            return Err(Error::Param);
+        }
+        let samples = params.samples;
+        let phi1_2 = params.h;
+        let gamma1 = 0.5 * (params.h * params.h);
+        let q2_1 = 1.5 * (1.0 / params.h);
+        let e1_2 = 1.0 / params.h;
+        let e0_2 = (-0.125) * (1.0 / params.h);
+        let s1 = ((params.k[1] / 2.0) - 1.0) + 2.0;
+        let s2 = if s1 < 4.0 { 4.0 } else { s1 };
+        let deadbeat = if 0.0 < params.deadbeat {
+            params.deadbeat
+        } else {
+            s2
+        };
+        let w1_1 = (-(params.k[0] / 4.0)) * (1.0 / (params.h * params.h));
+        let w1_2 = (-0.5) * (-(params.k[0] / 4.0)) * (1.0 / params.h);
+        let w2_2 = (1.0 - (params.k[1] / 2.0)) * (1.0 / params.h);
+        let b_1 = -(1.0 / (params.h * params.h));
+        let b_2 = (-1.5) * (1.0 / params.h);
+        let u_max = params.u_max;
+        if !(gamma1.is_finite()
+            && q2_1.is_finite()
+            && e1_2.is_finite()
+            && e0_2.is_finite()
+            && deadbeat.is_finite()
+            && w1_1.is_finite()
+            && w1_2.is_finite()
+            && w2_2.is_finite()
+            && b_1.is_finite()
+            && b_2.is_finite()
+            && (1e-200 <= params.h * params.h)
+            && (1e-200 <= 1.0 / (params.h * params.h)))
+        {
+            return Err(Error::Param);
+        }
+        Ok(Self {
+            start: 0,
+            samples,
+            u1: 0.0,
+            seen: 0,
+            x1_hat: 0.0,
+            x2_hat: 0.0,
+            phi1_2,
+            gamma1,
+            q2_1,
+            e1_2,
+            e0_2,
+            deadbeat,
+            w1_1,
+            w1_2,
+            w2_2,
+            b_1,
+            b_2,
+            u_max,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates too large to compute with begin anew.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+        if !((self.x1_hat).abs() + (self.x2_hat).abs() <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x2_hat = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&mut self, k: u32, y: &[f64; 1]) -> Result<Control<f64>, Error> {
+        if !(y[0].is_finite() && ((y[0]).abs() <= 1.5)) {
+            return Err(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // Predict.
+        let s1 = self.x1_hat + (self.phi1_2 * self.x2_hat);
+        let p1 = s1 + (self.gamma1 * self.u1);
+        let p2 = self.x2_hat + (self.phi1_2 * self.u1);
+
+        // Correct by what is measured.
+        let base: f64;
+        let miss: f64;
+        if self.seen == 0 {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        let left_o = (self.samples / 2).saturating_sub(elapsed);
+        let o0 = left_o as f64;
+        let l1: f64;
+        let l2: f64;
+        if 4.0 < o0 {
+            let r0 = 1.0 / o0;
+            let r1 = 1.0 / (o0 - 1.0);
+            l1 = (((-5.0) * r0) + 3.5) * r1;
+            l2 = self.q2_1 * r0 * r1;
+        } else if left_o == 4 {
+            l1 = 1.0;
+            l2 = self.e0_2;
+        } else {
+            l1 = 1.0;
+            l2 = self.e1_2;
+        }
+        let x1 = base + (l1 * miss);
+        let x2 = p2 + (l2 * miss);
+        let left = self.samples.saturating_sub(elapsed);
+        let m0 = left as f64;
+        let v: f64;
+        if self.deadbeat < m0 {
+            // The exact law in samples.
+            let z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
+            let z2 = self.w2_2 * x2;
+            v = ((z1 / m0) + z2) / (m0 - 1.0);
+        } else {
+            // Deadbeat.
+            v = (self.b_1 * x1) + (self.b_2 * x2);
+        }
+        if !v.is_finite() {
+            return Err(Error::Range);
+        }
+        let u_now: f64;
+        if elapsed < self.samples {
+            if self.u_max < v {
+                u_now = self.u_max;
+            } else if v < -self.u_max {
+                u_now = -self.u_max;
+            } else {
+                u_now = v;
+            }
+        } else {
+            u_now = 0.0;
+        }
+        self.u1 = u_now;
+        self.x1_hat = x1;
+        self.x2_hat = x2;
+        self.seen = 1;
+        let status = if elapsed < self.samples {
+            if (self.u_max < v) || (v < -self.u_max) {
+                Status::Saturated
+            } else {
+                Status::Ok
+            }
+        } else {
+            Status::After
+        };
+        Ok(Control { u: u_now, status })
+    }
+
+    /// The estimate of the state at the last sample.
+    #[inline]
+    pub fn estimate(&self) -> [f64; 2] {
+        [self.x1_hat, self.x2_hat]
+    }
+}
