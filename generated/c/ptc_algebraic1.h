@@ -63,8 +63,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC1_70AA4935_H
-#define PTC_ALGEBRAIC1_70AA4935_H
+#ifndef PTC_ALGEBRAIC1_A5998021_H
+#define PTC_ALGEBRAIC1_A5998021_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -126,7 +126,7 @@ ptc_status ptc_algebraic1_arm(ptc_algebraic1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const double x[1], double *u);
 
@@ -139,7 +139,7 @@ ptc_status ptc_algebraic1_tick(const ptc_algebraic1 *self, double t, ptc_algebra
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_algebraic1_axis(const ptc_algebraic1_gains *gains, const double x[1], double *u);
 

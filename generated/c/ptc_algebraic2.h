@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 7 additions or comparisons, 10
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC2_4E81A135_H
-#define PTC_ALGEBRAIC2_4E81A135_H
+#ifndef PTC_ALGEBRAIC2_D2DA846D_H
+#define PTC_ALGEBRAIC2_D2DA846D_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -133,7 +133,7 @@ ptc_status ptc_algebraic2_arm(ptc_algebraic2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_algebraic2_step(const ptc_algebraic2 *self, double t, const double x[2], double *u);
 
@@ -146,7 +146,7 @@ ptc_status ptc_algebraic2_tick(const ptc_algebraic2 *self, double t, ptc_algebra
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_algebraic2_axis(const ptc_algebraic2_gains *gains, const double x[2], double *u);
 

@@ -76,8 +76,8 @@
  * Operations of one step, without input checks and clipping: 11 additions or comparisons, 15
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC3_6EA2F8AF_H
-#define PTC_ALGEBRAIC3_6EA2F8AF_H
+#ifndef PTC_ALGEBRAIC3_223040D7_H
+#define PTC_ALGEBRAIC3_223040D7_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -145,7 +145,7 @@ ptc_status ptc_algebraic3_arm(ptc_algebraic3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const double x[3], double *u);
 
@@ -158,7 +158,7 @@ ptc_status ptc_algebraic3_tick(const ptc_algebraic3 *self, double t, ptc_algebra
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_algebraic3_axis(const ptc_algebraic3_gains *gains, const double x[3], double *u);
 

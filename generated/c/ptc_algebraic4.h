@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 22
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC4_D2EBE968_H
-#define PTC_ALGEBRAIC4_D2EBE968_H
+#ifndef PTC_ALGEBRAIC4_54A4C60E_H
+#define PTC_ALGEBRAIC4_54A4C60E_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -158,7 +158,7 @@ ptc_status ptc_algebraic4_arm(ptc_algebraic4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_algebraic4_step(const ptc_algebraic4 *self, double t, const double x[4], double *u);
 
@@ -171,7 +171,7 @@ ptc_status ptc_algebraic4_tick(const ptc_algebraic4 *self, double t, ptc_algebra
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_algebraic4_axis(const ptc_algebraic4_gains *gains, const double x[4], double *u);
 

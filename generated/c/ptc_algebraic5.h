@@ -94,8 +94,8 @@
  * Operations of one step, without input checks and clipping: 31 additions or comparisons, 36
  *       multiplications, 2 divisions, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC5_CD24F7EF_H
-#define PTC_ALGEBRAIC5_CD24F7EF_H
+#ifndef PTC_ALGEBRAIC5_BBAB80C8_H
+#define PTC_ALGEBRAIC5_BBAB80C8_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -181,7 +181,7 @@ ptc_status ptc_algebraic5_arm(ptc_algebraic5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const double x[5], double *u);
 
@@ -194,7 +194,7 @@ ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebra
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_algebraic5_axis(const ptc_algebraic5_gains *gains, const double x[5], double *u);
 

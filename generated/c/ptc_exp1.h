@@ -61,8 +61,8 @@
  * Operations of one step, without input checks and clipping: 3 additions or comparisons, 1
  *       multiplication, 1 division.
  */
-#ifndef PTC_EXP1_39EF0A27_H
-#define PTC_EXP1_39EF0A27_H
+#ifndef PTC_EXP1_570781AA_H
+#define PTC_EXP1_570781AA_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -123,7 +123,7 @@ ptc_status ptc_exp1_arm(ptc_exp1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp1_step(const ptc_exp1 *self, double t, const double x[1], double *u);
 
@@ -136,7 +136,7 @@ ptc_status ptc_exp1_tick(const ptc_exp1 *self, double t, ptc_exp1_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp1_axis(const ptc_exp1_gains *gains, const double x[1], double *u);
 

@@ -100,8 +100,8 @@
  * Operations of one step, without input checks and clipping: 25 additions or comparisons, 52
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP12_AXES2_83D92BFF_H
-#define PTC_EXP12_AXES2_83D92BFF_H
+#ifndef PTC_EXP12_AXES2_F47CD15B_H
+#define PTC_EXP12_AXES2_F47CD15B_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -182,13 +182,14 @@ ptc_status ptc_exp12_axes2_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp12_axes2_axis(const ptc_exp12_axes2_gains *gains, const double x[12], double *u);
 
 /*
  * u of 2 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of the
- * first axis that fails, and then every u is 0; else SATURATED where an axis is.
+ * first axis that fails, and then every u is 0; else SATURATED where an axis is. u and axes must
+ * not overlap x.
  */
 ptc_status ptc_exp12_axes2_step(
     const ptc_exp12_axes2 *self,

@@ -65,8 +65,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 4
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP2_45ED0434_H
-#define PTC_EXP2_45ED0434_H
+#ifndef PTC_EXP2_0A2D46D8_H
+#define PTC_EXP2_0A2D46D8_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -128,7 +128,7 @@ ptc_status ptc_exp2_arm(ptc_exp2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp2_step(const ptc_exp2 *self, double t, const double x[2], double *u);
 
@@ -141,7 +141,7 @@ ptc_status ptc_exp2_tick(const ptc_exp2 *self, double t, ptc_exp2_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp2_axis(const ptc_exp2_gains *gains, const double x[2], double *u);
 

@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP2_AXES3_84C9314C_H
-#define PTC_EXP2_AXES3_84C9314C_H
+#ifndef PTC_EXP2_AXES3_A16048BE_H
+#define PTC_EXP2_AXES3_A16048BE_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -136,13 +136,14 @@ ptc_status ptc_exp2_axes3_tick(const ptc_exp2_axes3 *self, double t, ptc_exp2_ax
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp2_axes3_axis(const ptc_exp2_axes3_gains *gains, const double x[2], double *u);
 
 /*
  * u of 3 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of the
- * first axis that fails, and then every u is 0; else SATURATED where an axis is.
+ * first axis that fails, and then every u is 0; else SATURATED where an axis is. u and axes must
+ * not overlap x.
  */
 ptc_status ptc_exp2_axes3_step(
     const ptc_exp2_axes3 *self,

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_A10780E4_H
-#define PTC_EXP3_A10780E4_H
+#ifndef PTC_EXP3_F4CD7CFA_H
+#define PTC_EXP3_F4CD7CFA_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -136,7 +136,7 @@ ptc_status ptc_exp3_arm(ptc_exp3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp3_step(const ptc_exp3 *self, double t, const double x[3], double *u);
 
@@ -149,7 +149,7 @@ ptc_status ptc_exp3_tick(const ptc_exp3 *self, double t, ptc_exp3_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp3_axis(const ptc_exp3_gains *gains, const double x[3], double *u);
 

@@ -75,8 +75,8 @@
  * Operations of one step, without input checks and clipping: 9 additions or comparisons, 20
  *       multiplications, 4 divisions.
  */
-#ifndef PTC_EXP3_AXES3_OWN_ACCF541C_H
-#define PTC_EXP3_AXES3_OWN_ACCF541C_H
+#ifndef PTC_EXP3_AXES3_OWN_99ADE2C4_H
+#define PTC_EXP3_AXES3_OWN_99ADE2C4_H
 
 #include <stdint.h>
 
@@ -148,7 +148,7 @@ ptc_status ptc_exp3_axes3_own_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp3_axes3_own_axis(
     const ptc_exp3_axes3_own_gains *gains,
@@ -158,7 +158,8 @@ ptc_status ptc_exp3_axes3_own_axis(
 
 /*
  * u of 3 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of the
- * first axis that fails, and then every u is 0; else SATURATED where an axis is.
+ * first axis that fails, and then every u is 0; else SATURATED where an axis is. u and axes must
+ * not overlap x.
  */
 ptc_status ptc_exp3_axes3_own_step(
     const ptc_exp3_axes3_own *self,

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_F32_0177A622_H
-#define PTC_EXP3_F32_0177A622_H
+#ifndef PTC_EXP3_F32_AF3837E2_H
+#define PTC_EXP3_F32_AF3837E2_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -136,7 +136,7 @@ ptc_status ptc_exp3_f32_arm(ptc_exp3_f32 *self, float t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3], float *u);
 
@@ -149,7 +149,7 @@ ptc_status ptc_exp3_f32_tick(const ptc_exp3_f32 *self, float t, ptc_exp3_f32_gai
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp3_f32_axis(const ptc_exp3_f32_gains *gains, const float x[3], float *u);
 

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_FIXED_F8C2C45F_H
-#define PTC_EXP3_FIXED_F8C2C45F_H
+#ifndef PTC_EXP3_FIXED_5832429D_H
+#define PTC_EXP3_FIXED_5832429D_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -123,7 +123,7 @@ ptc_status ptc_exp3_fixed_arm(ptc_exp3_fixed *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const double x[3], double *u);
 
@@ -136,7 +136,7 @@ ptc_status ptc_exp3_fixed_tick(const ptc_exp3_fixed *self, double t, ptc_exp3_fi
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp3_fixed_axis(const ptc_exp3_fixed_gains *gains, const double x[3], double *u);
 

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_RESULT_0E8A45C3_H
-#define PTC_EXP3_RESULT_0E8A45C3_H
+#ifndef PTC_EXP3_RESULT_E431931D_H
+#define PTC_EXP3_RESULT_E431931D_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -135,7 +135,7 @@ ptc_status ptc_exp3_result_arm(ptc_exp3_result *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp3_result_step(
     const ptc_exp3_result *self,
@@ -154,7 +154,7 @@ ptc_status ptc_exp3_result_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp3_result_axis(const ptc_exp3_result_gains *gains, const double x[3], double *u);
 

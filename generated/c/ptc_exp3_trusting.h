@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_TRUSTING_08910958_H
-#define PTC_EXP3_TRUSTING_08910958_H
+#ifndef PTC_EXP3_TRUSTING_4169D8F0_H
+#define PTC_EXP3_TRUSTING_4169D8F0_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -134,7 +134,7 @@ ptc_status ptc_exp3_trusting_arm(ptc_exp3_trusting *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp3_trusting_step(
     const ptc_exp3_trusting *self,
@@ -153,7 +153,7 @@ ptc_status ptc_exp3_trusting_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp3_trusting_axis(
     const ptc_exp3_trusting_gains *gains,

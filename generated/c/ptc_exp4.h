@@ -78,8 +78,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 8
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP4_D61618D6_H
-#define PTC_EXP4_D61618D6_H
+#ifndef PTC_EXP4_E6DD2205_H
+#define PTC_EXP4_E6DD2205_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -143,7 +143,7 @@ ptc_status ptc_exp4_arm(ptc_exp4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp4_step(const ptc_exp4 *self, double t, const double x[4], double *u);
 
@@ -156,7 +156,7 @@ ptc_status ptc_exp4_tick(const ptc_exp4 *self, double t, ptc_exp4_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp4_axis(const ptc_exp4_gains *gains, const double x[4], double *u);
 

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 7 additions or comparisons, 10
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP5_F8EA265B_H
-#define PTC_EXP5_F8EA265B_H
+#ifndef PTC_EXP5_37D96566_H
+#define PTC_EXP5_37D96566_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -151,7 +151,7 @@ ptc_status ptc_exp5_arm(ptc_exp5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp5_step(const ptc_exp5 *self, double t, const double x[5], double *u);
 
@@ -164,7 +164,7 @@ ptc_status ptc_exp5_tick(const ptc_exp5 *self, double t, ptc_exp5_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp5_axis(const ptc_exp5_gains *gains, const double x[5], double *u);
 

@@ -64,8 +64,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM1_29D561BC_H
-#define PTC_EXP_SUM1_29D561BC_H
+#ifndef PTC_EXP_SUM1_656BB989_H
+#define PTC_EXP_SUM1_656BB989_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -134,7 +134,7 @@ ptc_status ptc_exp_sum1_arm(ptc_exp_sum1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[1], double *u);
 
@@ -147,7 +147,7 @@ ptc_status ptc_exp_sum1_tick(const ptc_exp_sum1 *self, double t, ptc_exp_sum1_ga
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum1_axis(const ptc_exp_sum1_gains *gains, const double x[1], double *u);
 

@@ -67,8 +67,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_6E2D729D_H
-#define PTC_EXP_SUM2_6E2D729D_H
+#ifndef PTC_EXP_SUM2_B0E089E8_H
+#define PTC_EXP_SUM2_B0E089E8_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -140,7 +140,7 @@ ptc_status ptc_exp_sum2_arm(ptc_exp_sum2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[2], double *u);
 
@@ -153,7 +153,7 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum2_axis(const ptc_exp_sum2_gains *gains, const double x[2], double *u);
 

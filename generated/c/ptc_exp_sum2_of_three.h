@@ -67,8 +67,8 @@
  *       multiplications, 5 divisions, 7 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_OF_THREE_1205F1E3_H
-#define PTC_EXP_SUM2_OF_THREE_1205F1E3_H
+#ifndef PTC_EXP_SUM2_OF_THREE_DF91E46A_H
+#define PTC_EXP_SUM2_OF_THREE_DF91E46A_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -145,7 +145,7 @@ ptc_status ptc_exp_sum2_of_three_arm(ptc_exp_sum2_of_three *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum2_of_three_step(
     const ptc_exp_sum2_of_three *self,
@@ -165,7 +165,7 @@ ptc_status ptc_exp_sum2_of_three_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum2_of_three_axis(
     const ptc_exp_sum2_of_three_gains *gains,

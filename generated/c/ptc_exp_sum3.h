@@ -73,8 +73,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM3_A0BB5723_H
-#define PTC_EXP_SUM3_A0BB5723_H
+#ifndef PTC_EXP_SUM3_FD79AD41_H
+#define PTC_EXP_SUM3_FD79AD41_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -149,7 +149,7 @@ ptc_status ptc_exp_sum3_arm(ptc_exp_sum3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[3], double *u);
 
@@ -162,7 +162,7 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum3_axis(const ptc_exp_sum3_gains *gains, const double x[3], double *u);
 

@@ -78,8 +78,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM4_B78EA744_H
-#define PTC_EXP_SUM4_B78EA744_H
+#ifndef PTC_EXP_SUM4_6217288D_H
+#define PTC_EXP_SUM4_6217288D_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -157,7 +157,7 @@ ptc_status ptc_exp_sum4_arm(ptc_exp_sum4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum4_step(const ptc_exp_sum4 *self, double t, const double x[4], double *u);
 
@@ -170,7 +170,7 @@ ptc_status ptc_exp_sum4_tick(const ptc_exp_sum4 *self, double t, ptc_exp_sum4_ga
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum4_axis(const ptc_exp_sum4_gains *gains, const double x[4], double *u);
 

@@ -84,8 +84,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM5_E988F749_H
-#define PTC_EXP_SUM5_E988F749_H
+#ifndef PTC_EXP_SUM5_8F2D9ABC_H
+#define PTC_EXP_SUM5_8F2D9ABC_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -166,7 +166,7 @@ ptc_status ptc_exp_sum5_arm(ptc_exp_sum5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[5], double *u);
 
@@ -179,7 +179,7 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum5_axis(const ptc_exp_sum5_gains *gains, const double x[5], double *u);
 

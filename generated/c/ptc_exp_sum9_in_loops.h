@@ -92,8 +92,8 @@
  *       182 multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM9_IN_LOOPS_5066C8D8_H
-#define PTC_EXP_SUM9_IN_LOOPS_5066C8D8_H
+#ifndef PTC_EXP_SUM9_IN_LOOPS_BF6901E2_H
+#define PTC_EXP_SUM9_IN_LOOPS_BF6901E2_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -188,7 +188,7 @@ ptc_status ptc_exp_sum9_in_loops_arm(ptc_exp_sum9_in_loops *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum9_in_loops_step(
     const ptc_exp_sum9_in_loops *self,
@@ -208,7 +208,7 @@ ptc_status ptc_exp_sum9_in_loops_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum9_in_loops_axis(
     const ptc_exp_sum9_in_loops_gains *gains,

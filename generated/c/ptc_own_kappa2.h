@@ -57,8 +57,8 @@
  * Operations of one step, without input checks and clipping: 10 additions or comparisons, 11
  *       multiplications, 3 divisions.
  */
-#ifndef PTC_OWN_KAPPA2_4274165C_H
-#define PTC_OWN_KAPPA2_4274165C_H
+#ifndef PTC_OWN_KAPPA2_82CE0287_H
+#define PTC_OWN_KAPPA2_82CE0287_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -113,7 +113,7 @@ ptc_status ptc_own_kappa2_arm(ptc_own_kappa2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const double x[2], double *u);
 

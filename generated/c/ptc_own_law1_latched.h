@@ -56,8 +56,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_OWN_LAW1_LATCHED_09C59190_H
-#define PTC_OWN_LAW1_LATCHED_09C59190_H
+#ifndef PTC_OWN_LAW1_LATCHED_4F4730BB_H
+#define PTC_OWN_LAW1_LATCHED_4F4730BB_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -112,7 +112,7 @@ ptc_status ptc_own_law1_latched_arm(ptc_own_law1_latched *self, double t0, const
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_own_law1_latched_step(
     const ptc_own_law1_latched *self,

@@ -58,8 +58,8 @@
  *       multiplications, 7 divisions, 2 square roots, 2 function calls. One round of the
  *       iteration is counted; it takes at most 100.
  */
-#ifndef PTC_OWN_MU1_BISECTED_903FC50C_H
-#define PTC_OWN_MU1_BISECTED_903FC50C_H
+#ifndef PTC_OWN_MU1_BISECTED_4F1A4AC3_H
+#define PTC_OWN_MU1_BISECTED_4F1A4AC3_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -121,7 +121,7 @@ ptc_status ptc_own_mu1_bisected_arm(ptc_own_mu1_bisected *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_own_mu1_bisected_step(
     const ptc_own_mu1_bisected *self,
@@ -141,7 +141,7 @@ ptc_status ptc_own_mu1_bisected_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_own_mu1_bisected_axis(
     const ptc_own_mu1_bisected_gains *gains,

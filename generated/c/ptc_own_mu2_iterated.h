@@ -59,8 +59,8 @@
  *       multiplications, 12 divisions, 3 function calls. One round of the iteration is
  *       counted; it takes at most 100.
  */
-#ifndef PTC_OWN_MU2_ITERATED_A42A9C2A_H
-#define PTC_OWN_MU2_ITERATED_A42A9C2A_H
+#ifndef PTC_OWN_MU2_ITERATED_CA8ECED7_H
+#define PTC_OWN_MU2_ITERATED_CA8ECED7_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -126,7 +126,7 @@ ptc_status ptc_own_mu2_iterated_arm(ptc_own_mu2_iterated *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_own_mu2_iterated_step(
     const ptc_own_mu2_iterated *self,
@@ -146,7 +146,7 @@ ptc_status ptc_own_mu2_iterated_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_own_mu2_iterated_axis(
     const ptc_own_mu2_iterated_gains *gains,

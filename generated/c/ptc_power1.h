@@ -65,8 +65,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 2
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef PTC_POWER1_2D433EF6_H
-#define PTC_POWER1_2D433EF6_H
+#ifndef PTC_POWER1_44186964_H
+#define PTC_POWER1_44186964_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -130,7 +130,7 @@ ptc_status ptc_power1_arm(ptc_power1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power1_step(const ptc_power1 *self, double t, const double x[1], double *u);
 
@@ -143,7 +143,7 @@ ptc_status ptc_power1_tick(const ptc_power1 *self, double t, ptc_power1_gains *g
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power1_axis(const ptc_power1_gains *gains, const double x[1], double *u);
 

@@ -69,8 +69,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 8
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER2_F3B33505_H
-#define PTC_POWER2_F3B33505_H
+#ifndef PTC_POWER2_EFA3C8BD_H
+#define PTC_POWER2_EFA3C8BD_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -137,7 +137,7 @@ ptc_status ptc_power2_arm(ptc_power2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power2_step(const ptc_power2 *self, double t, const double x[2], double *u);
 
@@ -150,7 +150,7 @@ ptc_status ptc_power2_tick(const ptc_power2 *self, double t, ptc_power2_gains *g
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power2_axis(const ptc_power2_gains *gains, const double x[2], double *u);
 

@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 10
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_POWER2_BY_ROOT_BC58D6D8_H
-#define PTC_POWER2_BY_ROOT_BC58D6D8_H
+#ifndef PTC_POWER2_BY_ROOT_D3E027CF_H
+#define PTC_POWER2_BY_ROOT_D3E027CF_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -135,7 +135,7 @@ ptc_status ptc_power2_by_root_arm(ptc_power2_by_root *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power2_by_root_step(
     const ptc_power2_by_root *self,
@@ -155,7 +155,7 @@ ptc_status ptc_power2_by_root_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power2_by_root_axis(
     const ptc_power2_by_root_gains *gains,

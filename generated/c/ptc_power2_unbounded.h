@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 8
  *       multiplications, 1 division.
  */
-#ifndef PTC_POWER2_UNBOUNDED_7EAEF640_H
-#define PTC_POWER2_UNBOUNDED_7EAEF640_H
+#ifndef PTC_POWER2_UNBOUNDED_7608CF68_H
+#define PTC_POWER2_UNBOUNDED_7608CF68_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -128,7 +128,7 @@ ptc_status ptc_power2_unbounded_arm(ptc_power2_unbounded *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power2_unbounded_step(
     const ptc_power2_unbounded *self,
@@ -148,7 +148,7 @@ ptc_status ptc_power2_unbounded_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power2_unbounded_axis(
     const ptc_power2_unbounded_gains *gains,

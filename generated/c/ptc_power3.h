@@ -76,8 +76,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 13
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER3_41E2E553_H
-#define PTC_POWER3_41E2E553_H
+#ifndef PTC_POWER3_08888B35_H
+#define PTC_POWER3_08888B35_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -147,7 +147,7 @@ ptc_status ptc_power3_arm(ptc_power3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power3_step(const ptc_power3 *self, double t, const double x[3], double *u);
 
@@ -160,7 +160,7 @@ ptc_status ptc_power3_tick(const ptc_power3 *self, double t, ptc_power3_gains *g
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power3_axis(const ptc_power3_gains *gains, const double x[3], double *u);
 

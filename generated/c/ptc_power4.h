@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 12 additions or comparisons, 18
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER4_29FC26B5_H
-#define PTC_POWER4_29FC26B5_H
+#ifndef PTC_POWER4_D04965C8_H
+#define PTC_POWER4_D04965C8_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -158,7 +158,7 @@ ptc_status ptc_power4_arm(ptc_power4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power4_step(const ptc_power4 *self, double t, const double x[4], double *u);
 
@@ -171,7 +171,7 @@ ptc_status ptc_power4_tick(const ptc_power4 *self, double t, ptc_power4_gains *g
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power4_axis(const ptc_power4_gains *gains, const double x[4], double *u);
 

@@ -92,8 +92,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 25
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER5_4B8253FA_H
-#define PTC_POWER5_4B8253FA_H
+#ifndef PTC_POWER5_B407770E_H
+#define PTC_POWER5_B407770E_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -172,7 +172,7 @@ ptc_status ptc_power5_arm(ptc_power5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], double *u);
 
@@ -185,7 +185,7 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power5_axis(const ptc_power5_gains *gains, const double x[5], double *u);
 

@@ -61,8 +61,8 @@
  * Operations of one step, without input checks and clipping: 3 additions or comparisons, 2
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL1_7BE7A0A2_H
-#define PTC_RATIONAL1_7BE7A0A2_H
+#ifndef PTC_RATIONAL1_0543E26E_H
+#define PTC_RATIONAL1_0543E26E_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -123,7 +123,7 @@ ptc_status ptc_rational1_arm(ptc_rational1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_rational1_step(const ptc_rational1 *self, double t, const double x[1], double *u);
 
@@ -136,7 +136,7 @@ ptc_status ptc_rational1_tick(const ptc_rational1 *self, double t, ptc_rational1
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_rational1_axis(const ptc_rational1_gains *gains, const double x[1], double *u);
 

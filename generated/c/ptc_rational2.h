@@ -65,8 +65,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL2_CD55FB5E_H
-#define PTC_RATIONAL2_CD55FB5E_H
+#ifndef PTC_RATIONAL2_A140777C_H
+#define PTC_RATIONAL2_A140777C_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -128,7 +128,7 @@ ptc_status ptc_rational2_arm(ptc_rational2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_rational2_step(const ptc_rational2 *self, double t, const double x[2], double *u);
 
@@ -141,7 +141,7 @@ ptc_status ptc_rational2_tick(const ptc_rational2 *self, double t, ptc_rational2
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_rational2_axis(const ptc_rational2_gains *gains, const double x[2], double *u);
 

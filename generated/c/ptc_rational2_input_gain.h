@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 7
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_RATIONAL2_INPUT_GAIN_E77857E3_H
-#define PTC_RATIONAL2_INPUT_GAIN_E77857E3_H
+#ifndef PTC_RATIONAL2_INPUT_GAIN_3EC683C3_H
+#define PTC_RATIONAL2_INPUT_GAIN_3EC683C3_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -124,7 +124,7 @@ ptc_status ptc_rational2_input_gain_arm(ptc_rational2_input_gain *self, double t
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_rational2_input_gain_step(
     const ptc_rational2_input_gain *self,

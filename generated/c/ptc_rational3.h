@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL3_361C245E_H
-#define PTC_RATIONAL3_361C245E_H
+#ifndef PTC_RATIONAL3_AD91FDFC_H
+#define PTC_RATIONAL3_AD91FDFC_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -137,7 +137,7 @@ ptc_status ptc_rational3_arm(ptc_rational3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_rational3_step(const ptc_rational3 *self, double t, const double x[3], double *u);
 
@@ -150,7 +150,7 @@ ptc_status ptc_rational3_tick(const ptc_rational3 *self, double t, ptc_rational3
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_rational3_axis(const ptc_rational3_gains *gains, const double x[3], double *u);
 

@@ -78,8 +78,8 @@
  * Operations of one step, without input checks and clipping: 12 additions or comparisons, 15
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL4_3C9108A9_H
-#define PTC_RATIONAL4_3C9108A9_H
+#ifndef PTC_RATIONAL4_BE2EB5BF_H
+#define PTC_RATIONAL4_BE2EB5BF_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -145,7 +145,7 @@ ptc_status ptc_rational4_arm(ptc_rational4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_rational4_step(const ptc_rational4 *self, double t, const double x[4], double *u);
 
@@ -158,7 +158,7 @@ ptc_status ptc_rational4_tick(const ptc_rational4 *self, double t, ptc_rational4
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_rational4_axis(const ptc_rational4_gains *gains, const double x[4], double *u);
 

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 20
  *       multiplications, 1 division.
  */
-#ifndef PTC_RATIONAL5_797F056D_H
-#define PTC_RATIONAL5_797F056D_H
+#ifndef PTC_RATIONAL5_9E7333A4_H
+#define PTC_RATIONAL5_9E7333A4_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -156,7 +156,7 @@ ptc_status ptc_rational5_arm(ptc_rational5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_rational5_step(const ptc_rational5 *self, double t, const double x[5], double *u);
 
@@ -169,7 +169,7 @@ ptc_status ptc_rational5_tick(const ptc_rational5 *self, double t, ptc_rational5
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_rational5_axis(const ptc_rational5_gains *gains, const double x[5], double *u);
 

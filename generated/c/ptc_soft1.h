@@ -64,8 +64,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef PTC_SOFT1_2AD620D4_H
-#define PTC_SOFT1_2AD620D4_H
+#ifndef PTC_SOFT1_5211ADE9_H
+#define PTC_SOFT1_5211ADE9_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -130,7 +130,7 @@ ptc_status ptc_soft1_arm(ptc_soft1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_soft1_step(const ptc_soft1 *self, double t, const double x[1], double *u);
 
@@ -143,7 +143,7 @@ ptc_status ptc_soft1_tick(const ptc_soft1 *self, double t, ptc_soft1_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_soft1_axis(const ptc_soft1_gains *gains, const double x[1], double *u);
 

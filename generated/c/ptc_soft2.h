@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 10 additions or comparisons, 9
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT2_65A56D61_H
-#define PTC_SOFT2_65A56D61_H
+#ifndef PTC_SOFT2_CC9E23C4_H
+#define PTC_SOFT2_CC9E23C4_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -135,7 +135,7 @@ ptc_status ptc_soft2_arm(ptc_soft2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_soft2_step(const ptc_soft2 *self, double t, const double x[2], double *u);
 
@@ -148,7 +148,7 @@ ptc_status ptc_soft2_tick(const ptc_soft2 *self, double t, ptc_soft2_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_soft2_axis(const ptc_soft2_gains *gains, const double x[2], double *u);
 

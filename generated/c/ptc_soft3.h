@@ -75,8 +75,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 13
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT3_78DF1ECE_H
-#define PTC_SOFT3_78DF1ECE_H
+#ifndef PTC_SOFT3_60486322_H
+#define PTC_SOFT3_60486322_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -144,7 +144,7 @@ ptc_status ptc_soft3_arm(ptc_soft3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_soft3_step(const ptc_soft3 *self, double t, const double x[3], double *u);
 
@@ -157,7 +157,7 @@ ptc_status ptc_soft3_tick(const ptc_soft3 *self, double t, ptc_soft3_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_soft3_axis(const ptc_soft3_gains *gains, const double x[3], double *u);
 

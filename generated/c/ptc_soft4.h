@@ -81,8 +81,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 18
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT4_3DA1BBCC_H
-#define PTC_SOFT4_3DA1BBCC_H
+#ifndef PTC_SOFT4_39315A12_H
+#define PTC_SOFT4_39315A12_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -153,7 +153,7 @@ ptc_status ptc_soft4_arm(ptc_soft4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_soft4_step(const ptc_soft4 *self, double t, const double x[4], double *u);
 
@@ -166,7 +166,7 @@ ptc_status ptc_soft4_tick(const ptc_soft4 *self, double t, ptc_soft4_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_soft4_axis(const ptc_soft4_gains *gains, const double x[4], double *u);
 

@@ -89,8 +89,8 @@
  * Operations of one step, without input checks and clipping: 22 additions or comparisons, 24
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_SOFT5_CC8192ED_H
-#define PTC_SOFT5_CC8192ED_H
+#ifndef PTC_SOFT5_42A9291A_H
+#define PTC_SOFT5_42A9291A_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -165,7 +165,7 @@ ptc_status ptc_soft5_arm(ptc_soft5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_soft5_step(const ptc_soft5 *self, double t, const double x[5], double *u);
 
@@ -178,7 +178,7 @@ ptc_status ptc_soft5_tick(const ptc_soft5 *self, double t, ptc_soft5_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_soft5_axis(const ptc_soft5_gains *gains, const double x[5], double *u);
 

@@ -62,8 +62,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 23
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN1_CCBCE35B_H
-#define PTC_TAN1_CCBCE35B_H
+#ifndef PTC_TAN1_C50B0353_H
+#define PTC_TAN1_C50B0353_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -127,7 +127,7 @@ ptc_status ptc_tan1_arm(ptc_tan1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tan1_step(const ptc_tan1 *self, double t, const double x[1], double *u);
 
@@ -140,7 +140,7 @@ ptc_status ptc_tan1_tick(const ptc_tan1 *self, double t, ptc_tan1_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tan1_axis(const ptc_tan1_gains *gains, const double x[1], double *u);
 

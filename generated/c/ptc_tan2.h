@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 23 additions or comparisons, 29
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN2_08E0D609_H
-#define PTC_TAN2_08E0D609_H
+#ifndef PTC_TAN2_8D4296FB_H
+#define PTC_TAN2_8D4296FB_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -134,7 +134,7 @@ ptc_status ptc_tan2_arm(ptc_tan2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], double *u);
 
@@ -147,7 +147,7 @@ ptc_status ptc_tan2_tick(const ptc_tan2 *self, double t, ptc_tan2_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tan2_axis(const ptc_tan2_gains *gains, const double x[2], double *u);
 

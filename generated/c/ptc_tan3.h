@@ -75,8 +75,8 @@
  * Operations of one step, without input checks and clipping: 28 additions or comparisons, 35
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN3_03D7F30D_H
-#define PTC_TAN3_03D7F30D_H
+#ifndef PTC_TAN3_370A8C70_H
+#define PTC_TAN3_370A8C70_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -147,7 +147,7 @@ ptc_status ptc_tan3_arm(ptc_tan3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tan3_step(const ptc_tan3 *self, double t, const double x[3], double *u);
 
@@ -160,7 +160,7 @@ ptc_status ptc_tan3_tick(const ptc_tan3 *self, double t, ptc_tan3_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tan3_axis(const ptc_tan3_gains *gains, const double x[3], double *u);
 

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 35 additions or comparisons, 42
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN4_892D5E02_H
-#define PTC_TAN4_892D5E02_H
+#ifndef PTC_TAN4_8ED167EA_H
+#define PTC_TAN4_8ED167EA_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -164,7 +164,7 @@ ptc_status ptc_tan4_arm(ptc_tan4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tan4_step(const ptc_tan4 *self, double t, const double x[4], double *u);
 
@@ -177,7 +177,7 @@ ptc_status ptc_tan4_tick(const ptc_tan4 *self, double t, ptc_tan4_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tan4_axis(const ptc_tan4_gains *gains, const double x[4], double *u);
 

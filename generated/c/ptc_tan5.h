@@ -98,8 +98,8 @@
  * Operations of one step, without input checks and clipping: 44 additions or comparisons, 52
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN5_618A6AF4_H
-#define PTC_TAN5_618A6AF4_H
+#ifndef PTC_TAN5_20BA5187_H
+#define PTC_TAN5_20BA5187_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -186,7 +186,7 @@ ptc_status ptc_tan5_arm(ptc_tan5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], double *u);
 
@@ -199,7 +199,7 @@ ptc_status ptc_tan5_tick(const ptc_tan5 *self, double t, ptc_tan5_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tan5_axis(const ptc_tan5_gains *gains, const double x[5], double *u);
 

@@ -62,8 +62,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH1_B8295040_H
-#define PTC_TANH1_B8295040_H
+#ifndef PTC_TANH1_2CF0C74C_H
+#define PTC_TANH1_2CF0C74C_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -126,7 +126,7 @@ ptc_status ptc_tanh1_arm(ptc_tanh1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], double *u);
 
@@ -139,7 +139,7 @@ ptc_status ptc_tanh1_tick(const ptc_tanh1 *self, double t, ptc_tanh1_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh1_axis(const ptc_tanh1_gains *gains, const double x[1], double *u);
 

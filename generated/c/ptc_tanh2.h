@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH2_7ABB9FD0_H
-#define PTC_TANH2_7ABB9FD0_H
+#ifndef PTC_TANH2_12A46A2F_H
+#define PTC_TANH2_12A46A2F_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -132,7 +132,7 @@ ptc_status ptc_tanh2_arm(ptc_tanh2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tanh2_step(const ptc_tanh2 *self, double t, const double x[2], double *u);
 
@@ -145,7 +145,7 @@ ptc_status ptc_tanh2_tick(const ptc_tanh2 *self, double t, ptc_tanh2_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh2_axis(const ptc_tanh2_gains *gains, const double x[2], double *u);
 

@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 9 additions or comparisons, 10
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH3_7EBF9E62_H
-#define PTC_TANH3_7EBF9E62_H
+#ifndef PTC_TANH3_5F5D9D90_H
+#define PTC_TANH3_5F5D9D90_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -142,7 +142,7 @@ ptc_status ptc_tanh3_arm(ptc_tanh3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tanh3_step(const ptc_tanh3 *self, double t, const double x[3], double *u);
 
@@ -155,7 +155,7 @@ ptc_status ptc_tanh3_tick(const ptc_tanh3 *self, double t, ptc_tanh3_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh3_axis(const ptc_tanh3_gains *gains, const double x[3], double *u);
 

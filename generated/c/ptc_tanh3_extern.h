@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_FEE5ADC4_H
-#define PTC_TANH3_EXTERN_FEE5ADC4_H
+#ifndef PTC_TANH3_EXTERN_4D05F3EA_H
+#define PTC_TANH3_EXTERN_4D05F3EA_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -131,7 +131,7 @@ ptc_status ptc_tanh3_extern_arm(ptc_tanh3_extern *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). context is passed on unchanged. On a negative
- * status u is 0 and nothing has changed.
+ * status u is 0 and nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh3_extern_step(
     const ptc_tanh3_extern *self,

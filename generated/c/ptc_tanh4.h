@@ -80,8 +80,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH4_774150A1_H
-#define PTC_TANH4_774150A1_H
+#ifndef PTC_TANH4_1DF6E248_H
+#define PTC_TANH4_1DF6E248_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -153,7 +153,7 @@ ptc_status ptc_tanh4_arm(ptc_tanh4 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tanh4_step(const ptc_tanh4 *self, double t, const double x[4], double *u);
 
@@ -166,7 +166,7 @@ ptc_status ptc_tanh4_tick(const ptc_tanh4 *self, double t, ptc_tanh4_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh4_axis(const ptc_tanh4_gains *gains, const double x[4], double *u);
 

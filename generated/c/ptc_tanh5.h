@@ -93,8 +93,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 24
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_TANH5_9C84EDFE_H
-#define PTC_TANH5_9C84EDFE_H
+#ifndef PTC_TANH5_D179FDBD_H
+#define PTC_TANH5_D179FDBD_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -170,7 +170,7 @@ ptc_status ptc_tanh5_arm(ptc_tanh5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tanh5_step(const ptc_tanh5 *self, double t, const double x[5], double *u);
 
@@ -183,7 +183,7 @@ ptc_status ptc_tanh5_tick(const ptc_tanh5 *self, double t, ptc_tanh5_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh5_axis(const ptc_tanh5_gains *gains, const double x[5], double *u);
 

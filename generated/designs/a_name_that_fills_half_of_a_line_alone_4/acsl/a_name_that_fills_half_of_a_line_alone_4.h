@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_008B5A33_H
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_008B5A33_H
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_3C7080D8_H
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_3C7080D8_H
 
 #include <stdint.h>
 
@@ -149,7 +149,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_arm(
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

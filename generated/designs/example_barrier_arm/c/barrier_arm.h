@@ -90,8 +90,8 @@
  * Operations of one step, without input checks and clipping: 29 additions or comparisons, 52
  *       multiplications, 5 divisions, 4 function calls.
  */
-#ifndef BARRIER_ARM_AAF217A2_H
-#define BARRIER_ARM_AAF217A2_H
+#ifndef BARRIER_ARM_679DC081_H
+#define BARRIER_ARM_679DC081_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -136,7 +136,7 @@ ptc_status barrier_arm_arm(barrier_arm *self, double t0);
 /*
  * u = (M1, M2) at time t [s] and state x = (q1, q2, w1, w2). Where one of them is not finite, as at
  * a state at which the inputs do not decouple the outputs, every u is 0; else the status is
- * SATURATED where one was clipped.
+ * SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status barrier_arm_step(
     const barrier_arm *self,

@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_8CDAC53C_H
-#define STAGE_8CDAC53C_H
+#ifndef STAGE_7807F022_H
+#define STAGE_7807F022_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -161,7 +161,7 @@ ptc_status stage_arm(stage *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 2));
@@ -188,7 +188,7 @@ ptc_status stage_tick(const stage *self, double t, stage_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 /*@ requires gains == \null || \valid_read(gains);
     requires x == \null || \valid_read(x + (0 .. 2));

@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_61814708_H
-#define STAGE_61814708_H
+#ifndef STAGE_B0667417_H
+#define STAGE_B0667417_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -132,7 +132,7 @@ ptc_status stage_arm(stage *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status stage_step(const stage *self, double t, const double x[3], double *u);
 
@@ -145,7 +145,7 @@ ptc_status stage_tick(const stage *self, double t, stage_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status stage_axis(const stage_gains *gains, const double x[3], double *u);
 

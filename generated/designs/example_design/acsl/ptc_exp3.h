@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_8B99D605_H
-#define PTC_EXP3_8B99D605_H
+#ifndef PTC_EXP3_BDB33C7D_H
+#define PTC_EXP3_BDB33C7D_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -167,7 +167,7 @@ ptc_status ptc_exp3_arm(ptc_exp3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 2));
@@ -194,7 +194,7 @@ ptc_status ptc_exp3_tick(const ptc_exp3 *self, double t, ptc_exp3_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 /*@ requires gains == \null || \valid_read(gains);
     requires x == \null || \valid_read(x + (0 .. 2));

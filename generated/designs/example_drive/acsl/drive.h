@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_F7998005_H
-#define DRIVE_F7998005_H
+#ifndef DRIVE_C5EAB0EB_H
+#define DRIVE_C5EAB0EB_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -154,7 +154,10 @@ ptc_status drive_init(drive *self, const drive_params *params);
  */
 ptc_status drive_arm(drive *self, double t0);
 
-/* u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. u
+ * must not overlap x.
+ */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 2));
     requires u == \null || \valid(u);

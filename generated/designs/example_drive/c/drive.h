@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_9F79C935_H
-#define DRIVE_9F79C935_H
+#ifndef DRIVE_0B4A1AC1_H
+#define DRIVE_0B4A1AC1_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -130,7 +130,10 @@ ptc_status drive_init(drive *self, const drive_params *params);
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status drive_arm(drive *self, double t0);
 
-/* u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. u
+ * must not overlap x.
+ */
 ptc_status drive_step(const drive *self, double t, const double x[3], double *u);
 
 #ifdef __cplusplus

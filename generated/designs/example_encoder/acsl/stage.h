@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_85151E80_H
-#define STAGE_85151E80_H
+#ifndef STAGE_1D58ABE0_H
+#define STAGE_1D58ABE0_H
 
 #include <stdint.h>
 
@@ -110,7 +110,7 @@ ptc_status stage_arm(stage *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

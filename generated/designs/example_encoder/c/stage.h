@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_C19EBBDD_H
-#define STAGE_C19EBBDD_H
+#ifndef STAGE_71B23C4D_H
+#define STAGE_71B23C4D_H
 
 #include <stdint.h>
 
@@ -95,7 +95,7 @@ ptc_status stage_arm(stage *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u);
 

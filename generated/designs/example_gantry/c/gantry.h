@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_A7761F6D_H
-#define GANTRY_A7761F6D_H
+#ifndef GANTRY_0D2F4418_H
+#define GANTRY_0D2F4418_H
 
 #include <stdint.h>
 
@@ -128,13 +128,14 @@ ptc_status gantry_tick(const gantry *self, double t, gantry_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status gantry_axis(const gantry_gains *gains, uint32_t axis, const double x[2], double *u);
 
 /*
  * u of 3 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of the
- * first axis that fails, and then every u is 0; else SATURATED where an axis is.
+ * first axis that fails, and then every u is 0; else SATURATED where an axis is. u and axes must
+ * not overlap x.
  */
 ptc_status gantry_step(
     const gantry *self,

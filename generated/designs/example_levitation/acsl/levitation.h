@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_5813F968_H
-#define LEVITATION_5813F968_H
+#ifndef LEVITATION_16445602_H
+#define LEVITATION_16445602_H
 
 #ifdef L
 #error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
@@ -187,7 +187,10 @@ ptc_status levitation_init(levitation *self, const levitation_params *params);
  */
 ptc_status levitation_arm(levitation *self, double t0);
 
-/* u at time t [s] and state x = (z, v, i). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (z, v, i). On a negative status u is 0 and nothing has changed. u
+ * must not overlap x.
+ */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 2));
     requires u == \null || \valid(u);

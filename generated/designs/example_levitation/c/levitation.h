@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_5F221445_H
-#define LEVITATION_5F221445_H
+#ifndef LEVITATION_16717DB0_H
+#define LEVITATION_16717DB0_H
 
 #ifdef L
 #error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
@@ -152,7 +152,10 @@ ptc_status levitation_init(levitation *self, const levitation_params *params);
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status levitation_arm(levitation *self, double t0);
 
-/* u at time t [s] and state x = (z, v, i). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (z, v, i). On a negative status u is 0 and nothing has changed. u
+ * must not overlap x.
+ */
 ptc_status levitation_step(const levitation *self, double t, const double x[3], double *u);
 
 #ifdef __cplusplus

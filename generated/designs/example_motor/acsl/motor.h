@@ -45,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef MOTOR_222A6179_H
-#define MOTOR_222A6179_H
+#ifndef MOTOR_C2633F27_H
+#define MOTOR_C2633F27_H
 
 #include <stdint.h>
 
@@ -116,7 +116,7 @@ ptc_status motor_arm(motor *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick. On a
- * negative status u is 0 and nothing has changed.
+ * negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

@@ -45,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef MOTOR_5C0276EA_H
-#define MOTOR_5C0276EA_H
+#ifndef MOTOR_B05BC91D_H
+#define MOTOR_B05BC91D_H
 
 #include <stdint.h>
 
@@ -101,7 +101,7 @@ ptc_status motor_arm(motor *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick. On a
- * negative status u is 0 and nothing has changed.
+ * negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u);
 

@@ -74,8 +74,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_D9813411_H
-#define PENDULUM_D9813411_H
+#ifndef PENDULUM_8DAC8678_H
+#define PENDULUM_8DAC8678_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -138,7 +138,10 @@ ptc_status pendulum_init(pendulum *self, const pendulum_params *params);
  */
 ptc_status pendulum_arm(pendulum *self, double t0);
 
-/* u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. u must
+ * not overlap x.
+ */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));
     requires u == \null || \valid(u);

@@ -74,8 +74,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_87EDDF27_H
-#define PENDULUM_87EDDF27_H
+#ifndef PENDULUM_AC2070E5_H
+#define PENDULUM_AC2070E5_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -117,7 +117,10 @@ ptc_status pendulum_init(pendulum *self, const pendulum_params *params);
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status pendulum_arm(pendulum *self, double t0);
 
-/* u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. u must
+ * not overlap x.
+ */
 ptc_status pendulum_step(const pendulum *self, double t, const double x[2], double *u);
 
 #ifdef __cplusplus

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_6E0D4304_H
-#define QUADROTOR_6E0D4304_H
+#ifndef QUADROTOR_2149503F_H
+#define QUADROTOR_2149503F_H
 
 #include <stdint.h>
 
@@ -133,7 +133,7 @@ ptc_status quadrotor_tick(const quadrotor *self, double t, quadrotor_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...), its reference r = (r, r', ...) and the gains. On
- * a negative status u is 0 and nothing has changed.
+ * a negative status u is 0 and nothing has changed. u must not overlap x or r.
  */
 ptc_status quadrotor_axis(
     const quadrotor_gains *gains,
@@ -145,7 +145,7 @@ ptc_status quadrotor_axis(
 /*
  * u of 4 axes at time t [s], from the state x = (x1, x1', ...) and the reference r = (r, r', ...)
  * of each. Its status is that of the first axis that fails, and then every u is 0; else SATURATED
- * where an axis is.
+ * where an axis is. u and axes must not overlap x or r.
  */
 ptc_status quadrotor_step(
     const quadrotor *self,

@@ -64,8 +64,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_FF389751_H
-#define TABLE_FF389751_H
+#ifndef TABLE_38907AD8_H
+#define TABLE_38907AD8_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -136,7 +136,7 @@ ptc_status table_arm(table *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));
@@ -163,7 +163,7 @@ ptc_status table_tick(const table *self, double t, table_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 /*@ requires gains == \null || \valid_read(gains);
     requires x == \null || \valid_read(x + (0 .. 1));

@@ -64,8 +64,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_64BBD139_H
-#define TABLE_64BBD139_H
+#ifndef TABLE_3959B6E3_H
+#define TABLE_3959B6E3_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -115,7 +115,7 @@ ptc_status table_arm(table *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status table_step(const table *self, double t, const double x[2], double *u);
 
@@ -128,7 +128,7 @@ ptc_status table_tick(const table *self, double t, table_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status table_axis(const table_gains *gains, const double x[2], double *u);
 

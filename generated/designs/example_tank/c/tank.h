@@ -81,8 +81,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_85CF1D49_H
-#define TANK_85CF1D49_H
+#ifndef TANK_9FF773FA_H
+#define TANK_9FF773FA_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -127,7 +127,7 @@ ptc_status tank_arm(tank *self, double t0);
 /*
  * u = (q, p) at time t [s] and state x = (h, c, e). Where one of them is not finite, as at a state
  * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
- * one was clipped.
+ * one was clipped. u and axes must not overlap x.
  */
 ptc_status tank_step(
     const tank *self,

@@ -70,8 +70,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_EE0BDC65_H
-#define TRACK_EE0BDC65_H
+#ifndef TRACK_784C8C2B_H
+#define TRACK_784C8C2B_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -131,7 +131,7 @@ ptc_status track_arm(track *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

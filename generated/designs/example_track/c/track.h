@@ -70,8 +70,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_3C1321D5_H
-#define TRACK_3C1321D5_H
+#ifndef TRACK_780F75EC_H
+#define TRACK_780F75EC_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -115,7 +115,7 @@ ptc_status track_arm(track *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status track_step(const track *self, double t, const double x[2], double *u);
 

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_D5EC9D3F_H
-#define TWO_LINK_D5EC9D3F_H
+#ifndef TWO_LINK_69CEF0A8_H
+#define TWO_LINK_69CEF0A8_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -131,7 +131,7 @@ ptc_status two_link_arm(two_link *self, double t0);
 /*
  * u = (M1, M2) at time t [s] and state x = (q1, q2, w1, w2). Where one of them is not finite, as at
  * a state at which the inputs do not decouple the outputs, every u is 0; else the status is
- * SATURATED where one was clipped.
+ * SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status two_link_step(
     const two_link *self,

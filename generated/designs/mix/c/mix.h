@@ -86,8 +86,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_8DAE4A1D_H
-#define MIX_8DAE4A1D_H
+#ifndef MIX_98C8209A_H
+#define MIX_98C8209A_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -139,7 +139,7 @@ ptc_status mix_arm(mix *self, double t0);
 /*
  * u = (a, b) at time t [s] and state x = (p, v, h). Where one of them is not finite, as at a state
  * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
- * one was clipped.
+ * one was clipped. u and axes must not overlap x.
  */
 ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], ptc_status axes[2]);
 

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_FIXED_330874C5_H
-#define MIX_FIXED_330874C5_H
+#ifndef MIX_FIXED_0D092552_H
+#define MIX_FIXED_0D092552_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -130,7 +130,7 @@ ptc_status mix_fixed_arm(mix_fixed *self, double t0);
 /*
  * u = (a, b) at time t [s] and state x = (p, v, h). Where one of them is not finite, as at a state
  * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
- * one was clipped.
+ * one was clipped. u and axes must not overlap x.
  */
 ptc_status mix_fixed_step(
     const mix_fixed *self,

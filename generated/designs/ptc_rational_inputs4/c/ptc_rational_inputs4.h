@@ -78,8 +78,8 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_781BC4BD_H
-#define PTC_RATIONAL_INPUTS4_781BC4BD_H
+#ifndef PTC_RATIONAL_INPUTS4_8A5305C0_H
+#define PTC_RATIONAL_INPUTS4_8A5305C0_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -138,7 +138,7 @@ ptc_status ptc_rational_inputs4_arm(ptc_rational_inputs4 *self, double t0);
 /*
  * u = (a, b, c, d) at time t [s] and state x = (p, q, r, s). Where one of them is not finite, as at
  * a state at which the inputs do not decouple the outputs, every u is 0; else the status is
- * SATURATED where one was clipped.
+ * SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status ptc_rational_inputs4_step(
     const ptc_rational_inputs4 *self,

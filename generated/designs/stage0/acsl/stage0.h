@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE0_13579D9B_H
-#define STAGE0_13579D9B_H
+#ifndef STAGE0_65BDE103_H
+#define STAGE0_65BDE103_H
 
 #include <stdint.h>
 
@@ -109,7 +109,7 @@ ptc_status stage0_arm(stage0 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 0));

@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE0_F246BD34_H
-#define STAGE0_F246BD34_H
+#ifndef STAGE0_916399BC_H
+#define STAGE0_916399BC_H
 
 #include <stdint.h>
 
@@ -91,7 +91,7 @@ ptc_status stage0_arm(stage0 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 ptc_status stage0_step(const stage0 *self, uint32_t k, const double x[1], double *u);
 

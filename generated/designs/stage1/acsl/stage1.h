@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE1_C40629F4_H
-#define STAGE1_C40629F4_H
+#ifndef STAGE1_25253F99_H
+#define STAGE1_25253F99_H
 
 #include <stdint.h>
 
@@ -116,7 +116,7 @@ ptc_status stage1_arm(stage1 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE1_E32683EE_H
-#define STAGE1_E32683EE_H
+#ifndef STAGE1_865D33DA_H
+#define STAGE1_865D33DA_H
 
 #include <stdint.h>
 
@@ -95,7 +95,7 @@ ptc_status stage1_arm(stage1 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 ptc_status stage1_step(const stage1 *self, uint32_t k, const float x[2], float *u);
 

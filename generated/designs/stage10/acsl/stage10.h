@@ -41,8 +41,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE10_263A7095_H
-#define STAGE10_263A7095_H
+#ifndef STAGE10_84C0B13D_H
+#define STAGE10_84C0B13D_H
 
 #include <stdint.h>
 
@@ -113,7 +113,7 @@ ptc_status stage10_arm(stage10 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

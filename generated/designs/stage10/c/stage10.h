@@ -41,8 +41,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE10_116C6096_H
-#define STAGE10_116C6096_H
+#ifndef STAGE10_29E0F6E2_H
+#define STAGE10_29E0F6E2_H
 
 #include <stdint.h>
 
@@ -93,7 +93,7 @@ ptc_status stage10_arm(stage10 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 ptc_status stage10_step(const stage10 *self, uint32_t k, const float x[2], float *u);
 

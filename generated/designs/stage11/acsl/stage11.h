@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE11_0A5F188E_H
-#define STAGE11_0A5F188E_H
+#ifndef STAGE11_F29FA4AC_H
+#define STAGE11_F29FA4AC_H
 
 #include <stdint.h>
 
@@ -139,7 +139,7 @@ ptc_status stage11_arm(stage11 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

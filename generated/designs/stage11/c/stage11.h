@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE11_F3EBD34A_H
-#define STAGE11_F3EBD34A_H
+#ifndef STAGE11_C732486B_H
+#define STAGE11_C732486B_H
 
 #include <stdint.h>
 
@@ -113,7 +113,7 @@ ptc_status stage11_arm(stage11 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u);
 

@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_11AF9512_H
-#define STAGE12_11AF9512_H
+#ifndef STAGE12_BBB4E744_H
+#define STAGE12_BBB4E744_H
 
 #include <stdint.h>
 
@@ -143,7 +143,7 @@ ptc_status stage12_arm(stage12 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick. On a
- * negative status u is 0 and nothing has changed.
+ * negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 1));

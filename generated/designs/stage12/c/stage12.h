@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_A684FB0E_H
-#define STAGE12_A684FB0E_H
+#ifndef STAGE12_927BF601_H
+#define STAGE12_927BF601_H
 
 #include <stdint.h>
 
@@ -117,7 +117,7 @@ ptc_status stage12_arm(stage12 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick. On a
- * negative status u is 0 and nothing has changed.
+ * negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u);
 

@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE13_3D8FD7D0_H
-#define STAGE13_3D8FD7D0_H
+#ifndef STAGE13_41369E41_H
+#define STAGE13_41369E41_H
 
 #include <stdint.h>
 
@@ -112,7 +112,7 @@ ptc_status stage13_arm(stage13 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid_read(self);
     requires y == \null || \valid_read(y + (0 .. 1));

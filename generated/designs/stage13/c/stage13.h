@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE13_2E34E0A5_H
-#define STAGE13_2E34E0A5_H
+#ifndef STAGE13_3653DF2A_H
+#define STAGE13_3653DF2A_H
 
 #include <stdint.h>
 
@@ -92,7 +92,7 @@ ptc_status stage13_arm(stage13 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap y.
  */
 ptc_status stage13_step(const stage13 *self, uint32_t k, const float y[2], float *u);
 

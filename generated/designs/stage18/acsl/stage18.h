@@ -43,8 +43,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_39CC211C_H
-#define STAGE18_39CC211C_H
+#ifndef STAGE18_53C2AEA5_H
+#define STAGE18_53C2AEA5_H
 
 #include <stdint.h>
 
@@ -104,7 +104,7 @@ ptc_status stage18_arm(stage18 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x of the model. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

@@ -43,8 +43,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_B8B8B219_H
-#define STAGE18_B8B8B219_H
+#ifndef STAGE18_367974E6_H
+#define STAGE18_367974E6_H
 
 #include <stdint.h>
 
@@ -88,7 +88,7 @@ ptc_status stage18_arm(stage18 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x of the model. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status stage18_step(const stage18 *self, uint32_t k, const double x[2], double *u);
 

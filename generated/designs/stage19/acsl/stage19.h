@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_1F288308_H
-#define STAGE19_1F288308_H
+#ifndef STAGE19_E6C64C89_H
+#define STAGE19_E6C64C89_H
 
 #include <stdint.h>
 
@@ -123,7 +123,7 @@ ptc_status stage19_arm(stage19 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x of the model. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 /*@ requires \valid_read(self);
     requires \valid_read(x + (0 .. 2));

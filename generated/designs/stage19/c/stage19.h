@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_DD50628F_H
-#define STAGE19_DD50628F_H
+#ifndef STAGE19_28553754_H
+#define STAGE19_28553754_H
 
 #include <stdint.h>
 
@@ -98,7 +98,7 @@ ptc_status stage19_arm(stage19 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x of the model. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status stage19_step(const stage19 *self, uint32_t k, const float x[3], float *u);
 

@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_D5FA92E7_H
-#define STAGE2_D5FA92E7_H
+#ifndef STAGE2_C2D54A8C_H
+#define STAGE2_C2D54A8C_H
 
 #include <stdint.h>
 
@@ -95,7 +95,7 @@ ptc_status stage2_arm(stage2 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 /*@ requires \valid_read(self);
     requires \valid_read(x + (0 .. 2));

@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_FD715BA4_H
-#define STAGE2_FD715BA4_H
+#ifndef STAGE2_E400D39D_H
+#define STAGE2_E400D39D_H
 
 #include <stdint.h>
 
@@ -80,7 +80,7 @@ ptc_status stage2_arm(stage2 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 ptc_status stage2_step(const stage2 *self, uint32_t k, const double x[3], double *u);
 

@@ -53,8 +53,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE20_1E74233A_H
-#define STAGE20_1E74233A_H
+#ifndef STAGE20_CCD39D01_H
+#define STAGE20_CCD39D01_H
 
 #include <stdint.h>
 
@@ -181,7 +181,8 @@ ptc_status stage20_arm(stage20 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...), and the reference. Call it
- * once for each tick. On a negative status u is 0 and nothing has changed.
+ * once for each tick. On a negative status u is 0 and nothing has changed. u must not overlap y or
+ * r.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

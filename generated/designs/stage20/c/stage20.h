@@ -53,8 +53,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE20_9CA18F53_H
-#define STAGE20_9CA18F53_H
+#ifndef STAGE20_FD933C9C_H
+#define STAGE20_FD933C9C_H
 
 #include <stdint.h>
 
@@ -140,7 +140,8 @@ ptc_status stage20_arm(stage20 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...), and the reference. Call it
- * once for each tick. On a negative status u is 0 and nothing has changed.
+ * once for each tick. On a negative status u is 0 and nothing has changed. u must not overlap y or
+ * r.
  */
 ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const double r[3], double *u);
 

@@ -54,8 +54,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE21_3EE817F2_H
-#define STAGE21_3EE817F2_H
+#ifndef STAGE21_1FED954B_H
+#define STAGE21_1FED954B_H
 
 #include <stdint.h>
 
@@ -160,7 +160,7 @@ ptc_status stage21_arm(stage21 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). Call it once for each tick. On
- * a negative status u is 0 and nothing has changed.
+ * a negative status u is 0 and nothing has changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid(self);
     requires x == \null || \valid_read(x + (0 .. 2));

@@ -54,8 +54,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE21_C93C3B89_H
-#define STAGE21_C93C3B89_H
+#ifndef STAGE21_EF16BA0C_H
+#define STAGE21_EF16BA0C_H
 
 #include <stdint.h>
 
@@ -127,7 +127,7 @@ ptc_status stage21_arm(stage21 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). Call it once for each tick. On
- * a negative status u is 0 and nothing has changed.
+ * a negative status u is 0 and nothing has changed. u must not overlap x.
  */
 ptc_status stage21_step(stage21 *self, uint32_t k, const double x[3], double *u);
 

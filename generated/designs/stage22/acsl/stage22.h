@@ -49,8 +49,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE22_182421D2_H
-#define STAGE22_182421D2_H
+#ifndef STAGE22_43FE414A_H
+#define STAGE22_43FE414A_H
 
 #include <stdint.h>
 
@@ -110,7 +110,7 @@ ptc_status stage22_arm(stage22 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x of the model, and the reference. On a negative
- * status u is 0 and nothing has changed.
+ * status u is 0 and nothing has changed. u must not overlap x or r.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

@@ -56,8 +56,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_78DD0CCF_H
-#define STAGE23_78DD0CCF_H
+#ifndef STAGE23_39FFB177_H
+#define STAGE23_39FFB177_H
 
 #include <stdint.h>
 
@@ -128,7 +128,7 @@ ptc_status stage23_arm(stage23 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x, and the reference. Call it once
- * for each tick. On a negative status u is 0 and nothing has changed.
+ * for each tick. On a negative status u is 0 and nothing has changed. u must not overlap y or r.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

@@ -56,8 +56,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_C4C1D93D_H
-#define STAGE23_C4C1D93D_H
+#ifndef STAGE23_C392DB57_H
+#define STAGE23_C392DB57_H
 
 #include <stdint.h>
 
@@ -112,7 +112,7 @@ ptc_status stage23_arm(stage23 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x, and the reference. Call it once
- * for each tick. On a negative status u is 0 and nothing has changed.
+ * for each tick. On a negative status u is 0 and nothing has changed. u must not overlap y or r.
  */
 ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const double r[4], double *u);
 

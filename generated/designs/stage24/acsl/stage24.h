@@ -51,8 +51,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_9C6887E4_H
-#define STAGE24_9C6887E4_H
+#ifndef STAGE24_CE6F4281_H
+#define STAGE24_CE6F4281_H
 
 #include <stdint.h>
 
@@ -116,7 +116,7 @@ ptc_status stage24_arm(stage24 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x. On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

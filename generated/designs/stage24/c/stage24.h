@@ -51,8 +51,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_35C9B09E_H
-#define STAGE24_35C9B09E_H
+#ifndef STAGE24_09E69BC0_H
+#define STAGE24_09E69BC0_H
 
 #include <stdint.h>
 
@@ -100,7 +100,7 @@ ptc_status stage24_arm(stage24 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x. On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float *u);
 

@@ -56,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE25_5FCBA93F_H
-#define STAGE25_5FCBA93F_H
+#ifndef STAGE25_234FA3F4_H
+#define STAGE25_234FA3F4_H
 
 #include <stdint.h>
 
@@ -99,7 +99,7 @@ ptc_status stage25_arm(stage25 *self, uint32_t k);
 /*
  * u = (q, p) from tick `k`, which may wrap, and state x = (h, c, e). Where one of them is not
  * finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the
- * status is SATURATED where one was clipped.
+ * status is SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage25_step(
     const stage25 *self,

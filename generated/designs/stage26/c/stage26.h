@@ -55,8 +55,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE26_4160CD16_H
-#define STAGE26_4160CD16_H
+#ifndef STAGE26_E8861FAA_H
+#define STAGE26_E8861FAA_H
 
 #include <stdint.h>
 
@@ -113,7 +113,7 @@ ptc_status stage26_arm(stage26 *self, uint32_t k);
 /*
  * u = (F1, F2) from tick `k`, which may wrap, and state x = (q1, q2, w1, w2). Where one of them is
  * not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the
- * status is SATURATED where one was clipped.
+ * status is SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage26_step(
     const stage26 *self,

@@ -66,8 +66,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_6C1B48CE_H
-#define STAGE27_6C1B48CE_H
+#ifndef STAGE27_73CFEEBD_H
+#define STAGE27_73CFEEBD_H
 
 #include <stdint.h>
 
@@ -122,7 +122,7 @@ ptc_status stage27_arm(stage27 *self, uint32_t k);
 /*
  * u = (A, B, C, D) from tick `k`, which may wrap, and state x = (a, b, b1, c, d, d1). Where one of
  * them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0;
- * else the status is SATURATED where one was clipped.
+ * else the status is SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage27_step(
     const stage27 *self,

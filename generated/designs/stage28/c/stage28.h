@@ -56,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_3BCCA11D_H
-#define STAGE28_3BCCA11D_H
+#ifndef STAGE28_410DF09E_H
+#define STAGE28_410DF09E_H
 
 #include <stdint.h>
 
@@ -109,7 +109,7 @@ ptc_status stage28_arm(stage28 *self, uint32_t k);
 /*
  * u = (A, B) from tick `k`, which may wrap, and state x = (a, b). Where one of them is not finite,
  * as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is
- * SATURATED where one was clipped.
+ * SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage28_step(
     const stage28 *self,

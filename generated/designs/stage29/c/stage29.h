@@ -41,8 +41,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE29_271DE7DC_H
-#define STAGE29_271DE7DC_H
+#ifndef STAGE29_AE6F35AB_H
+#define STAGE29_AE6F35AB_H
 
 #include <stdint.h>
 
@@ -83,7 +83,8 @@ ptc_status stage29_arm(stage29 *self, uint32_t k);
 
 /*
  * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each. Where one
- * of them is not finite, every u is 0; else the status is SATURATED where one was clipped.
+ * of them is not finite, every u is 0; else the status is SATURATED where one was clipped. u and
+ * axes must not overlap x.
  */
 ptc_status stage29_step(
     const stage29 *self,

@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE3_1FB9FAD0_H
-#define STAGE3_1FB9FAD0_H
+#ifndef STAGE3_E3098942_H
+#define STAGE3_E3098942_H
 
 #include <stdint.h>
 
@@ -112,7 +112,7 @@ ptc_status stage3_arm(stage3 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE3_A05A9FD3_H
-#define STAGE3_A05A9FD3_H
+#ifndef STAGE3_6A94CD52_H
+#define STAGE3_6A94CD52_H
 
 #include <stdint.h>
 
@@ -96,7 +96,7 @@ ptc_status stage3_arm(stage3 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage3_step(stage3 *self, uint32_t k, const double y[1], double *u);
 

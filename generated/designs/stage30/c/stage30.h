@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE30_3142C5F1_H
-#define STAGE30_3142C5F1_H
+#ifndef STAGE30_F2BC2794_H
+#define STAGE30_F2BC2794_H
 
 #include <stdint.h>
 
@@ -102,7 +102,8 @@ ptc_status stage30_arm(stage30 *self, uint32_t k);
 
 /*
  * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each. Where one
- * of them is not finite, every u is 0; else the status is SATURATED where one was clipped.
+ * of them is not finite, every u is 0; else the status is SATURATED where one was clipped. u and
+ * axes must not overlap x.
  */
 ptc_status stage30_step(
     const stage30 *self,

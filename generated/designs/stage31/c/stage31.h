@@ -63,8 +63,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_390F9C02_H
-#define STAGE31_390F9C02_H
+#ifndef STAGE31_AD8313F9_H
+#define STAGE31_AD8313F9_H
 
 #include <stdint.h>
 
@@ -115,7 +115,8 @@ ptc_status stage31_arm(stage31 *self, uint32_t k);
 /*
  * u = (q, p) from tick `k`, which may wrap, state x = (h, c, e) and the reference r of each output.
  * Where one of them is not finite, as at a state at which the inputs do not decouple the outputs,
- * every u is 0; else the status is SATURATED where one was clipped.
+ * every u is 0; else the status is SATURATED where one was clipped. u and axes must not overlap x
+ * or r.
  */
 ptc_status stage31_step(
     const stage31 *self,

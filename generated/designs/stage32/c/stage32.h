@@ -67,8 +67,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE32_18CBF614_H
-#define STAGE32_18CBF614_H
+#ifndef STAGE32_E29FB70F_H
+#define STAGE32_E29FB70F_H
 
 #include <stdint.h>
 
@@ -125,7 +125,7 @@ ptc_status stage32_arm(stage32 *self, uint32_t k);
 /*
  * u = (F1, F2) from tick `k`, which may wrap, and state x = (q1, q2, w1, w2). Where one of them is
  * not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the
- * status is SATURATED where one was clipped.
+ * status is SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage32_step(
     const stage32 *self,

@@ -53,8 +53,8 @@
  *   loop: not checked: axis 1: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE33_7B91F42A_H
-#define STAGE33_7B91F42A_H
+#ifndef STAGE33_24E95376_H
+#define STAGE33_24E95376_H
 
 #include <stdint.h>
 
@@ -100,7 +100,8 @@ ptc_status stage33_arm(stage33 *self, uint32_t k);
 
 /*
  * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each. Where one
- * of them is not finite, every u is 0; else the status is SATURATED where one was clipped.
+ * of them is not finite, every u is 0; else the status is SATURATED where one was clipped. u and
+ * axes must not overlap x.
  */
 ptc_status stage33_step(
     const stage33 *self,

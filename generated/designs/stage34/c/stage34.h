@@ -49,8 +49,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE34_CE69AB79_H
-#define STAGE34_CE69AB79_H
+#ifndef STAGE34_4BC49D2B_H
+#define STAGE34_4BC49D2B_H
 
 #include <stdint.h>
 
@@ -109,7 +109,7 @@ ptc_status stage34_arm(stage34 *self, uint32_t k);
 /*
  * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) and the reference
  * r of each. Where one of them is not finite, every u is 0; else the status is SATURATED where one
- * was clipped.
+ * was clipped. u and axes must not overlap x or r.
  */
 ptc_status stage34_step(
     const stage34 *self,

@@ -53,8 +53,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 1, whose sum is the number of states.
  */
-#ifndef STAGE35_5D45DADB_H
-#define STAGE35_5D45DADB_H
+#ifndef STAGE35_08042CA5_H
+#define STAGE35_08042CA5_H
 
 #include <stdint.h>
 
@@ -96,7 +96,7 @@ ptc_status stage35_arm(stage35 *self, uint32_t k);
 /*
  * u = (F, V) from tick `k`, which may wrap, and state x = (s, v, i). Where one of them is not
  * finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the
- * status is SATURATED where one was clipped.
+ * status is SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage35_step(
     const stage35 *self,

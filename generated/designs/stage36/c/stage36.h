@@ -57,8 +57,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE36_16608331_H
-#define STAGE36_16608331_H
+#ifndef STAGE36_C4D0D5D7_H
+#define STAGE36_C4D0D5D7_H
 
 #include <stdint.h>
 
@@ -110,7 +110,7 @@ ptc_status stage36_arm(stage36 *self, uint32_t k);
 /*
  * u = (F1, F2) from tick `k`, which may wrap, and state x = (q1, q2, w1, w2). Where one of them is
  * not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the
- * status is SATURATED where one was clipped.
+ * status is SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage36_step(
     const stage36 *self,

@@ -41,8 +41,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE37_0E84387C_H
-#define STAGE37_0E84387C_H
+#ifndef STAGE37_1945F018_H
+#define STAGE37_1945F018_H
 
 #include <stdint.h>
 
@@ -119,7 +119,7 @@ ptc_status stage37_arm(stage37 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

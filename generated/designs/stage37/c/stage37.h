@@ -41,8 +41,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE37_C4435FF1_H
-#define STAGE37_C4435FF1_H
+#ifndef STAGE37_3362023D_H
+#define STAGE37_3362023D_H
 
 #include <stdint.h>
 
@@ -98,7 +98,7 @@ ptc_status stage37_arm(stage37 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 ptc_status stage37_step(const stage37 *self, uint32_t k, const double x[2], double *u);
 

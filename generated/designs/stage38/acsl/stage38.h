@@ -45,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_DE8584BA_H
-#define STAGE38_DE8584BA_H
+#ifndef STAGE38_54D3B6C3_H
+#define STAGE38_54D3B6C3_H
 
 #include <stdint.h>
 
@@ -111,7 +111,7 @@ ptc_status stage38_arm(stage38 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

@@ -45,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_FD8DEF5C_H
-#define STAGE38_FD8DEF5C_H
+#ifndef STAGE38_3294F4BC_H
+#define STAGE38_3294F4BC_H
 
 #include <stdint.h>
 
@@ -96,7 +96,7 @@ ptc_status stage38_arm(stage38 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u);
 

@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE39_6AB2B363_H
-#define STAGE39_6AB2B363_H
+#ifndef STAGE39_0D645F31_H
+#define STAGE39_0D645F31_H
 
 #include <stdint.h>
 
@@ -109,7 +109,7 @@ ptc_status stage39_arm(stage39 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 /*@ requires \valid_read(self);
     requires \valid_read(x + (0 .. 0));

@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE39_218A7648_H
-#define STAGE39_218A7648_H
+#ifndef STAGE39_4104A8F6_H
+#define STAGE39_4104A8F6_H
 
 #include <stdint.h>
 
@@ -91,7 +91,7 @@ ptc_status stage39_arm(stage39 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 ptc_status stage39_step(const stage39 *self, uint32_t k, const double x[1], double *u);
 

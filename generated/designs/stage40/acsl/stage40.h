@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE40_BE92B40E_H
-#define STAGE40_BE92B40E_H
+#ifndef STAGE40_7D3CA479_H
+#define STAGE40_7D3CA479_H
 
 #include <stdint.h>
 
@@ -124,7 +124,8 @@ ptc_status stage40_arm(stage40 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...), and the reference. Call it
- * once for each tick. On a negative status u is 0 and nothing has changed.
+ * once for each tick. On a negative status u is 0 and nothing has changed. u must not overlap y or
+ * r.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE40_09388DEE_H
-#define STAGE40_09388DEE_H
+#ifndef STAGE40_B36799FA_H
+#define STAGE40_B36799FA_H
 
 #include <stdint.h>
 
@@ -109,7 +109,8 @@ ptc_status stage40_arm(stage40 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...), and the reference. Call it
- * once for each tick. On a negative status u is 0 and nothing has changed.
+ * once for each tick. On a negative status u is 0 and nothing has changed. u must not overlap y or
+ * r.
  */
 ptc_status stage40_step(stage40 *self, uint32_t k, const double y[1], const double r[3], double *u);
 

@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE42_D0BB8D3E_H
-#define STAGE42_D0BB8D3E_H
+#ifndef STAGE42_7A053AF1_H
+#define STAGE42_7A053AF1_H
 
 #include <stdint.h>
 
@@ -110,7 +110,7 @@ ptc_status stage42_arm(stage42 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage42_step(stage42 *self, uint32_t k, const double y[1], double *u);
 

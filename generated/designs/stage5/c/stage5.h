@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE5_41325500_H
-#define STAGE5_41325500_H
+#ifndef STAGE5_28A98399_H
+#define STAGE5_28A98399_H
 
 #include <stdint.h>
 
@@ -114,7 +114,7 @@ ptc_status stage5_arm(stage5 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). Call it once for each tick. On
- * a negative status u is 0 and nothing has changed.
+ * a negative status u is 0 and nothing has changed. u must not overlap x.
  */
 ptc_status stage5_step(stage5 *self, uint32_t k, const double x[4], double *u);
 

@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_CBCE0107_H
-#define STAGE6_CBCE0107_H
+#ifndef STAGE6_744EB42E_H
+#define STAGE6_744EB42E_H
 
 #include <stdint.h>
 
@@ -127,7 +127,7 @@ ptc_status stage6_arm(stage6 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 1));

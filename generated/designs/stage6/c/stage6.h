@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_E152FB92_H
-#define STAGE6_E152FB92_H
+#ifndef STAGE6_10179714_H
+#define STAGE6_10179714_H
 
 #include <stdint.h>
 
@@ -105,7 +105,7 @@ ptc_status stage6_arm(stage6 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u);
 

@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_E02F988C_H
-#define STAGE7_E02F988C_H
+#ifndef STAGE7_A0F78E42_H
+#define STAGE7_A0F78E42_H
 
 #include <stdint.h>
 
@@ -119,7 +119,7 @@ ptc_status stage7_arm(stage7 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires \valid(self);
     requires \valid_read(y + (0 .. 0));

@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_942165B2_H
-#define STAGE7_942165B2_H
+#ifndef STAGE7_459D678D_H
+#define STAGE7_459D678D_H
 
 #include <stdint.h>
 
@@ -99,7 +99,7 @@ ptc_status stage7_arm(stage7 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u);
 

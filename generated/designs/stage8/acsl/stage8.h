@@ -39,8 +39,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE8_9D03EB5F_H
-#define STAGE8_9D03EB5F_H
+#ifndef STAGE8_5C90D5BD_H
+#define STAGE8_5C90D5BD_H
 
 #include <stdint.h>
 
@@ -96,7 +96,7 @@ ptc_status stage8_arm(stage8 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));

@@ -39,8 +39,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE8_19FBA316_H
-#define STAGE8_19FBA316_H
+#ifndef STAGE8_2E49E477_H
+#define STAGE8_2E49E477_H
 
 #include <stdint.h>
 
@@ -81,7 +81,7 @@ ptc_status stage8_arm(stage8 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed.
+ * and nothing has changed. u must not overlap x.
  */
 ptc_status stage8_step(const stage8 *self, uint32_t k, const double x[2], double *u);
 

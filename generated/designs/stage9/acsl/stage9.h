@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE9_BC06A7A7_H
-#define STAGE9_BC06A7A7_H
+#ifndef STAGE9_855D12BA_H
+#define STAGE9_855D12BA_H
 
 #include <stdint.h>
 
@@ -150,7 +150,7 @@ ptc_status stage9_arm(stage9 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE9_55B20960_H
-#define STAGE9_55B20960_H
+#ifndef STAGE9_5C96EB08_H
+#define STAGE9_5C96EB08_H
 
 #include <stdint.h>
 
@@ -118,7 +118,7 @@ ptc_status stage9_arm(stage9 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage9_step(stage9 *self, uint32_t k, const double y[1], double *u);
 

@@ -68,7 +68,7 @@ impl C<'_> {
             _ if code_axes => String::new(),
             _ => " On a negative status nothing has changed.".to_owned(),
         };
-        format!("{about}{handed}{failed}")
+        format!("{about}{handed}{failed}{}", apart(function))
     }
 
     fn types(&mut self) {
@@ -123,5 +123,17 @@ impl C<'_> {
         self.out.line("/*");
         self.out.words(" * ", text);
         self.out.line(" */");
+    }
+}
+
+/// Which memory of a call must not overlap: results are set before the arguments are read.
+fn apart(function: &Function) -> String {
+    let name = |own: &Variable| own.name.clone();
+    let given: Vec<_> = function.results.iter().map(name).collect();
+    let is_array = |own: &&Variable| matches!(own.shape, Shape::Reals(_) | Shape::Lists(..));
+    let read: Vec<_> = function.arguments.iter().filter(is_array).map(name).collect();
+    match given.is_empty() || read.is_empty() {
+        true => String::new(),
+        false => format!(" {} must not overlap {}.", given.join(" and "), read.join(" or ")),
     }
 }
