@@ -175,14 +175,16 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
                 && PTC_FINITE_F64(x[0])
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
-                if (self->u_max < v) {
-                    *u = self->u_max;
-                    status = PTC_SATURATED;
-                } else if (v < -self->u_max) {
-                    *u = -self->u_max;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (self->u_max < v) {
+                        *u = self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (v < -self->u_max) {
+                        *u = -self->u_max;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -243,12 +245,14 @@ ptc_status ptc_algebraic3_axis(const ptc_algebraic3_gains *gains, const double x
         if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
-            if (gains->u_max < v) {
-                *u = gains->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max) {
-                *u = -gains->u_max;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F64(v)) {
+                if (gains->u_max < v) {
+                    *u = gains->u_max;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -gains->u_max;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0;
                 status = PTC_E_RANGE;

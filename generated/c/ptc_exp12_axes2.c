@@ -292,12 +292,14 @@ ptc_status ptc_exp12_axes2_axis(const ptc_exp12_axes2_gains *gains, const double
             && PTC_FINITE_F64(x[9])
             && PTC_FINITE_F64(x[10])
             && PTC_FINITE_F64(x[11])) {
-            if (gains->u_max < v) {
-                *u = gains->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max) {
-                *u = -gains->u_max;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F64(v)) {
+                if (gains->u_max < v) {
+                    *u = gains->u_max;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -gains->u_max;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0;
                 status = PTC_E_RANGE;
@@ -397,12 +399,14 @@ ptc_status ptc_exp12_axes2_step(
                             && PTC_FINITE_F64(x[axis][9])
                             && PTC_FINITE_F64(x[axis][10])
                             && PTC_FINITE_F64(x[axis][11])) {
-                            if (self->u_max < v) {
-                                u[axis] = self->u_max;
-                                axes[axis] = PTC_SATURATED;
-                            } else if (v < -self->u_max) {
-                                u[axis] = -self->u_max;
-                                axes[axis] = PTC_SATURATED;
+                            if (PTC_FINITE_F64(v)) {
+                                if (self->u_max < v) {
+                                    u[axis] = self->u_max;
+                                    axes[axis] = PTC_SATURATED;
+                                } else {
+                                    u[axis] = -self->u_max;
+                                    axes[axis] = PTC_SATURATED;
+                                }
                             } else {
                                 axes[axis] = PTC_E_RANGE;
                             }

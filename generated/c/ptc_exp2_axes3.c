@@ -145,12 +145,14 @@ ptc_status ptc_exp2_axes3_axis(const ptc_exp2_axes3_gains *gains, const double x
         if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-            if (gains->u_max < v) {
-                *u = gains->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max) {
-                *u = -gains->u_max;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F64(v)) {
+                if (gains->u_max < v) {
+                    *u = gains->u_max;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -gains->u_max;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0;
                 status = PTC_E_RANGE;
@@ -209,12 +211,14 @@ ptc_status ptc_exp2_axes3_step(
                     const double v = wanted[axis];
                     if (!(fabs(v) <= bound)) {
                         if (PTC_FINITE_F64(x[axis][0]) && PTC_FINITE_F64(x[axis][1])) {
-                            if (self->u_max < v) {
-                                u[axis] = self->u_max;
-                                axes[axis] = PTC_SATURATED;
-                            } else if (v < -self->u_max) {
-                                u[axis] = -self->u_max;
-                                axes[axis] = PTC_SATURATED;
+                            if (PTC_FINITE_F64(v)) {
+                                if (self->u_max < v) {
+                                    u[axis] = self->u_max;
+                                    axes[axis] = PTC_SATURATED;
+                                } else {
+                                    u[axis] = -self->u_max;
+                                    axes[axis] = PTC_SATURATED;
+                                }
                             } else {
                                 axes[axis] = PTC_E_RANGE;
                             }

@@ -159,12 +159,14 @@ ptc_status ptc_exp3_axes3_own_axis(
             if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
-                if (gains->u_max[axis] < v) {
-                    *u = gains->u_max[axis];
-                    status = PTC_SATURATED;
-                } else if (v < -gains->u_max[axis]) {
-                    *u = -gains->u_max[axis];
-                    status = PTC_SATURATED;
+                if (PTC_FINITE_F64(v)) {
+                    if (gains->u_max[axis] < v) {
+                        *u = gains->u_max[axis];
+                        status = PTC_SATURATED;
+                    } else {
+                        *u = -gains->u_max[axis];
+                        status = PTC_SATURATED;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -247,12 +249,14 @@ ptc_status ptc_exp3_axes3_own_step(
                         if (PTC_FINITE_F64(x[axis][0])
                             && PTC_FINITE_F64(x[axis][1])
                             && PTC_FINITE_F64(x[axis][2])) {
-                            if (u_max[axis] < v) {
-                                u[axis] = u_max[axis];
-                                axes[axis] = PTC_SATURATED;
-                            } else if (v < -u_max[axis]) {
-                                u[axis] = -u_max[axis];
-                                axes[axis] = PTC_SATURATED;
+                            if (PTC_FINITE_F64(v)) {
+                                if (u_max[axis] < v) {
+                                    u[axis] = u_max[axis];
+                                    axes[axis] = PTC_SATURATED;
+                                } else {
+                                    u[axis] = -u_max[axis];
+                                    axes[axis] = PTC_SATURATED;
+                                }
                             } else {
                                 axes[axis] = PTC_E_RANGE;
                             }

@@ -140,14 +140,16 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
                 && PTC_FINITE_F32(x[0])
                 && PTC_FINITE_F32(x[1])
                 && PTC_FINITE_F32(x[2])) {
-                if (self->u_max < v) {
-                    *u = self->u_max;
-                    status = PTC_SATURATED;
-                } else if (v < -self->u_max) {
-                    *u = -self->u_max;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F32(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F32(v)) {
+                    if (self->u_max < v) {
+                        *u = self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (v < -self->u_max) {
+                        *u = -self->u_max;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0f;
                     status = PTC_E_RANGE;
@@ -199,12 +201,14 @@ ptc_status ptc_exp3_f32_axis(const ptc_exp3_f32_gains *gains, const float x[3], 
         if (PTC_FINITE_F32(v) && (fabsf(v) <= gains->u_max)) {
             status = gains->status;
         } else if (PTC_FINITE_F32(x[0]) && PTC_FINITE_F32(x[1]) && PTC_FINITE_F32(x[2])) {
-            if (gains->u_max < v) {
-                *u = gains->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max) {
-                *u = -gains->u_max;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F32(v)) {
+                if (gains->u_max < v) {
+                    *u = gains->u_max;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -gains->u_max;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0f;
                 status = PTC_E_RANGE;

@@ -91,14 +91,16 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
                 && PTC_FINITE_F64(x[0])
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
-                if (50.0 < v) {
-                    *u = 50.0;
-                    status = PTC_SATURATED;
-                } else if (v < -50.0) {
-                    *u = -50.0;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (50.0 < v) {
+                        *u = 50.0;
+                        status = PTC_SATURATED;
+                    } else if (v < -50.0) {
+                        *u = -50.0;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -149,12 +151,14 @@ ptc_status ptc_exp3_fixed_axis(const ptc_exp3_fixed_gains *gains, const double x
         if (PTC_FINITE_F64(v) && (fabs(v) <= 50.0)) {
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
-            if (50.0 < v) {
-                *u = 50.0;
-                status = PTC_SATURATED;
-            } else if (v < -50.0) {
-                *u = -50.0;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F64(v)) {
+                if (50.0 < v) {
+                    *u = 50.0;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -50.0;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0;
                 status = PTC_E_RANGE;

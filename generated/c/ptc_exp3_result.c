@@ -143,10 +143,20 @@ ptc_status ptc_exp3_result_step(
     const double margin = (v - v) - late;
     if (self->u_max < v) {
         *u = self->u_max;
-        status = PTC_SATURATED;
+        if (PTC_NAN_F64(margin)) {
+            *u = 0.0;
+            status = PTC_E_RANGE;
+        } else {
+            status = PTC_SATURATED;
+        }
     } else if (v < -self->u_max) {
         *u = -self->u_max;
-        status = PTC_SATURATED;
+        if (PTC_NAN_F64(margin)) {
+            *u = 0.0;
+            status = PTC_E_RANGE;
+        } else {
+            status = PTC_SATURATED;
+        }
     } else if (self->eps < margin) {
         *u = v;
         status = PTC_OK;
@@ -187,15 +197,15 @@ ptc_status ptc_exp3_result_axis(const ptc_exp3_result_gains *gains, const double
 
     const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
     const double v = s1 + (gains->gain[2] * x[2]);
-    if (gains->u_max < v) {
+    if (PTC_NAN_F64(v - v)) {
+        *u = 0.0;
+        status = PTC_E_RANGE;
+    } else if (gains->u_max < v) {
         *u = gains->u_max;
         status = PTC_SATURATED;
     } else if (v < -gains->u_max) {
         *u = -gains->u_max;
         status = PTC_SATURATED;
-    } else if (PTC_NAN_F64(v - v)) {
-        *u = 0.0;
-        status = PTC_E_RANGE;
     } else {
         *u = v;
         status = gains->status;

@@ -163,14 +163,16 @@ ptc_status ptc_exp5_step(const ptc_exp5 *self, double t, const double x[5], doub
                 && PTC_FINITE_F64(x[2])
                 && PTC_FINITE_F64(x[3])
                 && PTC_FINITE_F64(x[4])) {
-                if (self->u_max < v) {
-                    *u = self->u_max;
-                    status = PTC_SATURATED;
-                } else if (v < -self->u_max) {
-                    *u = -self->u_max;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (self->u_max < v) {
+                        *u = self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (v < -self->u_max) {
+                        *u = -self->u_max;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -230,12 +232,14 @@ ptc_status ptc_exp5_axis(const ptc_exp5_gains *gains, const double x[5], double 
             && PTC_FINITE_F64(x[2])
             && PTC_FINITE_F64(x[3])
             && PTC_FINITE_F64(x[4])) {
-            if (gains->u_max < v) {
-                *u = gains->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max) {
-                *u = -gains->u_max;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F64(v)) {
+                if (gains->u_max < v) {
+                    *u = gains->u_max;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -gains->u_max;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0;
                 status = PTC_E_RANGE;

@@ -128,14 +128,14 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
             if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-                if (self->u_max < v) {
-                    *u = self->u_max;
-                    status = PTC_SATURATED;
-                } else if (v < -self->u_max) {
-                    *u = -self->u_max;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    if (0.0 <= past) {
+                if (PTC_FINITE_F64(v)) {
+                    if (self->u_max < v) {
+                        *u = self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (v < -self->u_max) {
+                        *u = -self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (0.0 <= past) {
                         status = PTC_AFTER;
                     } else {
                         status = PTC_HOLD;

@@ -159,14 +159,16 @@ ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], doub
             if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-                if (self->u_max < v) {
-                    *u = self->u_max;
-                    status = PTC_SATURATED;
-                } else if (v < -self->u_max) {
-                    *u = -self->u_max;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (self->u_max < v) {
+                        *u = self->u_max;
+                        status = PTC_SATURATED;
+                    } else if (v < -self->u_max) {
+                        *u = -self->u_max;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -234,12 +236,14 @@ ptc_status ptc_tan2_axis(const ptc_tan2_gains *gains, const double x[2], double 
         if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max)) {
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-            if (gains->u_max < v) {
-                *u = gains->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max) {
-                *u = -gains->u_max;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F64(v)) {
+                if (gains->u_max < v) {
+                    *u = gains->u_max;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -gains->u_max;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0;
                 status = PTC_E_RANGE;

@@ -153,19 +153,21 @@ ptc_status ptc_tanh3_extern_step(
                 applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
             }
             const double v = applied;
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (PTC_FINITE_F64(v)) {
-                *u = v;
-                if (late < self->hold_from) {
+            if (PTC_FINITE_F64(v)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (late < self->hold_from) {
+                    *u = v;
                     status = PTC_OK;
                 } else if (0.0 <= past) {
+                    *u = v;
                     status = PTC_AFTER;
                 } else {
+                    *u = v;
                     status = PTC_HOLD;
                 }
             } else {

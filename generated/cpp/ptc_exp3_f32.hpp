@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_F32_BA4ED383_HPP
-#define PTC_EXP3_F32_BA4ED383_HPP
+#ifndef PTC_EXP3_F32_CC46A38A_HPP
+#define PTC_EXP3_F32_CC46A38A_HPP
 
 #include <array>
 #include <cfloat>
@@ -156,10 +156,12 @@ struct [[nodiscard]] PtcExp3F32Gains {
         if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max < v) {
-                return {u_max, Status::Saturated};
-            } else if (v < -u_max) {
-                return {-u_max, Status::Saturated};
+            if (finite(v)) {
+                if (u_max < v) {
+                    return {u_max, Status::Saturated};
+                } else {
+                    return {-u_max, Status::Saturated};
+                }
             } else {
                 return {0.0f, Status::Range};
             }
@@ -289,12 +291,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0f, Status::Range};
             }

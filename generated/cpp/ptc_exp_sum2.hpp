@@ -66,8 +66,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_AEC9320E_HPP
-#define PTC_EXP_SUM2_AEC9320E_HPP
+#ifndef PTC_EXP_SUM2_FF84D2B0_HPP
+#define PTC_EXP_SUM2_FF84D2B0_HPP
 
 #include <array>
 #include <cfloat>
@@ -152,10 +152,12 @@ struct [[nodiscard]] PtcExpSum2Gains {
         if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (u_max < v) {
-                return {u_max, Status::Saturated};
-            } else if (v < -u_max) {
-                return {-u_max, Status::Saturated};
+            if (finite(v)) {
+                if (u_max < v) {
+                    return {u_max, Status::Saturated};
+                } else {
+                    return {-u_max, Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -356,12 +358,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

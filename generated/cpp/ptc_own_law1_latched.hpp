@@ -55,8 +55,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_OWN_LAW1_LATCHED_9F6AB9F3_HPP
-#define PTC_OWN_LAW1_LATCHED_9F6AB9F3_HPP
+#ifndef PTC_OWN_LAW1_LATCHED_A54539C7_HPP
+#define PTC_OWN_LAW1_LATCHED_A54539C7_HPP
 
 #include <array>
 #include <cfloat>
@@ -199,12 +199,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

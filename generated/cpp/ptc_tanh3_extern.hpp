@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_131C133B_HPP
-#define PTC_TANH3_EXTERN_131C133B_HPP
+#ifndef PTC_TANH3_EXTERN_91BEE8F2_HPP
+#define PTC_TANH3_EXTERN_91BEE8F2_HPP
 
 #include <array>
 #include <cfloat>
@@ -245,12 +245,12 @@ public:
             applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
         }
         const double v = applied;
-        if (u_max_ < v) {
-            return {u_max_, Status::Saturated};
-        } else if (v < -u_max_) {
-            return {-u_max_, Status::Saturated};
-        } else if (finite(v)) {
-            if (late < hold_from_) {
+        if (finite(v)) {
+            if (u_max_ < v) {
+                return {u_max_, Status::Saturated};
+            } else if (v < -u_max_) {
+                return {-u_max_, Status::Saturated};
+            } else if (late < hold_from_) {
                 return {v, Status::Ok};
             } else if (0.0 <= past) {
                 return {v, Status::After};

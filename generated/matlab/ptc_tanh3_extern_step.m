@@ -49,14 +49,14 @@ else
     applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
 end
 v = applied;
-if self.u_max < v
-    u = self.u_max;
-    status = int32(2);
-elseif v < -self.u_max
-    u = -self.u_max;
-    status = int32(2);
-elseif isfinite(v)
-    if late < self.hold_from
+if isfinite(v)
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < -self.u_max
+        u = -self.u_max;
+        status = int32(2);
+    elseif late < self.hold_from
         u = v;
         status = int32(0);
     elseif 0.0 <= past

@@ -166,11 +166,11 @@ class Gains:
             v = s1 + (self.gain[..., 2] * x3)
             way1 = np.isfinite(v) & (np.abs(v) <= self.u_max)
             way2 = np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
-            way3 = self.u_max < v
-            way4 = v < -self.u_max
-            status = np.where(way1, self.status, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, Status.RANGE)), Status.INPUT))
+            way3 = np.isfinite(v)
+            way4 = self.u_max < v
+            status = np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT))
             status = np.where(self.status < 0, self.status, status)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, self.u_max, -self.u_max))), status.astype(np.int8))
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self.u_max, -self.u_max))), status.astype(np.int8))
 
 class PtcExp3:
     """The controller. Takes the parameters and arms at params.t0 (or the fixed t0).
@@ -281,11 +281,11 @@ class PtcExp3:
             v = (s1 + (self._c3 * x3)) * inv_T
             way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
-            way3 = self._u_max < v
-            way4 = v < -self._u_max
-            way5 = np.isfinite(v)
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, np.where(way5, Status.HOLD, Status.RANGE))), Status.INPUT)), Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, self._u_max, np.where(way4, -self._u_max, v)))), status.astype(np.int8))
+            way3 = np.isfinite(v)
+            way4 = self._u_max < v
+            way5 = v < -self._u_max
+            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self._u_max, np.where(way5, -self._u_max, v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
         """The gains at time t [s], for several axes that share one deadline: tick once, then axis

@@ -242,10 +242,10 @@ class PtcTanh3Extern:
             if chosen.any():
                 applied = np.where(chosen, np.asarray(after(np.asarray(x, dtype=_R), np.asarray(t)), dtype=_R), applied)
             v = applied
-            way1 = self._u_max < v
-            way2 = v < -self._u_max
-            way3 = np.isfinite(v)
+            way1 = np.isfinite(v)
+            way2 = self._u_max < v
+            way3 = v < -self._u_max
             way4 = late < self._hold_from
             way5 = 0.0 <= past
-            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, np.where(way4, Status.OK, np.where(way5, Status.AFTER, Status.HOLD)), Status.RANGE))), Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, self._u_max, np.where(way2, -self._u_max, v))), status.astype(np.int8))
+            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3), np.where(way1, np.where(way2, Status.SATURATED, np.where(way3, Status.SATURATED, np.where(way4, Status.OK, np.where(way5, Status.AFTER, Status.HOLD)))), Status.RANGE), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way2, self._u_max, np.where(way3, -self._u_max, v))), status.astype(np.int8))

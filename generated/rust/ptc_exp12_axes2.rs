@@ -598,12 +598,14 @@ impl PtcExp12Axes2 {
                         && x[axis][10].is_finite()
                         && x[axis][11].is_finite()
                     {
-                        if self.u_max < v {
-                            u[axis] = self.u_max;
-                            axes[axis] = Ok(Status::Saturated);
-                        } else if v < -self.u_max {
-                            u[axis] = -self.u_max;
-                            axes[axis] = Ok(Status::Saturated);
+                        if v.is_finite() {
+                            if self.u_max < v {
+                                u[axis] = self.u_max;
+                                axes[axis] = Ok(Status::Saturated);
+                            } else {
+                                u[axis] = -self.u_max;
+                                axes[axis] = Ok(Status::Saturated);
+                            }
                         } else {
                             axes[axis] = Err(Error::Range);
                         }
@@ -661,10 +663,12 @@ impl PtcExp12Axes2Gains {
             && x[10].is_finite()
             && x[11].is_finite()
         {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else {
+                    (-self.u_max, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

@@ -372,12 +372,14 @@ impl PtcExp2Axes3 {
                 let v = wanted[axis];
                 if !(v.abs() <= bound) {
                     if x[axis][0].is_finite() && x[axis][1].is_finite() {
-                        if self.u_max < v {
-                            u[axis] = self.u_max;
-                            axes[axis] = Ok(Status::Saturated);
-                        } else if v < -self.u_max {
-                            u[axis] = -self.u_max;
-                            axes[axis] = Ok(Status::Saturated);
+                        if v.is_finite() {
+                            if self.u_max < v {
+                                u[axis] = self.u_max;
+                                axes[axis] = Ok(Status::Saturated);
+                            } else {
+                                u[axis] = -self.u_max;
+                                axes[axis] = Ok(Status::Saturated);
+                            }
                         } else {
                             axes[axis] = Err(Error::Range);
                         }
@@ -418,10 +420,12 @@ impl PtcExp2Axes3Gains {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else {
+                    (-self.u_max, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

@@ -391,12 +391,14 @@ impl PtcExp3Axes3Own {
                 let v = wanted[axis];
                 if !(v.is_finite() && (v.abs() <= u_max[axis])) {
                     if x[axis][0].is_finite() && x[axis][1].is_finite() && x[axis][2].is_finite() {
-                        if u_max[axis] < v {
-                            u[axis] = u_max[axis];
-                            axes[axis] = Ok(Status::Saturated);
-                        } else if v < -u_max[axis] {
-                            u[axis] = -u_max[axis];
-                            axes[axis] = Ok(Status::Saturated);
+                        if v.is_finite() {
+                            if u_max[axis] < v {
+                                u[axis] = u_max[axis];
+                                axes[axis] = Ok(Status::Saturated);
+                            } else {
+                                u[axis] = -u_max[axis];
+                                axes[axis] = Ok(Status::Saturated);
+                            }
                         } else {
                             axes[axis] = Err(Error::Range);
                         }
@@ -444,10 +446,12 @@ impl PtcExp3Axes3OwnGains {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max[axis as usize]) {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
-            if self.u_max[axis as usize] < v {
-                (self.u_max[axis as usize], Status::Saturated)
-            } else if v < -self.u_max[axis as usize] {
-                (-self.u_max[axis as usize], Status::Saturated)
+            if v.is_finite() {
+                if self.u_max[axis as usize] < v {
+                    (self.u_max[axis as usize], Status::Saturated)
+                } else {
+                    (-self.u_max[axis as usize], Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

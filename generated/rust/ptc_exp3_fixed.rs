@@ -226,12 +226,14 @@ impl PtcExp3Fixed {
         let (u, status) = if v.is_finite() && (v.abs() <= 50.0) && (late < -0.001) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
-            if 50.0 < v {
-                (50.0, Status::Saturated)
-            } else if v < -50.0 {
-                (-50.0, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if 50.0 < v {
+                    (50.0, Status::Saturated)
+                } else if v < -50.0 {
+                    (-50.0, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }
@@ -290,10 +292,12 @@ impl PtcExp3FixedGains {
         let (u, status) = if v.is_finite() && (v.abs() <= 50.0) {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
-            if 50.0 < v {
-                (50.0, Status::Saturated)
-            } else if v < -50.0 {
-                (-50.0, Status::Saturated)
+            if v.is_finite() {
+                if 50.0 < v {
+                    (50.0, Status::Saturated)
+                } else {
+                    (-50.0, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

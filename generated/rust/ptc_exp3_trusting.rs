@@ -307,9 +307,17 @@ impl PtcExp3Trusting {
         // Time-to-go, or no number where v is not finite: one comparison detects tracking.
         let margin = (v - v) - late;
         let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
+            if margin.is_nan() {
+                return Err(Error::Range);
+            } else {
+                (self.u_max, Status::Saturated)
+            }
         } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
+            if margin.is_nan() {
+                return Err(Error::Range);
+            } else {
+                (-self.u_max, Status::Saturated)
+            }
         } else if self.eps < margin {
             (v, Status::Ok)
         } else if margin.is_nan() {
@@ -368,12 +376,12 @@ impl PtcExp3TrustingGains {
     pub fn axis(&self, x: &[f64; 3]) -> Result<Control<f64>, Error> {
         let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
         let v = s1 + (self.gain[2] * x[2]);
-        let (u, status) = if self.u_max < v {
+        let (u, status) = if (v - v).is_nan() {
+            return Err(Error::Range);
+        } else if self.u_max < v {
             (self.u_max, Status::Saturated)
         } else if v < -self.u_max {
             (-self.u_max, Status::Saturated)
-        } else if (v - v).is_nan() {
-            return Err(Error::Range);
         } else {
             (v, self.status)
         };

@@ -539,12 +539,14 @@ impl PtcExpSum5 {
             && x[3].is_finite()
             && x[4].is_finite()
         {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else if v < -self.u_max {
+                    (-self.u_max, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }
@@ -679,10 +681,12 @@ impl PtcExpSum5Gains {
             && x[3].is_finite()
             && x[4].is_finite()
         {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else {
+                    (-self.u_max, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

@@ -659,12 +659,14 @@ impl PtcExpSum9InLoops {
             && x[7].is_finite()
             && x[8].is_finite()
         {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else if v < -self.u_max {
+                    (-self.u_max, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }
@@ -916,10 +918,12 @@ impl PtcExpSum9InLoopsGains {
             && x[7].is_finite()
             && x[8].is_finite()
         {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else {
+                    (-self.u_max, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

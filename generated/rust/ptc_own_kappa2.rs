@@ -275,12 +275,12 @@ impl PtcOwnKappa2 {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if x[0].is_finite() && x[1].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
-            } else if v.is_finite() {
-                if 0.0 <= past {
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else if v < -self.u_max {
+                    (-self.u_max, Status::Saturated)
+                } else if 0.0 <= past {
                     (v, Status::After)
                 } else {
                     (v, Status::Hold)

@@ -314,12 +314,14 @@ impl PtcPower1 {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else if v < -self.u_max {
+                    (-self.u_max, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }
@@ -380,10 +382,12 @@ impl PtcPower1Gains {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
         } else if x[0].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else {
+                    (-self.u_max, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

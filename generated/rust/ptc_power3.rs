@@ -372,12 +372,14 @@ impl PtcPower3 {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else if v < -self.u_max {
+                    (-self.u_max, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }
@@ -446,10 +448,12 @@ impl PtcPower3Gains {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else {
+                    (-self.u_max, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

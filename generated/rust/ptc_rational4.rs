@@ -353,12 +353,14 @@ impl PtcRational4 {
             && x[2].is_finite()
             && x[3].is_finite()
         {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else if v < -self.u_max {
+                    (-self.u_max, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }
@@ -428,10 +430,12 @@ impl PtcRational4Gains {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() && x[3].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else {
+                    (-self.u_max, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

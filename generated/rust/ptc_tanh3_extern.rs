@@ -329,12 +329,12 @@ impl PtcTanh3Extern {
             applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
         }
         let v = applied;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
+        let (u, status) = if v.is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if late < self.hold_from {
                 (v, Status::Ok)
             } else if 0.0 <= past {
                 (v, Status::After)

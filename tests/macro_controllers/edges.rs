@@ -26,9 +26,10 @@ fn u_is_clipped_to_its_bound() {
     assert_eq!(controller.step(0.0, &[1.0]).map(|c| c.status), Ok(Status::Ok));
     assert_eq!(controller.step(0.5, &[1.0]), saturated(-15.0));
     assert_eq!(controller.step(0.5, &[-1.0]), saturated(15.0));
-    // It wins over `Hold`, and over a u that overflows.
+    // It wins over `Hold`, and not over a u that overflows.
     assert_eq!(controller.step(2.0, &[1.0]), saturated(-15.0));
-    assert_eq!(controller.step(0.5, &[-f64::MAX]), saturated(15.0));
+    assert_eq!(controller.step(0.5, &[-1e300]), saturated(15.0));
+    assert_eq!(controller.step(0.5, &[-f64::MAX]), Err(Error::Range));
 }
 
 #[test]

@@ -84,10 +84,13 @@ static void saturation(void)
     /* It wins over PTC_HOLD, which is there where u is within the bound. */
     CHECK((exp_2_step(&self, 9.0, down, &u) == PTC_SATURATED) && same(u, -5.5));
     CHECK((exp_2_step(&self, 9.0, within, &u) == PTC_HOLD) && same(u, -3.84));
-    /* A u that overflows is clipped like any other. */
+    /* The limits do not hide that a number on the way to u overflows, though u itself is 0 here. */
     {
-        const double huge[2] = { -1e308, 0.0 };
-        CHECK((exp_2_step(&self, 0.5, huge, &u) == PTC_SATURATED) && same(u, 5.5));
+        const double huge[2] = { -4e307, 4e307 * (6.0 / (4.0 * 0.5)) };
+        const double large[2] = { -1e306, 0.0 };
+        CHECK((exp_2_step(&self, 0.5, huge, &u) == PTC_E_RANGE) && same(u, 0.0));
+        CHECK((exp_2_step(&self, 0.5, large, &u) == PTC_SATURATED) && same(u, 5.5));
+        CHECK((exp_2_step(&self, 9.0, huge, &u) == PTC_E_RANGE) && same(u, 0.0));
     }
     CHECK(exp_2_tick(&self, 9.0, &gains) == PTC_HOLD);
     CHECK((exp_2_axis(&gains, down, &u) == PTC_SATURATED) && same(u, -5.5));

@@ -242,9 +242,9 @@ fn is_beyond(spec: &Spec, u: f64) -> bool {
 /// The outcome within the limits of u and the range of the precision.
 fn clipped(spec: &Spec, outcome: Outcome, limits: Range) -> Outcome {
     match outcome.u {
+        u if is_beyond(spec, u) => Outcome { status: Status::Range, u: 0.0, ..outcome },
         u if u > limits.most => Outcome { status: Status::Saturated, u: limits.most, ..outcome },
         u if u < limits.least => Outcome { status: Status::Saturated, u: limits.least, ..outcome },
-        u if is_beyond(spec, u) => Outcome { status: Status::Range, u: 0.0, ..outcome },
         _ => outcome,
     }
 }

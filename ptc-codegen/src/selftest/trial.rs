@@ -117,8 +117,8 @@ impl Trial<'_> {
             |limit| values.iter().find(|(of, _)| *of == limit).map_or(f64::NAN, |own| own.1);
         let shared = limits.range(known);
         let status = |u: f64, limits: Range| match () {
-            () if limits.clip(u).1 => Status::Saturated,
             () if !u.is_finite() => Status::Range,
+            () if limits.clip(u).1 => Status::Saturated,
             () if over => Status::After,
             () if held => Status::Hold,
             () => Status::Ok,

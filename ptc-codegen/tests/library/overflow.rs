@@ -98,3 +98,69 @@ fn only_gains_that_are_known_are_judged() {
         assert_eq!(told(&report).0, Verdict::NotChecked, "{rest}");
     }
 }
+
+/// Designs of each form in which u is clipped, without the limits.
+const CLIPPED: [&str; 8] = [
+    "--n 3 --mu \"exp(a=1)\" --gains=120,74,15 --tau=1 --eps=0.01",
+    "--n 3 --mu \"exp(a=1)\" --gains=120,74,15 --tau=1 --eps=0.01 --precision=f32",
+    "--n 2 --mu \"rational(a=1)\" --gains=6,5 --tau=1 --eps=0.01 --guard=result",
+    "--n 2 --mu \"tanh(a=1)\" --gains=6,5 --tau=1 --eps=0.01 --guard=none --precision=f32",
+    "--n 2 --mu \"exp(a=1)\" --gains=6,5 --tau=1 --eps=0.01 --after=zero",
+    "--n 2 --mu \"exp(a=1)\" --pi0=\"-6*xi1-5*xi2\" --tau=1 --eps=0.01",
+    "--n 2 --mu \"exp(a=1)\" --gains=6,5 --tau=1 --eps=0.01 --g=\"exp(-x1^2)\"",
+    "--n 2 --mu \"exp(a=1)\" --gains=6,5 --tau=1 --eps=0.01 --reference=input",
+];
+
+const LIMITS: [&str; 4] =
+    ["--u-max=5", "--u-max=5 --u-min=-1", "--u-max=inf --u-min=-1", "--u-max=5 --u-min=-inf"];
+
+/// Status and u of `step` at times and states of all sizes.
+fn swept(design: &str) -> Vec<(i32, f64)> {
+    let report = report(design);
+    let law = Law::of(&report.spec);
+    let program = passes::optimise(lower(&report.spec, &law), &mut |_, _| {});
+    let emitted = Controller { report: &report, law: &law, program: &program, measured: &[] };
+    let code = whole(&emitted);
+    let zero = report.spec.run_time_parameters().map(|p| (p, 0.0));
+    let mut controller = Instance::with_parameters(&code, zero).expect("legal parameters");
+    let greatest = if design.contains("f32") { f64::from(f32::MAX) } else { f64::MAX };
+    let sizes = [0.0, 0.5, greatest.sqrt(), 1e-3 * greatest, 0.9 * greatest, greatest];
+    let values: Vec<_> = sizes.iter().flat_map(|size| [*size, -size]).collect();
+    let mut found = Vec::new();
+    for t in [0.0, 0.7, 0.995, 1.5] {
+        for x1 in &values {
+            for x2 in &values {
+                let x = [*x1, *x2, 0.0];
+                let given = [("t", &[t][..]), ("x", &x[..report.spec.n]), ("r", &[0.0; 3])];
+                let count = if design.contains("input") { 3 } else { 2 };
+                let outcome = controller.call("step", &given[..count]);
+                found.push((
+                    outcome.status.number(),
+                    outcome.results.get("u").map_or(0.0, |u| u[0]),
+                ));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn limits_of_u_do_not_hide_an_overflow() {
+    for design in CLIPPED {
+        let open = swept(&format!("{design} --u-max=inf"));
+        let range = Status::Range as i32;
+        assert!(open.iter().any(|own| own.0 == range), "{design}");
+        for limits in LIMITS {
+            let clipped = swept(&format!("{design} {limits}"));
+            assert!(clipped.iter().any(|own| own.0 == Status::Saturated as i32), "{design}");
+            for (at, (open, own)) in open.iter().zip(&clipped).enumerate() {
+                assert_eq!(
+                    open.0 == range,
+                    own.0 == range,
+                    "{design} {limits}: {at}, {open:?}, {own:?}"
+                );
+                assert!(own.0 != range || own.1 == 0.0, "{design} {limits}: {own:?}");
+            }
+        }
+    }
+}

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_FDB27666_HPP
-#define STAGE_FDB27666_HPP
+#ifndef STAGE_8EAE6F6B_HPP
+#define STAGE_8EAE6F6B_HPP
 
 #include <array>
 #include <cfloat>
@@ -155,10 +155,12 @@ struct [[nodiscard]] StageGains {
         if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max < v) {
-                return {u_max, Status::Saturated};
-            } else if (v < -u_max) {
-                return {-u_max, Status::Saturated};
+            if (finite(v)) {
+                if (u_max < v) {
+                    return {u_max, Status::Saturated};
+                } else {
+                    return {-u_max, Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -257,12 +259,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

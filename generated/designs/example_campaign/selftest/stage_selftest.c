@@ -30,7 +30,7 @@ static const stage_selftest_session stage_selftest_sessions[6] = {
     {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = (double)INFINITY}, .t0 = 0.0, .is_armed_again = 0U, .first = 30U, .count = 10U},
     {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = (double)INFINITY}, .t0 = 1000.1, .is_armed_again = 1U, .first = 40U, .count = 4U},
     {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = 21.000000000000007}, .t0 = 0.0, .is_armed_again = 0U, .first = 44U, .count = 9U},
-    {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = (double)INFINITY}, .t0 = 0.0, .is_armed_again = 0U, .first = 53U, .count = 1U},
+    {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.0002, .u_max = 1.0}, .t0 = 0.0, .is_armed_again = 0U, .first = 53U, .count = 1U},
     {.params = {.tau = 1e150, .t0 = -1e150, .eps = 1e-150, .u_max = (double)INFINITY}, .t0 = 0.0, .is_armed_again = 0U, .first = 54U, .count = 1U},
 };
 
@@ -123,7 +123,7 @@ static uint32_t stage_selftest_run(void)
         {.t = 3.3, .x = {9.527439024390247e-5, -0.00015879065040650412, 6.351626016260165e-5}, .u = -5.250000000000002, .tolerance = 6.894012441975889e-14, .status = PTC_HOLD, .axis = PTC_HOLD, .has_axis = 1U},
         {.t = 3.3, .x = {0.0005716463414634148, -0.0009527439024390247, 0.0003810975609756099}, .u = -21.000000000000007, .tolerance = 0.0, .status = PTC_SATURATED, .axis = PTC_SATURATED, .has_axis = 1U},
         {.t = 3.3, .x = {-0.0005716463414634148, 0.0009527439024390247, -0.0003810975609756099}, .u = 21.000000000000007, .tolerance = 0.0, .status = PTC_SATURATED, .axis = PTC_SATURATED, .has_axis = 1U},
-        {.t = 2.3, .x = {-1.0, 1.3482698511467367e308, 1.3482698511467367e308}, .u = 0.0, .tolerance = 0.0, .status = PTC_E_RANGE, .axis = PTC_E_RANGE, .has_axis = 1U},
+        {.t = 2.3, .x = {1.3482698511467367e308, -1.0, -1.0}, .u = 0.0, .tolerance = 0.0, .status = PTC_E_RANGE, .axis = PTC_E_RANGE, .has_axis = 1U},
         {.t = -5e149, .x = {1.3482698511467367e308, 0.0, 0.0}, .u = 0.0, .tolerance = 0.0, .status = PTC_E_RANGE, .axis = PTC_E_RANGE, .has_axis = 0U},
     };
     uint32_t failures = 0U;

@@ -24,12 +24,14 @@ if isfinite(v) && (abs(v) <= gains.u_max)
     u = v;
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
-    if gains.u_max < v
-        u = gains.u_max;
-        status = int32(2);
-    elseif v < -gains.u_max
-        u = -gains.u_max;
-        status = int32(2);
+    if isfinite(v)
+        if gains.u_max < v
+            u = gains.u_max;
+            status = int32(2);
+        else
+            u = -gains.u_max;
+            status = int32(2);
+        end
     else
         status = int32(-3);
     end

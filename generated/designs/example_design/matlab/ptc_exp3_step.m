@@ -28,15 +28,17 @@ if isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
     u = v;
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
-    if self.u_max < v
-        u = self.u_max;
-        status = int32(2);
-    elseif v < -self.u_max
-        u = -self.u_max;
-        status = int32(2);
-    elseif isfinite(v)
-        u = v;
-        status = int32(1);
+    if isfinite(v)
+        if self.u_max < v
+            u = self.u_max;
+            status = int32(2);
+        elseif v < -self.u_max
+            u = -self.u_max;
+            status = int32(2);
+        else
+            u = v;
+            status = int32(1);
+        end
     else
         status = int32(-3);
     end

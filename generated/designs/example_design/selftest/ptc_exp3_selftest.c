@@ -31,7 +31,7 @@ static const ptc_exp3_selftest_session ptc_exp3_selftest_sessions[7] = {
     {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = (double)INFINITY, .k = {3.375, 6.75, 4.5}}, .t0 = 1000.1, .is_armed_again = 1U, .first = 40U, .count = 4U},
     {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = 0.78125, .k = {3.375, 6.75, 4.5}}, .t0 = 0.0, .is_armed_again = 0U, .first = 44U, .count = 9U},
     {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = (double)INFINITY, .k = {0.0, 0.0, 0.0}}, .t0 = 0.0, .is_armed_again = 0U, .first = 53U, .count = 1U},
-    {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.125, .u_max = (double)INFINITY, .k = {3.375, 6.75, 4.5}}, .t0 = 0.0, .is_armed_again = 0U, .first = 54U, .count = 1U},
+    {.params = {.tau = 2.0, .t0 = 0.3, .eps = 0.0002, .u_max = 1.0, .k = {3.375, 6.75, 4.5}}, .t0 = 0.0, .is_armed_again = 0U, .first = 54U, .count = 1U},
     {.params = {.tau = 1e150, .t0 = -1e150, .eps = 1e-150, .u_max = (double)INFINITY, .k = {3.375, 6.75, 4.5}}, .t0 = 0.0, .is_armed_again = 0U, .first = 55U, .count = 1U},
 };
 
@@ -125,7 +125,7 @@ static uint32_t ptc_exp3_selftest_run(void)
         {.t = 3.3, .x = {0.0008434800863723608, -0.0014058001439539347, 0.0005623200575815739}, .u = -0.78125, .tolerance = 0.0, .status = PTC_SATURATED, .axis = PTC_SATURATED, .has_axis = 1U},
         {.t = 3.3, .x = {-0.0008434800863723608, 0.0014058001439539347, -0.0005623200575815739}, .u = 0.78125, .tolerance = 0.0, .status = PTC_SATURATED, .axis = PTC_SATURATED, .has_axis = 1U},
         {.t = 1.3, .x = {0.75, -1.25, 0.5}, .u = 2.75, .tolerance = 2.811062266354384e-14, .status = PTC_OK, .axis = PTC_OK, .has_axis = 1U},
-        {.t = 2.3, .x = {-1.0, 1.3482698511467367e308, 1.3482698511467367e308}, .u = 0.0, .tolerance = 0.0, .status = PTC_E_RANGE, .axis = PTC_E_RANGE, .has_axis = 1U},
+        {.t = 2.3, .x = {1.3482698511467367e308, -1.0, -1.0}, .u = 0.0, .tolerance = 0.0, .status = PTC_E_RANGE, .axis = PTC_E_RANGE, .has_axis = 1U},
         {.t = -5e149, .x = {1.3482698511467367e308, 0.0, 0.0}, .u = 0.0, .tolerance = 0.0, .status = PTC_E_RANGE, .axis = PTC_E_RANGE, .has_axis = 0U},
     };
     uint32_t failures = 0U;

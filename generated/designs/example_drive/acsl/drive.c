@@ -102,14 +102,16 @@ ptc_status drive_step(const drive *self, double t, const double x[3], double *u)
                 && PTC_FINITE_F64(x[0])
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
-                if (24.0 < v) {
-                    *u = 24.0;
-                    status = PTC_SATURATED;
-                } else if (v < -24.0) {
-                    *u = -24.0;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (24.0 < v) {
+                        *u = 24.0;
+                        status = PTC_SATURATED;
+                    } else if (v < -24.0) {
+                        *u = -24.0;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;

@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_2D2CF4A3_HPP
-#define DRIVE_2D2CF4A3_HPP
+#ifndef DRIVE_FF77937F_HPP
+#define DRIVE_FF77937F_HPP
 
 #include <array>
 #include <cfloat>
@@ -213,12 +213,14 @@ public:
         if (finite(v) && (absolute(v) <= 24.0) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (24.0 < v) {
-                return {24.0, Status::Saturated};
-            } else if (v < -24.0) {
-                return {-24.0, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (24.0 < v) {
+                    return {24.0, Status::Saturated};
+                } else if (v < -24.0) {
+                    return {-24.0, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

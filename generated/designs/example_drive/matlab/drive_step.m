@@ -29,15 +29,17 @@ if isfinite(v) && (abs(v) <= 24.0) && (late < self.hold_from)
     u = v;
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
-    if 24.0 < v
-        u = 24.0;
-        status = int32(2);
-    elseif v < -24.0
-        u = -24.0;
-        status = int32(2);
-    elseif isfinite(v)
-        u = v;
-        status = int32(1);
+    if isfinite(v)
+        if 24.0 < v
+            u = 24.0;
+            status = int32(2);
+        elseif v < -24.0
+            u = -24.0;
+            status = int32(2);
+        else
+            u = v;
+            status = int32(1);
+        end
     else
         status = int32(-3);
     end

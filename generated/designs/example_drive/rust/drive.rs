@@ -253,12 +253,14 @@ impl Drive {
         let (u, status) = if v.is_finite() && (v.abs() <= 24.0) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
-            if 24.0 < v {
-                (24.0, Status::Saturated)
-            } else if v < -24.0 {
-                (-24.0, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if 24.0 < v {
+                    (24.0, Status::Saturated)
+                } else if v < -24.0 {
+                    (-24.0, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }

@@ -122,12 +122,14 @@ ptc_status gantry_axis(const gantry_gains *gains, uint32_t axis, const double x[
             if (PTC_FINITE_F64(v) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-                if (gains->u_max[axis] < v) {
-                    *u = gains->u_max[axis];
-                    status = PTC_SATURATED;
-                } else if (v < -gains->u_max[axis]) {
-                    *u = -gains->u_max[axis];
-                    status = PTC_SATURATED;
+                if (PTC_FINITE_F64(v)) {
+                    if (gains->u_max[axis] < v) {
+                        *u = gains->u_max[axis];
+                        status = PTC_SATURATED;
+                    } else {
+                        *u = -gains->u_max[axis];
+                        status = PTC_SATURATED;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -202,12 +204,14 @@ ptc_status gantry_step(
                     const double v = wanted[axis];
                     if (!(PTC_FINITE_F64(v) && (fabs(v) <= u_max[axis]))) {
                         if (PTC_FINITE_F64(x[axis][0]) && PTC_FINITE_F64(x[axis][1])) {
-                            if (u_max[axis] < v) {
-                                u[axis] = u_max[axis];
-                                axes[axis] = PTC_SATURATED;
-                            } else if (v < -u_max[axis]) {
-                                u[axis] = -u_max[axis];
-                                axes[axis] = PTC_SATURATED;
+                            if (PTC_FINITE_F64(v)) {
+                                if (u_max[axis] < v) {
+                                    u[axis] = u_max[axis];
+                                    axes[axis] = PTC_SATURATED;
+                                } else {
+                                    u[axis] = -u_max[axis];
+                                    axes[axis] = PTC_SATURATED;
+                                }
                             } else {
                                 axes[axis] = PTC_E_RANGE;
                             }

@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_56B5ACA9_HPP
-#define GANTRY_56B5ACA9_HPP
+#ifndef GANTRY_A0E7CF57_HPP
+#define GANTRY_A0E7CF57_HPP
 
 #include <array>
 #include <cfloat>
@@ -164,10 +164,12 @@ struct [[nodiscard]] GantryGains {
         if (finite(v) && (absolute(v) <= u_max[axis])) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (u_max[axis] < v) {
-                return {u_max[axis], Status::Saturated};
-            } else if (v < -u_max[axis]) {
-                return {-u_max[axis], Status::Saturated};
+            if (finite(v)) {
+                if (u_max[axis] < v) {
+                    return {u_max[axis], Status::Saturated};
+                } else {
+                    return {-u_max[axis], Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -320,12 +322,14 @@ public:
                 const double v = wanted[axis];
                 if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
                     if (finite(x[axis][0]) && finite(x[axis][1])) {
-                        if (u_max[axis] < v) {
-                            all.u[axis] = u_max[axis];
-                            all.axes[axis] = Status::Saturated;
-                        } else if (v < -u_max[axis]) {
-                            all.u[axis] = -u_max[axis];
-                            all.axes[axis] = Status::Saturated;
+                        if (finite(v)) {
+                            if (u_max[axis] < v) {
+                                all.u[axis] = u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            } else {
+                                all.u[axis] = -u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            }
                         } else {
                             all.axes[axis] = Status::Range;
                         }

@@ -36,12 +36,14 @@ if isfinite(v) && (abs(v) <= gains.u_max(axis + 1))
     u = v;
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2))
-    if gains.u_max(axis + 1) < v
-        u = gains.u_max(axis + 1);
-        status = int32(2);
-    elseif v < -gains.u_max(axis + 1)
-        u = -gains.u_max(axis + 1);
-        status = int32(2);
+    if isfinite(v)
+        if gains.u_max(axis + 1) < v
+            u = gains.u_max(axis + 1);
+            status = int32(2);
+        else
+            u = -gains.u_max(axis + 1);
+            status = int32(2);
+        end
     else
         status = int32(-3);
     end

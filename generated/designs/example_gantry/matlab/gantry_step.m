@@ -71,12 +71,14 @@ if outside == uint32(1)
         v = wanted(axis + 1);
         if ~(isfinite(v) && (abs(v) <= u_max(axis + 1)))
             if isfinite(x(axis + 1, 1)) && isfinite(x(axis + 1, 2))
-                if u_max(axis + 1) < v
-                    u(axis + 1) = u_max(axis + 1);
-                    axes(axis + 1) = int32(2);
-                elseif v < -u_max(axis + 1)
-                    u(axis + 1) = -u_max(axis + 1);
-                    axes(axis + 1) = int32(2);
+                if isfinite(v)
+                    if u_max(axis + 1) < v
+                        u(axis + 1) = u_max(axis + 1);
+                        axes(axis + 1) = int32(2);
+                    else
+                        u(axis + 1) = -u_max(axis + 1);
+                        axes(axis + 1) = int32(2);
+                    end
                 else
                     axes(axis + 1) = int32(-3);
                 end

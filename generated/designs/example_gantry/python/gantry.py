@@ -165,11 +165,11 @@ class Gains:
             v = np.where((g < 0.0) | (g > 0.0), v1 / g, _R(np.nan))
             way1 = np.isfinite(v) & (np.abs(v) <= self.u_max[..., axis])
             way2 = np.isfinite(x1) & np.isfinite(x2)
-            way3 = self.u_max[..., axis] < v
-            way4 = v < -self.u_max[..., axis]
-            status = np.where(axis < 3, np.where(way1, self.status, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, Status.RANGE)), Status.INPUT)), Status.INPUT)
+            way3 = np.isfinite(v)
+            way4 = self.u_max[..., axis] < v
+            status = np.where(axis < 3, np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT)), Status.INPUT)
             status = np.where(self.status < 0, self.status, status)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, self.u_max[..., axis], -self.u_max[..., axis]))), status.astype(np.int8))
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self.u_max[..., axis], -self.u_max[..., axis]))), status.astype(np.int8))
 
 class Gantry:
     """The controller. Takes the parameters and arms at params.t0 (or the fixed t0).
@@ -282,13 +282,13 @@ class Gantry:
                     v = wanted[axis]
                     holds1 = np.asarray(np.isfinite(v) & (np.abs(v) <= u_max[axis]))
                     holds2 = np.asarray(np.isfinite(x[..., axis, 0]) & np.isfinite(x[..., axis, 1]))
-                    holds3 = np.asarray(u_max[axis] < v)
-                    u[axis] = np.where(holds3 & holds2 & ~holds1 & holds, u_max[axis], u[axis])
-                    axes[axis] = np.where(holds3 & holds2 & ~holds1 & holds, Status.SATURATED, axes[axis])
-                    holds4 = np.asarray(v < -u_max[axis])
-                    u[axis] = np.where(holds4 & ~holds3 & holds2 & ~holds1 & holds, -u_max[axis], u[axis])
-                    axes[axis] = np.where(holds4 & ~holds3 & holds2 & ~holds1 & holds, Status.SATURATED, axes[axis])
-                    axes[axis] = np.where(~holds4 & ~holds3 & holds2 & ~holds1 & holds, Status.RANGE, axes[axis])
+                    holds3 = np.asarray(np.isfinite(v))
+                    holds4 = np.asarray(u_max[axis] < v)
+                    u[axis] = np.where(holds4 & holds3 & holds2 & ~holds1 & holds, u_max[axis], u[axis])
+                    axes[axis] = np.where(holds4 & holds3 & holds2 & ~holds1 & holds, Status.SATURATED, axes[axis])
+                    u[axis] = np.where(~holds4 & holds3 & holds2 & ~holds1 & holds, -u_max[axis], u[axis])
+                    axes[axis] = np.where(~holds4 & holds3 & holds2 & ~holds1 & holds, Status.SATURATED, axes[axis])
+                    axes[axis] = np.where(~holds3 & holds2 & ~holds1 & holds, Status.RANGE, axes[axis])
                     axes[axis] = np.where(~holds2 & ~holds1 & holds, Status.INPUT, axes[axis])
                     holds2 = np.asarray(status >= Status.OK)
                     status = np.where(holds2 & ~holds1 & holds, axes[axis], status)

@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_04F0D7EF_HPP
-#define LEVITATION_04F0D7EF_HPP
+#ifndef LEVITATION_899727A5_HPP
+#define LEVITATION_899727A5_HPP
 
 #ifdef L
 #error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
@@ -272,12 +272,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < -0.001)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

@@ -265,8 +265,8 @@ class Levitation:
             v = s4 - drift
             way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < -0.001)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
-            way3 = self._u_max < v
-            way4 = v < -self._u_max
-            way5 = np.isfinite(v)
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, np.where(way5, Status.HOLD, Status.RANGE))), Status.INPUT)), Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, self._u_max, np.where(way4, -self._u_max, v)))), status.astype(np.int8))
+            way3 = np.isfinite(v)
+            way4 = self._u_max < v
+            way5 = v < -self._u_max
+            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self._u_max, np.where(way5, -self._u_max, v)))), status.astype(np.int8))

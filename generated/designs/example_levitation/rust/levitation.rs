@@ -327,12 +327,14 @@ impl Levitation {
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < -0.001) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
-            if self.u_max < v {
-                (self.u_max, Status::Saturated)
-            } else if v < -self.u_max {
-                (-self.u_max, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if self.u_max < v {
+                    (self.u_max, Status::Saturated)
+                } else if v < -self.u_max {
+                    (-self.u_max, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }

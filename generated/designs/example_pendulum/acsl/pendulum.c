@@ -92,14 +92,16 @@ ptc_status pendulum_step(const pendulum *self, double t, const double x[2], doub
             if (PTC_FINITE_F64(v) && (fabs(v) <= 25.0) && (late < -0.006)) {
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[1])) {
-                if (25.0 < v) {
-                    *u = 25.0;
-                    status = PTC_SATURATED;
-                } else if (v < -25.0) {
-                    *u = -25.0;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (25.0 < v) {
+                        *u = 25.0;
+                        status = PTC_SATURATED;
+                    } else if (v < -25.0) {
+                        *u = -25.0;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;

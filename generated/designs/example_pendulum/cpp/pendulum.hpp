@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_0DAE8161_HPP
-#define PENDULUM_0DAE8161_HPP
+#ifndef PENDULUM_21BFAADB_HPP
+#define PENDULUM_21BFAADB_HPP
 
 #include <array>
 #include <cfloat>
@@ -196,12 +196,14 @@ public:
         if (finite(v) && (absolute(v) <= 25.0) && (late < -0.006)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[1])) {
-            if (25.0 < v) {
-                return {25.0, Status::Saturated};
-            } else if (v < -25.0) {
-                return {-25.0, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (25.0 < v) {
+                    return {25.0, Status::Saturated};
+                } else if (v < -25.0) {
+                    return {-25.0, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

@@ -29,15 +29,17 @@ if isfinite(v) && (abs(v) <= 25.0) && (late < -0.006)
     u = v;
     status = int32(0);
 elseif isfinite(t) && isfinite(x(2))
-    if 25.0 < v
-        u = 25.0;
-        status = int32(2);
-    elseif v < -25.0
-        u = -25.0;
-        status = int32(2);
-    elseif isfinite(v)
-        u = v;
-        status = int32(1);
+    if isfinite(v)
+        if 25.0 < v
+            u = 25.0;
+            status = int32(2);
+        elseif v < -25.0
+            u = -25.0;
+            status = int32(2);
+        else
+            u = v;
+            status = int32(1);
+        end
     else
         status = int32(-3);
     end

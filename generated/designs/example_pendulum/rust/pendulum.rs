@@ -242,12 +242,14 @@ impl Pendulum {
         let (u, status) = if v.is_finite() && (v.abs() <= 25.0) && (late < -0.006) {
             (v, Status::Ok)
         } else if t.is_finite() && x[1].is_finite() {
-            if 25.0 < v {
-                (25.0, Status::Saturated)
-            } else if v < -25.0 {
-                (-25.0, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if 25.0 < v {
+                    (25.0, Status::Saturated)
+                } else if v < -25.0 {
+                    (-25.0, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }

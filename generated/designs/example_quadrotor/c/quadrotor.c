@@ -139,12 +139,14 @@ ptc_status quadrotor_axis(
                 && PTC_FINITE_F64(r[0])
                 && PTC_FINITE_F64(r[1])
                 && PTC_FINITE_F64(r[2])) {
-                if (gains->u_max[axis] < v) {
-                    *u = gains->u_max[axis];
-                    status = PTC_SATURATED;
-                } else if (v < -gains->u_max[axis]) {
-                    *u = -gains->u_max[axis];
-                    status = PTC_SATURATED;
+                if (PTC_FINITE_F64(v)) {
+                    if (gains->u_max[axis] < v) {
+                        *u = gains->u_max[axis];
+                        status = PTC_SATURATED;
+                    } else {
+                        *u = -gains->u_max[axis];
+                        status = PTC_SATURATED;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -233,12 +235,14 @@ ptc_status quadrotor_step(
                             && PTC_FINITE_F64(r[axis][0])
                             && PTC_FINITE_F64(r[axis][1])
                             && PTC_FINITE_F64(r[axis][2])) {
-                            if (u_max[axis] < v) {
-                                u[axis] = u_max[axis];
-                                axes[axis] = PTC_SATURATED;
-                            } else if (v < -u_max[axis]) {
-                                u[axis] = -u_max[axis];
-                                axes[axis] = PTC_SATURATED;
+                            if (PTC_FINITE_F64(v)) {
+                                if (u_max[axis] < v) {
+                                    u[axis] = u_max[axis];
+                                    axes[axis] = PTC_SATURATED;
+                                } else {
+                                    u[axis] = -u_max[axis];
+                                    axes[axis] = PTC_SATURATED;
+                                }
                             } else {
                                 axes[axis] = PTC_E_RANGE;
                             }

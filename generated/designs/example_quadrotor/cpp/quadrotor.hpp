@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_CA763175_HPP
-#define QUADROTOR_CA763175_HPP
+#ifndef QUADROTOR_12477217_HPP
+#define QUADROTOR_12477217_HPP
 
 #include <array>
 #include <cfloat>
@@ -176,10 +176,12 @@ struct [[nodiscard]] QuadrotorGains {
             && finite(r[0])
             && finite(r[1])
             && finite(r[2])) {
-            if (u_max[axis] < v) {
-                return {u_max[axis], Status::Saturated};
-            } else if (v < -u_max[axis]) {
-                return {-u_max[axis], Status::Saturated};
+            if (finite(v)) {
+                if (u_max[axis] < v) {
+                    return {u_max[axis], Status::Saturated};
+                } else {
+                    return {-u_max[axis], Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -352,12 +354,14 @@ public:
                         && finite(r[axis][0])
                         && finite(r[axis][1])
                         && finite(r[axis][2])) {
-                        if (u_max[axis] < v) {
-                            all.u[axis] = u_max[axis];
-                            all.axes[axis] = Status::Saturated;
-                        } else if (v < -u_max[axis]) {
-                            all.u[axis] = -u_max[axis];
-                            all.axes[axis] = Status::Saturated;
+                        if (finite(v)) {
+                            if (u_max[axis] < v) {
+                                all.u[axis] = u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            } else {
+                                all.u[axis] = -u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            }
                         } else {
                             all.axes[axis] = Status::Range;
                         }

@@ -339,12 +339,14 @@ impl Quadrotor {
                         && r[axis][1].is_finite()
                         && r[axis][2].is_finite()
                     {
-                        if u_max[axis] < v {
-                            u[axis] = u_max[axis];
-                            axes[axis] = Ok(Status::Saturated);
-                        } else if v < -u_max[axis] {
-                            u[axis] = -u_max[axis];
-                            axes[axis] = Ok(Status::Saturated);
+                        if v.is_finite() {
+                            if u_max[axis] < v {
+                                u[axis] = u_max[axis];
+                                axes[axis] = Ok(Status::Saturated);
+                            } else {
+                                u[axis] = -u_max[axis];
+                                axes[axis] = Ok(Status::Saturated);
+                            }
                         } else {
                             axes[axis] = Err(Error::Range);
                         }
@@ -399,10 +401,12 @@ impl QuadrotorGains {
             && r[1].is_finite()
             && r[2].is_finite()
         {
-            if self.u_max[axis as usize] < v {
-                (self.u_max[axis as usize], Status::Saturated)
-            } else if v < -self.u_max[axis as usize] {
-                (-self.u_max[axis as usize], Status::Saturated)
+            if v.is_finite() {
+                if self.u_max[axis as usize] < v {
+                    (self.u_max[axis as usize], Status::Saturated)
+                } else {
+                    (-self.u_max[axis as usize], Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

@@ -89,14 +89,16 @@ ptc_status table_step(const table *self, double t, const double x[2], double *u)
             if (PTC_FINITE_F64(v) && (fabs(v) <= 0.5) && (late < -0.0493)) {
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-                if (0.5 < v) {
-                    *u = 0.5;
-                    status = PTC_SATURATED;
-                } else if (v < -0.5) {
-                    *u = -0.5;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (0.5 < v) {
+                        *u = 0.5;
+                        status = PTC_SATURATED;
+                    } else if (v < -0.5) {
+                        *u = -0.5;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;
@@ -145,12 +147,14 @@ ptc_status table_axis(const table_gains *gains, const double x[2], double *u)
         if (PTC_FINITE_F64(v) && (fabs(v) <= 0.5)) {
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-            if (0.5 < v) {
-                *u = 0.5;
-                status = PTC_SATURATED;
-            } else if (v < -0.5) {
-                *u = -0.5;
-                status = PTC_SATURATED;
+            if (PTC_FINITE_F64(v)) {
+                if (0.5 < v) {
+                    *u = 0.5;
+                    status = PTC_SATURATED;
+                } else {
+                    *u = -0.5;
+                    status = PTC_SATURATED;
+                }
             } else {
                 *u = 0.0;
                 status = PTC_E_RANGE;

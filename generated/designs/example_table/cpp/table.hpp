@@ -63,8 +63,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_EC9F1B7A_HPP
-#define TABLE_EC9F1B7A_HPP
+#ifndef TABLE_689DF6DC_HPP
+#define TABLE_689DF6DC_HPP
 
 #include <array>
 #include <cfloat>
@@ -141,10 +141,12 @@ struct [[nodiscard]] TableGains {
         if (finite(v) && (absolute(v) <= 0.5)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (0.5 < v) {
-                return {0.5, Status::Saturated};
-            } else if (v < -0.5) {
-                return {-0.5, Status::Saturated};
+            if (finite(v)) {
+                if (0.5 < v) {
+                    return {0.5, Status::Saturated};
+                } else {
+                    return {-0.5, Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -225,12 +227,14 @@ public:
         if (finite(v) && (absolute(v) <= 0.5) && (late < -0.0361)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
-            if (0.5 < v) {
-                return {0.5, Status::Saturated};
-            } else if (v < -0.5) {
-                return {-0.5, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (0.5 < v) {
+                    return {0.5, Status::Saturated};
+                } else if (v < -0.5) {
+                    return {-0.5, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

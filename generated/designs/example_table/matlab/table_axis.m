@@ -23,12 +23,14 @@ if isfinite(v) && (abs(v) <= 0.5)
     u = v;
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2))
-    if 0.5 < v
-        u = 0.5;
-        status = int32(2);
-    elseif v < -0.5
-        u = -0.5;
-        status = int32(2);
+    if isfinite(v)
+        if 0.5 < v
+            u = 0.5;
+            status = int32(2);
+        else
+            u = -0.5;
+            status = int32(2);
+        end
     else
         status = int32(-3);
     end

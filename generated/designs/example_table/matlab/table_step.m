@@ -27,15 +27,17 @@ if isfinite(v) && (abs(v) <= 0.5) && (late < -0.0493)
     u = v;
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2))
-    if 0.5 < v
-        u = 0.5;
-        status = int32(2);
-    elseif v < -0.5
-        u = -0.5;
-        status = int32(2);
-    elseif isfinite(v)
-        u = v;
-        status = int32(1);
+    if isfinite(v)
+        if 0.5 < v
+            u = 0.5;
+            status = int32(2);
+        elseif v < -0.5
+            u = -0.5;
+            status = int32(2);
+        else
+            u = v;
+            status = int32(1);
+        end
     else
         status = int32(-3);
     end

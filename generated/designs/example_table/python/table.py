@@ -137,11 +137,11 @@ class Gains:
             v = ((self.gain[..., 0] * x1) + (self.gain[..., 1] * x2)) * 0.02
             way1 = np.isfinite(v) & (np.abs(v) <= 0.5)
             way2 = np.isfinite(x1) & np.isfinite(x2)
-            way3 = 0.5 < v
-            way4 = v < -0.5
-            status = np.where(way1, self.status, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, Status.RANGE)), Status.INPUT))
+            way3 = np.isfinite(v)
+            way4 = 0.5 < v
+            status = np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT))
             status = np.where(self.status < 0, self.status, status)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, 0.5, -0.5))), status.astype(np.int8))
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, 0.5, -0.5))), status.astype(np.int8))
 
 class Table:
     """The controller. Takes the parameters and arms at params.t0 (or the fixed t0).
@@ -193,11 +193,11 @@ class Table:
             v = (((-20.0) * x1 * inv_T) + ((-8.0) * x2)) * inv_T * 0.02
             way1 = np.isfinite(v) & (np.abs(v) <= 0.5) & (late < -0.0493)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2)
-            way3 = 0.5 < v
-            way4 = v < -0.5
-            way5 = np.isfinite(v)
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, np.where(way5, Status.HOLD, Status.RANGE))), Status.INPUT)), Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, 0.5, np.where(way4, -0.5, v)))), status.astype(np.int8))
+            way3 = np.isfinite(v)
+            way4 = 0.5 < v
+            way5 = v < -0.5
+            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, 0.5, np.where(way5, -0.5, v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
         """The gains at time t [s], for several axes that share one deadline: tick once, then axis

@@ -224,12 +224,14 @@ impl Table {
         let (u, status) = if v.is_finite() && (v.abs() <= 0.5) && (late < -0.0493) {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
-            if 0.5 < v {
-                (0.5, Status::Saturated)
-            } else if v < -0.5 {
-                (-0.5, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if 0.5 < v {
+                    (0.5, Status::Saturated)
+                } else if v < -0.5 {
+                    (-0.5, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }
@@ -283,10 +285,12 @@ impl TableGains {
         let (u, status) = if v.is_finite() && (v.abs() <= 0.5) {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
-            if 0.5 < v {
-                (0.5, Status::Saturated)
-            } else if v < -0.5 {
-                (-0.5, Status::Saturated)
+            if v.is_finite() {
+                if 0.5 < v {
+                    (0.5, Status::Saturated)
+                } else {
+                    (-0.5, Status::Saturated)
+                }
             } else {
                 return Err(Error::Range);
             }

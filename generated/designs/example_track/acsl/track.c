@@ -94,14 +94,16 @@ ptc_status track_step(const track *self, double t, const double x[2], double *u)
             if (PTC_FINITE_F64(v) && (fabs(v) <= 50.0) && (late < -0.0442)) {
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
-                if (50.0 < v) {
-                    *u = 50.0;
-                    status = PTC_SATURATED;
-                } else if (v < -50.0) {
-                    *u = -50.0;
-                    status = PTC_SATURATED;
-                } else if (PTC_FINITE_F64(v)) {
-                    status = PTC_HOLD;
+                if (PTC_FINITE_F64(v)) {
+                    if (50.0 < v) {
+                        *u = 50.0;
+                        status = PTC_SATURATED;
+                    } else if (v < -50.0) {
+                        *u = -50.0;
+                        status = PTC_SATURATED;
+                    } else {
+                        status = PTC_HOLD;
+                    }
                 } else {
                     *u = 0.0;
                     status = PTC_E_RANGE;

@@ -69,8 +69,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_05F4C9ED_HPP
-#define TRACK_05F4C9ED_HPP
+#ifndef TRACK_BEB1861B_HPP
+#define TRACK_BEB1861B_HPP
 
 #include <array>
 #include <cfloat>
@@ -192,12 +192,14 @@ public:
         if (finite(v) && (absolute(v) <= 50.0) && (late < -0.0442)) {
             return {v, Status::Ok};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (50.0 < v) {
-                return {50.0, Status::Saturated};
-            } else if (v < -50.0) {
-                return {-50.0, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (50.0 < v) {
+                    return {50.0, Status::Saturated};
+                } else if (v < -50.0) {
+                    return {-50.0, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

@@ -34,15 +34,17 @@ if isfinite(v) && (abs(v) <= 50.0) && (late < -0.0442)
     u = v;
     status = int32(0);
 elseif isfinite(x(1)) && isfinite(x(2))
-    if 50.0 < v
-        u = 50.0;
-        status = int32(2);
-    elseif v < -50.0
-        u = -50.0;
-        status = int32(2);
-    elseif isfinite(v)
-        u = v;
-        status = int32(1);
+    if isfinite(v)
+        if 50.0 < v
+            u = 50.0;
+            status = int32(2);
+        elseif v < -50.0
+            u = -50.0;
+            status = int32(2);
+        else
+            u = v;
+            status = int32(1);
+        end
     else
         status = int32(-3);
     end

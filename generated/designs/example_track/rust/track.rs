@@ -248,12 +248,14 @@ impl Track {
         let (u, status) = if v.is_finite() && (v.abs() <= 50.0) && (late < -0.0442) {
             (v, Status::Ok)
         } else if x[0].is_finite() && x[1].is_finite() {
-            if 50.0 < v {
-                (50.0, Status::Saturated)
-            } else if v < -50.0 {
-                (-50.0, Status::Saturated)
-            } else if v.is_finite() {
-                (v, Status::Hold)
+            if v.is_finite() {
+                if 50.0 < v {
+                    (50.0, Status::Saturated)
+                } else if v < -50.0 {
+                    (-50.0, Status::Saturated)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
                 return Err(Error::Range);
             }

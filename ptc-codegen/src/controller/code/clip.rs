@@ -25,7 +25,7 @@ impl Builder<'_> {
         let finite = |input: &Input| Test::Finite(OfAll::Each.element(*input, n));
         let first: Vec<_> = inputs.local.iter().map(finite).collect();
         let legal: Vec<_> = self.arrays().iter().map(finite).collect();
-        let clipped = Self::clipped_at(Finish::Fail(Status::Range), &limit);
+        let clipped = Self::outside(&limit);
         let otherwise = match self.guarded() {
             false => clipped,
             true => Finish::choose(Test::All(legal), clipped, Finish::Fail(Status::Input)),

@@ -134,13 +134,12 @@ impl Builder<'_> {
         let limit = &self.limits_of_axis(|name| Expr::OfAxis(name, 1, 0));
         let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
         let finish = if self.guarded() && inputs.waiting.is_empty() {
-            Self::clipped_at(Finish::choose(Test::Finite(v()), give, fail), limit)
+            Finish::choose(Test::Finite(v()), Self::clipped_at(give, limit), fail)
         } else if self.guarded() {
-            let hot = Self::within(limit);
-            inputs.behind(hot, give, Self::clipped_at(fail, limit))
+            inputs.behind(Self::within(limit), give, Self::outside(limit))
         } else {
             let nothing = Expr::binary(Operator::Sub, v(), v());
-            Self::clipped_at(Finish::choose(Test::NotNumber(nothing), fail, give), limit)
+            Finish::choose(Test::NotNumber(nothing), fail, Self::clipped_at(give, limit))
         };
         Function {
             name: "axis",

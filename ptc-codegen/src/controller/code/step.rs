@@ -60,10 +60,10 @@ impl Builder<'_> {
         let ahead = Test::Less(late.clone(), self.field(self.limits.hold_from));
         let finish = if self.guarded() && inputs.waiting.is_empty() {
             let legal = Finish::choose(ahead, give(Status::Ok), held);
-            self.clipped(Finish::choose(finite(), legal, range))
+            Finish::choose(finite(), self.clipped(legal), range)
         } else if self.guarded() {
             let hot = self.within_bounds().into_iter().chain([ahead]);
-            let rest = self.clipped(Finish::choose(finite(), held, range));
+            let rest = Finish::choose(finite(), self.clipped(held), range);
             inputs.behind(hot.collect(), give(Status::Ok), rest)
         } else {
             let about =
@@ -75,8 +75,13 @@ impl Builder<'_> {
             statements.push(Statement::Let("margin".to_owned(), Shape::Real, margin));
             let margin = Expr::local("margin");
             let tracks = Test::Less(self.field(self.limits.eps), margin.clone());
-            let other = Finish::choose(Test::NotNumber(margin), range, held);
-            self.clipped(Finish::choose(tracks, give(Status::Ok), other))
+            let overflow = || Test::NotNumber(margin.clone());
+            let other = Finish::choose(overflow(), range.clone(), held);
+            let within = Finish::choose(tracks, give(Status::Ok), other);
+            // Examined where v is beyond a limit, which costs nothing elsewhere.
+            Self::limited(within, &self.bounds(), |clips| {
+                Finish::choose(overflow(), range.clone(), clips)
+            })
         };
         Function {
             name: "step",
@@ -124,9 +129,31 @@ impl Builder<'_> {
 
     /// The same with these limits.
     pub(super) fn clipped_at(within: Finish, limits: &Bounds) -> Finish {
-        let beyond: Vec<_> = limits.beyond(&Expr::local("v")).collect();
-        beyond.into_iter().rev().fold(within, |rest, (test, limit)| {
-            Finish::choose(test, Finish::give(vec![limit], Status::Saturated), rest)
+        Self::limited(within, limits, |clips| clips)
+    }
+
+    /// The end of a call whose `v` is not finite or beyond one of these limits.
+    pub(super) fn outside(limits: &Bounds) -> Finish {
+        let v = Expr::local("v");
+        let ends: Vec<_> = limits.beyond(&v).collect();
+        let clips = |limit| Finish::give(vec![limit], Status::Saturated);
+        let beyond = ends.into_iter().rev().fold(None, |rest, (test, limit)| match rest {
+            Some(rest) => Some(Finish::choose(test, clips(limit), rest)),
+            None => Some(clips(limit)),
+        });
+        let range = Finish::Fail(Status::Range);
+        match beyond {
+            Some(beyond) => Finish::choose(Test::Finite(v), beyond, range),
+            None => range,
+        }
+    }
+
+    /// The end `within`, or what `beyond` makes of that with a limit.
+    fn limited(within: Finish, limits: &Bounds, beyond: impl Fn(Finish) -> Finish) -> Finish {
+        let tests: Vec<_> = limits.beyond(&Expr::local("v")).collect();
+        tests.into_iter().rev().fold(within, |rest, (test, limit)| {
+            let clips = Finish::give(vec![limit], Status::Saturated);
+            Finish::choose(test, beyond(clips), rest)
         })
     }
 

@@ -54,9 +54,9 @@ pub(super) static STATUSES: [Explanation; 8] = [
     },
     Explanation {
         code: "PTC_E_RANGE",
-        means: "u is not a finite number. u is 0 and nothing has changed.",
+        means: "u, or a number on the way to it, is not finite, whatever the limits of u. u is 0 and nothing has changed.",
         design: "",
-        example: "a state of 1e300 with u_max infinite, or g(x, t) = 0",
-        fix: "give u_max, and keep the state where g is not 0; `check` with `x_max` finds an overflow before the first run",
+        example: "a state of 1e300 at large gains, or g(x, t) = 0",
+        fix: "keep the state within what the sensors can measure, and where g is not 0; `check` with `x_max` finds an overflow before the first run",
     },
 ];
