@@ -99,7 +99,7 @@ impl Sampled {
         let mut output = Output { row: vec![0.0; self.size()], direct: 0.0, change: false };
         output.row.iter_mut().zip(&row[..n]).for_each(|(sum, (weight, _))| *sum = *weight);
         let weight = row[n].0 * self.chain.gain;
-        match self.acting {
+        match self.acting() {
             None => output.direct = weight,
             Some(kept) => output.row[kept] += weight,
         }

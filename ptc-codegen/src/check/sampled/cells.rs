@@ -6,9 +6,10 @@
 use num_traits::ToPrimitive;
 
 use super::gating::Gating;
+use super::joined::Joined;
 use super::judge::Loop;
 use super::outcome::closed;
-use super::reach::Reach;
+use super::reach::{self, Reach};
 use super::trust::Trust;
 use super::way::{Afterwards, Way, larger};
 use super::worst::{Bound, Sampled};
@@ -23,16 +24,43 @@ const MOST_CELLS: f64 = 256.0;
 /// Part of a bound that the gain may add, where nothing is to be decided.
 const CLOSE: f64 = 0.1;
 
-/// A loop with where it is at each sample, where that is bounded.
+/// A loop with where it is at each sample, where that is bounded, or at some of many samples.
 struct Run {
     sampled: Sampled,
     reach: Option<Reach>,
+    joined: Option<Joined>,
 }
 
 impl Run {
     /// A loop up to a sample.
     fn new(last: usize) -> impl Fn(Sampled) -> Self {
-        move |sampled| Self { reach: sampled.reach(last), sampled }
+        move |sampled| {
+            if !sampled.is_short(last)
+                && let Some(joined) = sampled.joined(last)
+                && sampled.fading(None, last).is_some()
+            {
+                return Self { sampled, reach: None, joined: Some(joined) };
+            }
+            let few = sampled.operations(last) <= reach::OPERATIONS;
+            let sampled = if few { sampled.prepared() } else { sampled };
+            Self { reach: sampled.reach(last), sampled, joined: None }
+        }
+    }
+
+    /// Bounds on the way to the sample of the deadline.
+    fn way(&self, last: usize) -> Option<Way> {
+        match &self.joined {
+            Some(joined) => joined.way(&self.sampled),
+            None => self.sampled.way(last, self.reach.as_ref()),
+        }
+    }
+
+    /// Bounds from the sample of the deadline on.
+    fn afterwards(&self, last: usize) -> Option<Afterwards> {
+        match &self.joined {
+            Some(Joined { sampled, starts, reach }) => sampled.afterwards(starts.len() - 1, reach),
+            None => self.sampled.afterwards(last, self.reach.as_ref()?),
+        }
     }
 }
 
@@ -131,8 +159,7 @@ impl Loop<'_> {
             }
             if way && self.spec.after == After::Hold && self.followed.is_none() {
                 let runs = [Some(&run), own.as_ref()].into_iter().flatten();
-                let all = runs
-                    .filter_map(|run| run.sampled.afterwards(self.samples, run.reach.as_ref()?));
+                let all = runs.filter_map(|run| run.afterwards(self.samples));
                 worst.after = all.reduce(Afterwards::least);
             }
             all = Some(match all {
@@ -160,8 +187,8 @@ impl Loop<'_> {
     }
 
     /// The worst case of one cell up to the deadline.
-    fn of_cell(&self, Run { sampled, reach }: &Run, way: bool) -> Result<Worst, String> {
-        let reach = reach.as_ref();
+    fn of_cell(&self, run: &Run, way: bool) -> Result<Worst, String> {
+        let (sampled, reach) = (&run.sampled, run.reach.as_ref());
         if sampled.is_relative() && reach.is_none() {
             return Err(format!(
                 "{} samples are more than it looks at with an uncertain input gain or jitter",
@@ -186,7 +213,7 @@ impl Loop<'_> {
         let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
         let states =
             states.ok_or("no bound found: an error of one sample may grow until the deadline")?;
-        let way = if way { sampled.way(self.samples, reach) } else { None };
+        let way = if way { run.way(self.samples) } else { None };
         let reached = states.iter().map(|b| b.at_least() - b.rounding).collect();
         let gating = sampled.gating(self.samples, reach);
         Ok(Worst { states, reached, samples: self.samples, way, after: None, gating })

@@ -4,7 +4,7 @@
 //! the polynomial sum_i p_i r^(n-i)/(n-i)!, and of all |f| <= 1 that sees most which turns with its
 //! sign: the integral of its size.
 
-use super::chain::{Chain, Near, along};
+use super::chain::{Chain, Near, Step, along};
 
 /// Halvings of a sample after which a root of the polynomial is close enough.
 const DEPTH: u32 = 40;
@@ -32,9 +32,9 @@ impl Force {
         self.middle.abs() + self.constant + self.varying
     }
 
-    /// What a constant f of 1 adds to the sum of a row in a sample.
-    pub(super) fn signed(&self, row: &[f64]) -> f64 {
-        along(row, &self.column)
+    /// What a constant f of 1 adds to the sum of a row in a step.
+    pub(super) fn signed(&self, step: &Step, row: &[f64]) -> f64 {
+        along(row, step.force.as_ref().unwrap_or(&self.column))
     }
 }
 

@@ -10,7 +10,7 @@ use super::chain::{Near, Row, along};
 use super::reach::Reach;
 use super::trust::Trust;
 use super::way::larger;
-use super::worst::{Output, Sampled};
+use super::worst::{Output, Sampled, earlier};
 use crate::check::sampled::moved::real;
 
 /// Operations that the bounds may take: seconds.
@@ -97,7 +97,7 @@ impl Sampled {
             sensors.clone().map(over).collect()
         };
         let readings = most(&|l, k| self.reading(l, k, reach));
-        if self.step(0).innovations.is_empty() {
+        if self.walk(true).at(0).innovations.is_empty() {
             return Some(Gating { readings, innovations: Vec::new(), lost: None, wild: None });
         }
         let at: Vec<Vec<f64>> = (0..=last)
@@ -123,7 +123,8 @@ impl Sampled {
 
     /// Bound of |y_l - predicted y_l| at sample `k`, where every reading is believed.
     fn innovation(&self, l: usize, k: usize, reach: &Reach) -> f64 {
-        let (row, lost) = &self.step(k).innovations[l];
+        let mut walk = self.walk(true);
+        let (row, lost) = &walk.at(k).innovations[l];
         self.value_of(row, *lost, k, reach)
     }
 
@@ -149,12 +150,13 @@ impl Sampled {
     /// What one reading after the first costs; `innovations` are those of the undisturbed loop.
     fn costs(&self, last: usize, innovations: &[Vec<f64>], hits: &Hits) -> [Cost; 2] {
         let mut moved = Moved::default();
+        let mut walk = self.walk(true);
         let (mut u, mut reached) = ([0.0_f64; 2], [0, 1].map(|_| vec![0.0; innovations[0].len()]));
         for (k, good) in innovations.iter().enumerate() {
             let peak = |output: &Output, moved: &Moved| self.peak(output, k, hits, moved);
             let peaks: Vec<_> = (1..=self.size()).map(|i| peak(&self.state(i), &moved)).collect();
             moved.states.push([0, 1].map(|which| peaks.iter().map(|own| own[which]).collect()));
-            for (l, (row, _)) in self.step(k).innovations.iter().enumerate() {
+            for (l, (row, _)) in walk.at(k).innovations.iter().enumerate() {
                 let echo = peak(&self.output(row), &moved);
                 for (which, states) in moved.states[k].iter().enumerate() {
                     let off = row.of_state.iter().zip(states).map(|((_, error), x)| error * x);
@@ -171,7 +173,7 @@ impl Sampled {
                 false => [0.0; 2],
             };
             let inexact =
-                [0, 1].map(|which| self.inexact(k, &moved.states[k][which], acting[which]));
+                [0, 1].map(|which| self.inexact(walk.at(k), &moved.states[k][which], acting[which]));
             moved.inexact.push(inexact);
             moved.acting.push(acting);
         }
@@ -186,8 +188,9 @@ impl Sampled {
     fn peak(&self, output: &Output, at: usize, hits: &Hits, moved: &Moved) -> [f64; 2] {
         let mut row = self.row(output, at);
         let (mut room, mut most, mut off) = (vec![0.0; self.size()], [0.0_f64; 2], [0.0; 2]);
+        let mut walk = self.walk(true);
         if output.direct != 0.0 && at > 0 {
-            let (u, weight) = (&self.step(at).u, output.direct.abs());
+            let (u, weight) = (&walk.at(at).u, output.direct.abs());
             for which in 0..2 {
                 let errors = u.of_state.iter().zip(&moved.states[at][which]);
                 off[which] += weight * errors.map(|((_, error), x)| error * x).sum::<f64>();
@@ -197,7 +200,7 @@ impl Sampled {
             }
         }
         for k in (1..at).rev() {
-            let step = self.step(k);
+            let step = walk.at(k);
             let input = size_of(&row, &self.chain.input) * self.gain_error;
             let mut hit = [0.0; 2];
             for (l, column) in step.columns[..hits[0][k].len()].iter().enumerate() {
@@ -212,7 +215,7 @@ impl Sampled {
                     off[which] += input * moved.acting[k][which];
                 }
             }
-            self.earlier(k, &mut row, &mut room);
+            earlier(&step.matrix, &mut row, &mut room);
         }
         [0, 1].map(|which| (most[which] + off[which]) * (ROUNDED + real(at + 64) * f64::EPSILON))
     }

@@ -25,8 +25,8 @@ use crate::parameter::{Fixed, Parameter};
 use crate::program::number::round;
 use crate::request::{self, PlantBounds, Spec, one_or_each};
 
-/// Numbers that the matrices of all samples may hold together: some 300 MB.
-const ENTRIES: f64 = 2e7;
+/// Numbers that the rows of all samples may hold together: some 300 MB.
+const ENTRIES: f64 = 3e7;
 
 /// The loop of a design in numbers.
 pub(crate) struct Loop<'a> {
@@ -87,8 +87,9 @@ impl<'a> Loop<'a> {
             ));
         }
         let delay = promises.delay.clone().unwrap_or_default();
-        let size = size(spec) as f64;
-        let numbers = size * (size + spec.n as f64 + 1.0);
+        // A row of u, and one for what is kept, each over the states and the causes.
+        let size = size(spec);
+        let numbers = (2 * (size - spec.n) * (size + spec.n)) as f64;
         let samples = samples.to_usize().filter(|count| *count as f64 * numbers <= ENTRIES);
         let Some(samples) = samples.filter(|count| *count > 0) else {
             return Err(format!(
@@ -249,10 +250,9 @@ impl<'a> Loop<'a> {
             return Err("a loop with a known f is not examined".to_owned());
         }
         let followed = self.followed.as_ref();
-        let (steps, acting, kept) =
-            emitted::steps(self.spec, own, &chain, followed, 0..=self.samples)
-                .ok_or("the emitted program is not enclosed")?;
-        Ok(Sampled::of(chain, steps, acting, &kept))
+        let found = emitted::samples(self.spec, own, &chain, followed, 0..=self.samples)
+            .ok_or("the emitted program is not enclosed")?;
+        Ok(found.closed(chain))
     }
 
     /// The values of a sample.

@@ -16,6 +16,7 @@ mod force;
 mod gain;
 mod gains;
 mod gating;
+mod joined;
 mod judge;
 mod lost;
 #[cfg(feature = "files")]
@@ -26,6 +27,7 @@ mod outcome;
 mod peaks;
 #[cfg(feature = "lab")]
 mod proved;
+mod random;
 mod reach;
 mod relative;
 mod rounded;

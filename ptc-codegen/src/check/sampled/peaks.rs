@@ -41,8 +41,9 @@ pub(super) fn peaks(spec: &Spec, expanded: Option<&Expanded>) -> Option<String> 
         let mut state = vec![0.0; sampled.size()];
         state[j] = 1.0;
         let mut most = 0.0_f64;
+        let mut walk = sampled.walk(false);
         for k in 0..=closed.samples {
-            let step = sampled.step(k);
+            let step = walk.at(k);
             let u: f64 = step.u.of_state.iter().zip(&state).map(|((gain, _), x)| gain * x).sum();
             most = most.max(u.abs());
             let rows = step.matrix.entries.chunks_exact(state.len());

@@ -5,7 +5,7 @@ use super::trust::Trust;
 use super::worst::{Output, Sampled};
 
 /// Operations that the bounds of all samples may take: a second or two.
-const OPERATIONS: f64 = 2e9;
+pub(super) const OPERATIONS: f64 = 2e9;
 
 /// Bounds of a loop at each sample.
 #[derive(Clone, Debug, Default)]
@@ -47,6 +47,7 @@ impl Sampled {
 
     /// Adds the samples up to `at`; `None` where the loop may leave all bounds.
     pub(super) fn extend(&self, reach: &mut Reach, at: usize) -> Option<()> {
+        let mut walk = self.walk(true);
         for k in reach.states.len()..=at {
             let one = |i| {
                 let bound = self.bound(&self.state(i), k, Some(Trust::Reach(reach)));
@@ -68,7 +69,7 @@ impl Sampled {
                 reach.change.push(change);
             }
             let acting = reach.acting.last().copied().unwrap_or_default();
-            reach.inexact.extend(self.inexact(k, &reach.states[k], acting));
+            reach.inexact.extend(self.inexact(walk.at(k), &reach.states[k], acting));
         }
         Some(())
     }

@@ -66,7 +66,7 @@ impl Sampled {
         let mut output = Output { row: vec![0.0; self.size()], direct: 0.0, change: false };
         output.row[..n].copy_from_slice(&weights[..n]);
         let direct = weights[n] * gain + sum.input;
-        match self.acting {
+        match self.acting() {
             None => output.direct = direct,
             Some(kept) => output.row[kept] += direct,
         }
@@ -101,7 +101,7 @@ impl Sampled {
     /// What f and the actuator add within a sample at most, of which the states at its start know nothing.
     fn beside(&self, terms: &[f64], (m, of_input): (usize, f64)) -> f64 {
         // An input that is kept has not been through the actuator.
-        let actuator = self.acting.map_or(0.0, |_| of_input * self.actuator);
+        let actuator = self.acting().map_or(0.0, |_| of_input * self.actuator);
         let force = self.force.as_ref().filter(|_| m > 0).map_or(0.0, |force| {
             let n = self.chain.n;
             // By how much the states count at the start.

@@ -28,6 +28,8 @@ fn numbers(value: &serde_json::Value) -> Vec<f64> {
     value.as_array().expect("a list").iter().map(one).collect()
 }
 
+mod joined;
+
 #[test]
 fn final_errors_are_those_of_the_reference() {
     let loops: serde_json::Value = serde_json::from_str(LOOPS).expect("JSON");
@@ -73,6 +75,17 @@ fn final_errors_are_those_of_the_reference() {
     }
 }
 
+/// A design with these keys.
+fn design(keys: &[(&str, &str)]) -> Spec {
+    let entry = |(key, text): &(&str, &str)| crate::request::Entry {
+        key: (*key).to_owned(),
+        place: crate::diagnostic::Place(0),
+        value: crate::syntax::parse(key, text, &mut |_| crate::diagnostic::Place(0))
+            .expect("a value"),
+    };
+    crate::request::read(&keys.iter().map(entry).collect::<Vec<_>>()).expect("a design")
+}
+
 /// Controllers in samples in 50-digit arithmetic: `tests/data/sampled_controllers.json`.
 const CONTROLLERS: &str = include_str!("../../../../tests/data/sampled_controllers.json");
 
@@ -97,21 +110,14 @@ fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
             ("eps", eps),
             ("u_max", "inf"),
         ];
-        let entry = |(key, text): &(&str, &str)| crate::request::Entry {
-            key: (*key).to_owned(),
-            place: crate::diagnostic::Place(0),
-            value: crate::syntax::parse(key, text, &mut |_| crate::diagnostic::Place(0))
-                .expect("a value"),
-        };
-        let spec =
-            crate::request::read(&keys.iter().map(entry).collect::<Vec<_>>()).expect("a design");
+        let spec = design(&keys);
         let own = spec.sampled().expect("a clock in samples");
         let h = range(&spec.fixed[&Parameter::SampleTime]);
         let chain = Chain::new(n, h, 0);
-        let (steps, acting, kept) = super::emitted::steps(&spec, own, &chain, None, 0..=samples)
+        let found = super::emitted::samples(&spec, own, &chain, None, 0..=samples)
             .expect("a program in rows");
-        assert_eq!((acting, kept.len()), (None, 0));
-        let mut sampled = Sampled::of(chain, steps, acting, &kept);
+        let mut sampled = found.closed(chain);
+        assert_eq!((sampled.acting(), sampled.size()), (None, n));
         sampled.x0 = vec![1.0; n];
         sampled.noise = numbers(&case["noise"]);
         // Where the law is held on its pole, the gains are those of a rounding of eps.
@@ -146,7 +152,7 @@ fn kick(sampled: &Sampled, (k, left): (usize, f64), at: usize) -> Vec<f64> {
     }
     let mut late = std::collections::VecDeque::from(vec![0.0; delay]);
     for k in k + 1..at {
-        let gains = sampled.step(k).u.of_state.iter().map(|(gain, _)| gain);
+        let gains = sampled.of_u(k).0.iter().map(|(gain, _)| gain);
         late.push_back(gains.zip(&x).map(|(gain, x)| gain * x).sum());
         let u = late.pop_front().expect("an input");
         let shares = &sampled.chain.shares;
@@ -262,7 +268,7 @@ fn a_loop_that_is_off_stays_within_reach() {
         for _ in 0..200 {
             let mut s: Vec<f64> = (0..size).map(|i| if i < n { sign() } else { 0.0 }).collect();
             for k in 0..samples {
-                let matrix = &sampled.step(k).matrix;
+                let matrix = sampled.step(k).matrix;
                 let entries = matrix.entries.iter().zip(&matrix.errors);
                 let off: Vec<_> = entries.map(|(entry, error)| entry + sign() * error).collect();
                 let row = |row: &[f64]| row.iter().zip(&s).map(|(m, x)| m * x).sum::<f64>();
@@ -284,7 +290,7 @@ fn run(sampled: &Sampled, signals: &Signals, at: usize) -> Vec<f64> {
     let mut x = signals.x0.clone();
     let mut late = std::collections::VecDeque::from(vec![0.0; delay]);
     for k in 0..at {
-        let gains = sampled.step(k).u.of_state.iter().map(|(gain, _)| gain);
+        let gains = sampled.of_u(k).0.iter().map(|(gain, _)| gain);
         let measured = x.iter().zip(&signals.causes[k]).map(|(x, v)| x + v);
         let u: f64 = gains.zip(measured).map(|(gain, x)| gain * x).sum();
         late.push_back(u + signals.causes[k][n]);

@@ -5,7 +5,7 @@
 
 use super::chain::{Step, along};
 use super::judge::Loop;
-use super::worst::{Output, Sampled};
+use super::worst::{Output, Sampled, earlier};
 use crate::expansion::Expanded;
 use crate::request::Spec;
 
@@ -69,12 +69,13 @@ impl Sampled {
         let ends = |seen: &dyn Fn(usize) -> f64| {
             self.limits().enumerate().map(|(l, limit)| signed(seen(l), limit)).collect()
         };
-        causes[at] = ends(&|l| output.direct * self.step(at).u.of_cause[l].0);
+        causes[at] = ends(&|l| output.direct * self.of_u(at).1[l].0);
+        let mut walk = self.walk(false);
         for k in (0..at).rev() {
-            let step = self.step(k);
+            let step = walk.at(k);
             causes[k] = ends(&|l| along(&row, &step.columns[l]));
-            force[k] = self.force.as_ref().map_or(0.0, |force| force.signed(&row));
-            self.earlier(k, &mut row, &mut room);
+            force[k] = self.force.as_ref().map_or(0.0, |force| force.signed(step, &row));
+            earlier(&step.matrix, &mut row, &mut room);
         }
         let mut x0: Vec<_> = row.iter().zip(&self.x0).map(|(p, x0)| signed(*p, *x0)).collect();
         if let Some(own) = &self.force {
@@ -93,8 +94,9 @@ impl Sampled {
         let mut s = signals.x0.clone();
         s.resize(self.size(), 0.0);
         let (mut states, mut u) = (Vec::new(), Vec::new());
+        let mut walk = self.walk(false);
         for (k, (causes, force)) in signals.causes.iter().zip(&signals.force).enumerate() {
-            let Step { matrix, columns, u: own, .. } = self.step(k);
+            let Step { matrix, columns, u: own, .. } = walk.at(k);
             u.push(along(&s, &own.of_state) + along(causes, &own.of_cause));
             let row = |(i, row): (usize, &[f64])| {
                 let own: f64 = row.iter().zip(&s).map(|(entry, s)| entry * s).sum();

@@ -6,20 +6,17 @@
 //! |P| <= G/(1 - G sum r): the bound proves itself.
 
 use super::chain::Matrix;
+use super::worst::{Scales, Walk};
 
 /// Operations that the products of blocks may take.
 const OPERATIONS: f64 = 4e8;
 
 /// Bounds |D_j M_{j-1} ... M_k D_k^-1| in the maximum norm for all 0 <= k <= j <= count, where
-/// `scale` gives the diagonal of D. `None` where no bound is found.
-pub(super) fn growth(
-    count: usize,
-    step: &dyn Fn(usize) -> Matrix,
-    scale: &dyn Fn(usize) -> Vec<f64>,
-) -> Option<f64> {
+/// `scales` gives the diagonal of D. `None` where no bound is found.
+pub(super) fn growth(count: usize, walk: &mut Walk<'_>, scales: &Scales) -> Option<f64> {
     let mut within = 2.0;
     loop {
-        let blocks = Blocks::new(count, step, scale, within)?;
+        let blocks = Blocks::new(count, walk, scales, within)?;
         if blocks.operations() <= OPERATIONS {
             return blocks.growth();
         }
@@ -40,23 +37,16 @@ struct Blocks {
 }
 
 impl Blocks {
-    fn new(
-        count: usize,
-        step: &dyn Fn(usize) -> Matrix,
-        scale: &dyn Fn(usize) -> Vec<f64>,
-        within: f64,
-    ) -> Option<Self> {
+    fn new(count: usize, walk: &mut Walk<'_>, scales: &Scales, within: f64) -> Option<Self> {
         let mut blocks = Self { products: Vec::new(), size: 0, errors: 0.0, inside: 1.0 };
         // Product, bound of its norm and of its error.
         let mut open: Option<(Vec<f64>, f64, f64)> = None;
-        let mut earlier = scale(0);
         for k in 0..count {
-            let later = scale(k + 1);
-            let matrix = step(k);
+            let (earlier, later) = (scales.at(k), scales.at(k + 1));
+            let matrix = &walk.at(k).matrix;
             blocks.size = matrix.size;
-            let (norm, error) =
-                (matrix.norm(&later, &earlier), matrix.error_norm(&later, &earlier));
-            let scaled = scaled(&matrix, &later, &earlier);
+            let (norm, error) = (matrix.norm(later, earlier), matrix.error_norm(later, earlier));
+            let scaled = scaled(matrix, later, earlier);
             if !norm.is_finite() {
                 return None;
             }
@@ -74,7 +64,6 @@ impl Blocks {
                     (scaled, norm, error)
                 }
             });
-            earlier = later;
         }
         if let Some(block) = open {
             blocks.close(block);
@@ -117,8 +106,9 @@ fn scaled(matrix: &Matrix, later: &[f64], earlier: &[f64]) -> Vec<f64> {
     (0..size * size).map(entry).collect()
 }
 
-fn times(a: &[f64], b: &[f64], size: usize) -> Vec<f64> {
-    let mut product = vec![0.0; size * size];
+/// The product of some rows of this size and a square matrix.
+pub(super) fn times(a: &[f64], b: &[f64], size: usize) -> Vec<f64> {
+    let mut product = vec![0.0; a.len()];
     for (sum, row) in product.chunks_exact_mut(size).zip(a.chunks_exact(size)) {
         for (factor, own) in row.iter().zip(b.chunks_exact(size)) {
             sum.iter_mut().zip(own).for_each(|(sum, entry)| *sum += factor * entry);

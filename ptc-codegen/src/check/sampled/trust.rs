@@ -8,7 +8,7 @@
 use super::chain::{Near, Step};
 use super::moved::Moved;
 use super::reach::Reach;
-use super::worst::Sampled;
+use super::worst::{Sampled, Scales};
 
 /// By what an error is bounded.
 #[derive(Clone, Copy)]
@@ -22,7 +22,7 @@ pub(super) enum Trust<'a> {
 /// How fast an error fades: a scaling of the state at each sample, a bound of the transitions in it
 /// and of what is not exact in each sample.
 pub(super) struct Fading {
-    pub(super) scales: Vec<Vec<f64>>,
+    pub(super) scales: Scales,
     pub(super) growth: f64,
     pub(super) errors: Vec<f64>,
 }
@@ -58,7 +58,7 @@ impl<'a> Inexact<'a> {
                 self.sum += weight * errors.zip(&reach.states[at]).map(|(e, x)| e * x).sum::<f64>();
             }
             Some(Trust::Fading(fading)) => {
-                let scale = &fading.scales[at];
+                let scale = fading.scales.at(at);
                 self.off += weight * errors.zip(scale).map(|(e, d)| e / d).sum::<f64>();
             }
             None => {}
@@ -68,14 +68,13 @@ impl<'a> Inexact<'a> {
     }
 
     /// What sample `k` of a loop adds, seen by `row`.
-    pub(super) fn sample(&mut self, sampled: &Sampled, k: usize, row: &[f64]) {
+    pub(super) fn sample(&mut self, sampled: &Sampled, step: &Step, k: usize, row: &[f64]) {
         match self.trust {
             Some(Trust::Reach(reach)) => {
                 self.sum += size_of(row, &reach.inexact[k * row.len()..][..row.len()]);
             }
             Some(Trust::Fading(fading)) => {
-                let scale = &fading.scales[k + 1];
-                let step = sampled.step(k);
+                let scale = fading.scales.at(k + 1);
                 for (column, limit) in sampled.columns(step, 0.0) {
                     let reach = column.iter().zip(scale);
                     let reach =
@@ -95,7 +94,7 @@ impl<'a> Inexact<'a> {
     /// What the state at the start adds, within these bounds.
     pub(super) fn start(&mut self, x0: &[f64]) {
         if let Some(Trust::Fading(fading)) = self.trust {
-            let scaled = fading.scales[0].iter().zip(x0).map(|(d, x0)| d * x0);
+            let scaled = fading.scales.at(0).iter().zip(x0).map(|(d, x0)| d * x0);
             self.sum += self.off * fading.growth * scaled.fold(0.0, f64::max);
         }
     }
@@ -112,7 +111,7 @@ fn size_of(row: &[f64], weights: &[f64]) -> f64 {
 }
 
 /// Relative rounding of a sum over so many states.
-fn unit(size: usize) -> f64 {
+pub(super) fn unit(size: usize) -> f64 {
     #[allow(clippy::cast_precision_loss)]
     let terms = (size + 4) as f64;
     terms * f64::EPSILON
@@ -121,21 +120,22 @@ fn unit(size: usize) -> f64 {
 impl Sampled {
     /// The columns of all that moves the loop in a sample, with their bounds; `gain` is that of what an input gain that is
     /// not known adds to the input.
-    fn columns<'a>(
+    pub(super) fn columns<'a>(
         &'a self,
         step: &'a Step,
         gain: f64,
     ) -> impl Iterator<Item = (&'a Vec<Near>, f64)> {
-        let force = self.force.iter().map(|force| (&force.column, force.most()));
+        let force = self.force.iter();
+        let force = force.map(|force| (step.force.as_ref().unwrap_or(&force.column), force.most()));
         let moved = self.moved.iter().flat_map(Moved::causes);
         let others = [(&step.lost, 1.0), (&self.chain.input, gain)];
         step.columns.iter().zip(self.limits()).chain(force).chain(moved).chain(others)
     }
 
-    /// What is not exact in sample `k`, and what rounding of a reference adds there, by how much each of the next states
+    /// What is not exact in a sample, and what rounding of a reference adds there, by how much each of the next states
     /// counts, from `states` with an input within `acting`.
-    pub(super) fn inexact(&self, k: usize, states: &[f64], acting: f64) -> Vec<f64> {
-        let (step, unit) = (self.step(k), unit(self.size()));
+    pub(super) fn inexact(&self, step: &Step, states: &[f64], acting: f64) -> Vec<f64> {
+        let unit = unit(self.size());
         let mut sums = step.matrix.inexact(states, unit);
         sums.iter_mut().zip(&step.lost).for_each(|(sum, (own, _))| *sum += own);
         // A bound that is not known counts for nothing where it acts by nothing.

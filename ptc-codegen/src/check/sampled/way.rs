@@ -115,7 +115,7 @@ impl Sampled {
     pub(super) fn way(&self, last: usize, reach: Option<&Reach>) -> Option<Way> {
         let n = self.chain.moved;
         let fits = |outputs: usize| self.of_outputs(outputs, 0.5 * (last * last) as f64);
-        fits(n + 1).then_some(())?;
+        self.is_short(last).then_some(())?;
         let between = self.between.as_ref().filter(|between| fits(n + 1 + between.outputs()));
         let all = |between: &Between| n + 1 + between.outputs() + self.outputs_of_sums();
         let sums = between.is_some_and(|between| self.knows_sums() && fits(all(between)));
@@ -141,7 +141,7 @@ impl Sampled {
         for k in 0..=last {
             let bound = self.bound(&control, k, trust);
             // A command that is late acts after the deadline.
-            if k < last || self.acting.is_none() {
+            if k < last || self.acting().is_none() {
                 way.acts = way.acts.hull(bound.span());
             }
             if k < last {
@@ -173,6 +173,11 @@ impl Sampled {
         way.x = sizes(&way.within);
         let finite = way.u.is_finite() && way.x.iter().all(|x| x.is_finite());
         finite.then_some(way)
+    }
+
+    /// Whether the time allows for bounds of the plant and of u at each sample.
+    pub(super) fn is_short(&self, last: usize) -> bool {
+        self.of_outputs(self.chain.moved + 1, 0.5 * (last * last) as f64)
     }
 
     /// Whether the time allows for so many outputs at samples that have `samples` before them in all.
@@ -241,7 +246,7 @@ impl Sampled {
         let x0 = (0..self.size()).map(|i| column(&seen.states, i)).collect();
         let mut rest = self.last(x0);
         let (mut acting, mut change) = (most(&seen.acting), most(&seen.change));
-        let count = length + 1;
+        let (count, step) = (length + 1, rest.step(0));
         for _ in 0..ROUNDS {
             let reach = Reach {
                 states: vec![rest.x0.clone(); count],
@@ -250,7 +255,7 @@ impl Sampled {
                 change: vec![change; count],
                 drift: vec![rest.drift(&rest.x0, acting); count],
                 moves: vec![rest.moves(&rest.x0, acting, false); count],
-                inexact: rest.inexact(0, &rest.x0, acting).repeat(count),
+                inexact: rest.inexact(&step, &rest.x0, acting).repeat(count),
             };
             let total =
                 |output: &Output| rest.bound(output, length, Some(Trust::Reach(&reach))).total();

@@ -5,8 +5,10 @@
 //! sum_l b_{l,k} w_l, w the errors of the measurement and of the actuator.
 
 mod matrix;
+mod rows;
 
 pub(super) use matrix::Matrix;
+pub(super) use rows::{Layout, Rows, Steps};
 
 use super::rounded::{Rounded, unit_roundoff};
 use crate::algebra::BigRational;
@@ -71,6 +73,8 @@ pub(super) struct Step {
     /// How far each measurement is from what an observer predicts, and what rounding of a reference adds to that;
     /// empty without an observer that can predict alone.
     pub(super) innovations: Vec<(Row, f64)>,
+    /// What a constant f of 1 adds to each state over the samples that it joins; `None` for one sample.
+    pub(super) force: Option<Vec<Near>>,
 }
 
 /// The unit of a state relative to u, in which all states have the same scale.
@@ -206,7 +210,7 @@ impl Chain {
     }
 
     /// The sample at which the gains act on what is measured.
-    pub(super) fn closed(&self, gains: &Gains) -> Step {
+    pub(super) fn closed(&self, gains: &Gains) -> Rows {
         let size = self.size();
         let row = |j: usize| match j < self.n {
             true => (gains.values[j], gains.errors[j]),
@@ -225,74 +229,15 @@ impl Chain {
         let mut direct: Vec<_> = row[..self.n].to_vec();
         direct.push((1.0, 0.0));
         let u = Row { of_state: row, of_cause: direct };
-        let acting = match self.delay {
-            0 => None,
-            _ => {
-                if let Some(last) = rows.last_mut() {
-                    *last = u.clone();
-                }
-                Some(self.n)
-            }
-        };
-        self.step(&u, &rows, acting)
+        if let Some(last) = rows.last_mut() {
+            *last = u.clone();
+        }
+        Rows::new(&u, &rows, &[])
     }
 
-    /// The sample with the rows of u and of what is kept behind x; `acting` is where the input that
-    /// acts is kept, none for u itself.
-    pub(super) fn step(&self, u: &Row, kept: &[Row], acting: Option<usize>) -> Step {
-        let n = self.n;
-        let unit = 2.0 * unit_roundoff(Precision::F64);
-        let (size, causes) = (u.of_state.len(), u.of_cause.len());
-        // What a controller keeps has not been through the actuator.
-        let late = kept.iter().all(|row| row.of_cause[causes - 1].0 == 0.0);
-        let mut rows = Vec::with_capacity(size);
-        for i in 0..n {
-            let input = self.input[i];
-            let through = |own: Near, (value, error): Near, (entry, off): Near| {
-                let sum = own.0 + value * entry;
-                // What was not exact, and the rounding of this line.
-                let inexact = value.abs() * off + error * (entry.abs() + off);
-                let rounding = unit * (own.0.abs() + (value * entry).abs());
-                (sum, (own.1 + inexact + rounding) * (1.0 + 4.0 * unit))
-            };
-            let state = |j: usize| {
-                let own = match j < n {
-                    true => (self.motion.entries[i * n + j], self.motion.errors[i * n + j]),
-                    false => (0.0, 0.0),
-                };
-                match acting {
-                    None if u.of_state[j] == (0.0, 0.0) => own,
-                    None => through(own, input, u.of_state[j]),
-                    Some(kept) if kept == j => through(own, input, (1.0, 0.0)),
-                    Some(_) => own,
-                }
-            };
-            let cause = |l: usize| match acting {
-                None => through((0.0, 0.0), input, u.of_cause[l]),
-                Some(_) if late && l + 1 == causes => through((0.0, 0.0), input, (1.0, 0.0)),
-                Some(_) => (0.0, 0.0),
-            };
-            rows.push(Row {
-                of_state: (0..size).map(state).collect(),
-                of_cause: (0..causes).map(cause).collect(),
-            });
-        }
-        rows.extend_from_slice(kept);
-        let all = || rows.iter().flat_map(|row| &row.of_state);
-        let matrix = Matrix {
-            size,
-            entries: all().map(|(value, _)| *value).collect(),
-            errors: all().map(|(_, error)| *error).collect(),
-        };
-        let column = |l: usize| rows.iter().map(|row| row.of_cause[l]).collect();
-        let columns = (0..causes).map(column).collect();
-        Step {
-            matrix,
-            columns,
-            u: u.clone(),
-            lost: Vec::new(),
-            lost_of_u: 0.0,
-            innovations: Vec::new(),
-        }
+    /// The layout of [`closed`](Self::closed).
+    pub(super) fn layout(&self) -> Layout {
+        let acting = (self.delay > 0).then_some(self.n);
+        Layout { size: self.size(), causes: self.n + 1, innovations: 0, acting }
     }
 }

@@ -4,14 +4,17 @@
 //! Counts are known numbers, so that every test of the program is decided but those of clipping and
 //! of finite values, which are taken as passed.
 
+mod repeats;
 mod sample;
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
-use super::chain::{Chain, Step, Unit};
+use super::chain::{Chain, Layout, Rows, Steps, Unit};
 use super::followed::Followed;
 use super::lost::{lost, shifts};
 use super::rounded::Rounded;
+use super::worst::Sampled as Closed;
 use crate::code::{Code, Expr, Place, Statement};
 use crate::request::{After, Gate, Observer, Reference, Sampled, Spec};
 use sample::Sample;
@@ -26,18 +29,36 @@ enum Held {
     Linear(Vec<Rounded>),
 }
 
-/// Samples of a loop, where the input that acts is kept, and of what a controller keeps the unit and how large it
-/// may be at the start.
-pub(super) type Steps = (Vec<Step>, Option<usize>, Vec<(Unit, f64)>);
+/// Samples of a controller in a loop.
+pub(super) struct Samples {
+    pub(super) rows: Vec<Rows>,
+    layout: Layout,
+    /// Of what the controller keeps the unit and how large it may be at the start.
+    kept: Vec<(Unit, f64)>,
+}
+
+impl Samples {
+    /// The loop of a plant and these samples.
+    pub(super) fn closed(self, chain: Chain) -> Closed {
+        self.after(chain, &Arc::default(), 0)
+    }
+
+    /// The same behind the first ones of other samples.
+    pub(super) fn after(self, chain: Chain, free: &Arc<[Rows]>, first: usize) -> Closed {
+        let samples = first + self.rows.len();
+        let steps = Steps::new(self.layout, free, first, self.rows).late(chain.delay, samples);
+        Closed::of(chain, steps, &self.kept)
+    }
+}
 
 /// The `samples` of the loop of a controller; `None` if a value is not enclosed.
-pub(super) fn steps(
+pub(super) fn samples(
     spec: &Spec,
     sampled: &Sampled,
     chain: &Chain,
     followed: Option<&Followed>,
     samples: RangeInclusive<usize>,
-) -> Option<Steps> {
+) -> Option<Samples> {
     // What follows the deadline is no part of the law before it, and how the reference comes about none of what
     // is done with it.
     let reference = spec.reference.as_ref().map(|_| Reference::Input);
@@ -58,44 +79,55 @@ pub(super) fn steps(
     let terms = followed.map(|followed| shifts(followed, &kept, sampled, &chain.shares));
     let start = |at: usize| terms.as_ref().map_or(0.0, |terms| terms[at].0);
     let units = kept.iter().enumerate().map(|(at, name)| (unit(name), start(at))).collect();
-    let mut steps = Vec::with_capacity(samples.clone().count());
     // What `init` computes is the same at every sample.
     let mut begun = Sample::new(&code, &kept, (sampled, spec.references()))?;
     begun.block(&code.init)?;
+    let step = code.function("step")?;
+    let mut rows: Vec<Rows> = Vec::with_capacity(samples.clone().count());
+    let (mut trace, mut innovations) = (None, None);
     for k in samples {
+        if let Some((trace, same)) = trace.as_ref().zip(rows.last())
+            && begun.repeats(trace, k)
+        {
+            rows.push(same.clone());
+            continue;
+        }
         let mut sample = begun.at(k)?;
-        sample.block(&code.function("step")?.body)?;
-        let control = sample.end(&code.function("step")?.finish)?;
+        sample.block(&step.body)?;
+        let control = sample.end(&step.finish)?;
         let u = sample.row(&control, chain, true)?;
-        let rows: Option<Vec<_>> = kept
+        let kept_rows: Option<Vec<_>> = kept
             .iter()
             .map(|name| match sample.fields.get(*name)? {
                 Held::Count(_) => None,
-                held => sample.row(&held.clone(), chain, false),
+                held => sample.row(held, chain, false),
             })
             .collect();
-        let mut step = chain.step(&u, &rows?, acting);
-        let lost = |held: &Held| match (held, &terms) {
-            (Held::Linear(sum), Some(terms)) => lost(sum, terms),
-            _ => 0.0,
-        };
-        if coasts {
-            let rows = sample
-                .innovations()
-                .into_iter()
-                .map(|miss| Some((sample.row(&miss, chain, false)?, lost(&miss))));
-            step.innovations = rows.collect::<Option<_>>()?;
+        // Behind what is kept, how far each measurement is from what an observer predicts.
+        let missed = if coasts { sample.innovations() } else { Vec::new() };
+        if *innovations.get_or_insert(missed.len()) != missed.len() {
+            return None;
         }
-        if terms.is_some() {
-            step.lost_of_u = lost(&control);
-            let of_u = if acting.is_none() { step.lost_of_u } else { 0.0 };
-            let plant = chain.input.iter().map(|(b, error)| (b.abs() + error) * of_u);
-            let rows = kept.iter().map(|name| lost(&sample.fields[*name]));
-            step.lost = plant.chain(rows).map(|own| (own, 0.0)).collect();
-        }
-        steps.push(step);
+        let missed_rows: Option<Vec<_>> =
+            missed.iter().map(|held| sample.row(held, chain, false)).collect();
+        let lost = terms.as_ref().map_or_else(Vec::new, |terms| {
+            let lost = |held: &Held| match held {
+                Held::Linear(sum) => lost(sum, terms),
+                Held::Known(_) | Held::Count(_) => 0.0,
+            };
+            let of_kept = kept.iter().map(|name| &sample.fields[*name]);
+            std::iter::once(&control).chain(of_kept).chain(&missed).map(lost).collect()
+        });
+        rows.push(Rows::new(&u, &[kept_rows?, missed_rows?].concat(), &lost));
+        trace = Some(sample.trace);
     }
-    Some((steps, acting, units))
+    let layout = Layout {
+        size: chain.n + kept.len(),
+        causes: chain.sensors() + 1,
+        innovations: innovations.unwrap_or(0),
+        acting,
+    };
+    Some(Samples { rows, layout, kept: units })
 }
 
 /// The numbers that the controller changes from sample to sample.

@@ -6,6 +6,7 @@ use std::rc::Rc;
 
 use super::super::chain::{Chain, Near, Row, centre};
 use super::super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
+use super::repeats::Trace;
 use super::{Held, is_rate};
 use crate::algebra::BigRational;
 use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
@@ -24,10 +25,11 @@ pub(super) struct Sample<'a> {
     terms: usize,
     kept: usize,
     pub(super) fields: BTreeMap<&'a str, Held>,
-    locals: BTreeMap<&'a str, Held>,
+    pub(super) locals: BTreeMap<&'a str, Held>,
     measured: Vec<Held>,
     reference: Vec<Held>,
     numbers: Numbers,
+    pub(super) trace: Trace<'a>,
 }
 
 impl<'a> Sample<'a> {
@@ -68,6 +70,7 @@ impl<'a> Sample<'a> {
             measured,
             reference,
             numbers: Numbers::default(),
+            trace: Trace::default(),
         })
     }
 
@@ -77,6 +80,24 @@ impl<'a> Sample<'a> {
         own.locals.insert("k", Held::Count(u32::try_from(k).ok()?));
         own.fields.insert("seen", Held::Count(u32::from(k > 0)));
         Some(own)
+    }
+
+    /// The same with its counts alone.
+    pub(super) fn counts(&self, k: usize) -> Option<Self> {
+        let fields = self.fields.iter().filter(|(_, held)| matches!(held, Held::Count(_)));
+        let fields = fields.map(|(name, held)| (*name, held.clone())).collect();
+        let counts = Self {
+            precision: self.precision,
+            terms: self.terms,
+            kept: self.kept,
+            fields,
+            locals: BTreeMap::new(),
+            measured: Vec::new(),
+            reference: Vec::new(),
+            numbers: Rc::clone(&self.numbers),
+            trace: Trace::default(),
+        };
+        counts.at(k)
     }
 
     /// A number of the program.
@@ -117,7 +138,7 @@ impl<'a> Sample<'a> {
     }
 
     /// The value with which a call ends.
-    pub(super) fn end(&self, finish: &Finish) -> Option<Held> {
+    pub(super) fn end(&self, finish: &'a Finish) -> Option<Held> {
         match finish {
             Finish::If(test, yes, no) => self.end(if self.test(test)? { yes } else { no }),
             Finish::Give(values, _) => self.real(values.first()?),
@@ -130,7 +151,10 @@ impl<'a> Sample<'a> {
             match statement {
                 Statement::Let(name, shape, value) => {
                     let value = match shape {
-                        Shape::Count => Held::Count(self.count(value)?),
+                        Shape::Count => {
+                            self.trace.count(name, value);
+                            Held::Count(self.count(value)?)
+                        }
                         _ => self.real(value)?,
                     };
                     self.locals.insert(name, value);
@@ -172,23 +196,23 @@ impl<'a> Sample<'a> {
     }
 
     /// Whether a test holds; what depends on the states is a limit of u, which is not reached.
-    fn test(&self, test: &Test) -> Option<bool> {
+    pub(super) fn test(&self, test: &'a Test) -> Option<bool> {
+        let counts = |outcome: bool| {
+            self.trace.test(test, outcome);
+            Some(outcome)
+        };
         match test {
-            Test::CountLess(a, b) => Some(self.count(a)? < self.count(b)?),
-            Test::CountEqual(a, b) => Some(self.count(a)? == self.count(b)?),
+            Test::CountLess(a, b) => counts(self.count(a)? < self.count(b)?),
+            Test::CountEqual(a, b) => counts(self.count(a)? == self.count(b)?),
             Test::Stands(_) | Test::Fails(_) => None,
-            Test::Less(a, b) | Test::AtMost(a, b) => match (self.real(a)?, self.real(b)?) {
-                (Held::Known(a), Held::Known(b)) => {
-                    let (a, b) = (a.emitted(), b.emitted());
-                    match () {
-                        () if a.is_below(&b) => Some(true),
-                        () if b.is_below(&a) => Some(false),
-                        // Both are the same number.
-                        () => Some(matches!(test, Test::AtMost(..))),
-                    }
-                }
-                _ => Some(false),
-            },
+            Test::Less(a, b) | Test::AtMost(a, b) => self.trace.compare(test, || {
+                let (Held::Known(a), Held::Known(b)) = (self.real(a)?, self.real(b)?) else {
+                    return Some(false);
+                };
+                let (a, b) = (a.emitted(), b.emitted());
+                // Where neither is below the other, both are the same number.
+                Some(a.is_below(&b) || !b.is_below(&a) && matches!(test, Test::AtMost(..)))
+            }),
             Test::Finite(_) => Some(true),
             Test::NotNumber(_) => Some(false),
             Test::All(tests) => {
@@ -197,7 +221,7 @@ impl<'a> Sample<'a> {
         }
     }
 
-    fn count(&self, value: &Expr) -> Option<u32> {
+    pub(super) fn count(&self, value: &Expr) -> Option<u32> {
         match value {
             Expr::Count(count) => Some(*count),
             Expr::CountSub(a, b) => Some(self.count(a)?.wrapping_sub(self.count(b)?)),
@@ -220,7 +244,7 @@ impl<'a> Sample<'a> {
         }
     }
 
-    fn real(&self, value: &Expr) -> Option<Held> {
+    fn real(&self, value: &'a Expr) -> Option<Held> {
         let unit = unit_roundoff(self.precision);
         match value {
             Expr::Number(exact) => Some(Held::Known(self.number(exact))),
@@ -261,7 +285,9 @@ impl<'a> Sample<'a> {
                 }
             }
             Expr::Real(a) => {
-                let exact = Range::from(f64::from(self.count(a)?));
+                let count = self.count(a)?;
+                self.trace.number(a, count);
+                let exact = Range::from(f64::from(count));
                 let error =
                     if self.precision == Precision::F64 { 0.0 } else { unit * exact.high() };
                 Some(Held::Known(Rounded { exact, error }))

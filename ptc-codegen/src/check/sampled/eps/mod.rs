@@ -8,10 +8,12 @@ mod search;
 
 pub(crate) use search::Candidate;
 
+use std::sync::Arc;
+
 use num_traits::ToPrimitive;
 
-use super::chain::{Chain, Gains};
-use super::emitted::{self, Steps};
+use super::chain::{Chain, Gains, Rows};
+use super::emitted::{self, Samples};
 use super::gain::{Gain, known_gain};
 use super::judge::Loop;
 use super::stability::Stays;
@@ -27,8 +29,11 @@ use crate::syntax::constant;
 /// Points at which eps is tried first, on a logarithmic scale, beside the first one.
 const POINTS: u32 = 32;
 
-/// Samples at which u is looked at for a curve.
-const LOOKED_AT: usize = 150;
+/// Samples at which u is looked at for a curve: the fewest, where samples are many, and the most.
+const LOOKED_AT: [f64; 2] = [8.0, 150.0];
+
+/// Operations that u of a curve may take: seconds.
+const OPERATIONS: f64 = 4e9;
 
 /// The loop with its gains held at an eps, without what an uncertain gain and jitter add.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +42,7 @@ pub struct Choice {
     pub eps: f64,
     /// What |x_i| at the deadline is at worst.
     pub x: Vec<f64>,
-    /// What |u| is at worst, at some 150 samples and where the hold begins.
+    /// What |u| is at worst, at some 150 samples, fewer of very many, and where the hold begins.
     pub u: f64,
 }
 
@@ -66,9 +71,9 @@ struct Trial<'a> {
 /// What gives the gains at a sample.
 enum Law {
     /// A law in continuous time, with the gains of each sample without a hold.
-    Time { free: Vec<Vec<f64>> },
+    Time { free: Arc<[Rows]> },
     /// A program in samples, which is the same before any hold; none where it is not enclosed.
-    Samples { free: Option<Steps> },
+    Samples { free: Option<Arc<[Rows]>> },
 }
 
 impl<'a> Trial<'a> {
@@ -77,14 +82,15 @@ impl<'a> Trial<'a> {
         let gain = closed.gain();
         let chain = closed.plant.with_gain(gain.value);
         let tau = closed.samples as f64 * h;
-        let free = Vec::new();
+        let free = Arc::default();
         let mut trial = Self { closed, numbers, law: Law::Time { free }, tau, h, gain, chain };
         trial.law = if closed.spec.sampled().is_some() {
             let least = trial.least() as f64 * h;
-            Law::Samples { free: trial.program(least, 0) }
+            Law::Samples { free: trial.program(least, 0).map(|found| found.rows.into()) }
         } else {
-            let free = (0..closed.samples).map(|k| trial.gains(numbers, trial.to_go(k)));
-            Law::Time { free: free.collect() }
+            Law::Time {
+                free: (0..closed.samples).map(|k| trial.free_row(trial.to_go(k))).collect(),
+            }
         };
         trial
     }
@@ -97,6 +103,12 @@ impl<'a> Trial<'a> {
     fn gains(&self, numbers: &Numbers<'_>, time_to_go: f64) -> Vec<f64> {
         let known = known_gain(self.closed.spec).ok().and_then(|g| g.to_f64()).unwrap_or(1.0);
         numbers.gains(time_to_go).iter().map(|gain| gain / known).collect()
+    }
+
+    /// The sample with the gains at a time-to-go.
+    fn free_row(&self, time_to_go: f64) -> Rows {
+        let values = self.gains(self.numbers, time_to_go);
+        self.chain.closed(&Gains { errors: vec![0.0; values.len()], values })
     }
 
     /// The samples to go of the shortest hold: with fewer a law in samples does not exist.
@@ -136,12 +148,12 @@ impl<'a> Trial<'a> {
     }
 
     /// What the program in samples with an eps makes of the samples from `first` on.
-    fn program(&self, eps: f64, first: usize) -> Option<Steps> {
+    fn program(&self, eps: f64, first: usize) -> Option<Samples> {
         let mut spec = self.closed.spec.clone();
         spec.choose_eps(self.exact(eps)?);
         let own = spec.sampled()?;
         let followed = self.closed.followed.as_ref();
-        emitted::steps(&spec, own, &self.chain, followed, first..=self.closed.samples)
+        emitted::samples(&spec, own, &self.chain, followed, first..=self.closed.samples)
     }
 
     /// The loop held at an eps.
@@ -149,22 +161,15 @@ impl<'a> Trial<'a> {
         let chain = self.chain.clone();
         let sampled = match &self.law {
             Law::Time { free } => {
-                let held = self.gains(self.numbers, eps);
-                let row = |k: usize| {
-                    let values = if self.to_go(k) > eps { &free[k] } else { &held }.clone();
-                    Gains { errors: vec![0.0; values.len()], values }
-                };
-                let rows: Vec<_> = (0..self.closed.samples).map(row).collect();
-                Sampled::new(chain, &rows)
+                let first = free.iter().zip(0..).take_while(|(_, k)| self.to_go(*k) > eps).count();
+                let held = if first < free.len() { vec![self.free_row(eps)] } else { Vec::new() };
+                Sampled::shared(chain, free, first, held)
             }
             Law::Samples { free } => {
-                let (free, ..) = free.as_ref()?;
                 let to_go = (eps / self.h).round().to_usize()?;
                 // Without a hold deadbeat takes over at an end of its own.
                 let first = if to_go == 0 { 0 } else { self.closed.samples.checked_sub(to_go)? };
-                let (steps, acting, kept) = self.program(eps, first)?;
-                let steps = free[..first].iter().cloned().chain(steps).collect();
-                Sampled::of(chain, steps, acting, &kept)
+                self.program(eps, first)?.after(chain, free.as_ref()?, first)
             }
         };
         Some(self.closed.disturbed(sampled, &self.gain))
@@ -218,8 +223,16 @@ impl<'a> Trial<'a> {
         let count = self.closed.samples;
         let hold = (0..count).find(|k| self.to_go(*k) <= eps);
         let control = sampled.control();
-        let looked_at = (0..count).step_by(count.div_ceil(LOOKED_AT)).chain(hold);
+        let looked_at = (0..count).step_by(count.div_ceil(looked_at(&sampled, count))).chain(hold);
         let u = looked_at.map(|k| sampled.bound(&control, k, None).attained());
         Some(Choice { eps, x: self.finals(&sampled), u: u.fold(0.0, f64::max) })
     }
+}
+
+/// How many of so many samples are looked at for each point of a curve.
+fn looked_at(sampled: &Sampled, count: usize) -> usize {
+    let [size, count] = [sampled.size(), count].map(|count| count as f64);
+    let of_each = 0.5 * count * size * (size + 4.0) * f64::from(POINTS);
+    let [fewest, most] = LOOKED_AT;
+    (OPERATIONS / of_each).clamp(fewest, most).to_usize().unwrap_or(1)
 }

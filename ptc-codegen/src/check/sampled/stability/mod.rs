@@ -120,14 +120,14 @@ impl Stays {
         let text = crate::syntax::constant::text(eps);
         held.choose_eps(Fixed::Number { text, value: eps.clone() });
         let last = closed.samples.saturating_sub(1);
-        let (steps, acting, kept) =
-            emitted::steps(&held, held.sampled().unwrap_or(own), chain, None, last..=last)?;
-        Some(Self::of(&Sampled::of(chain.clone(), steps, acting, &kept)))
+        let own = held.sampled().unwrap_or(own);
+        let found = emitted::samples(&held, own, chain, None, last..=last)?;
+        Some(Self::of(&found.closed(chain.clone())))
     }
 
     fn of(sampled: &Sampled) -> Self {
-        let (step, chain) = (sampled.step(usize::MAX).clone(), sampled.chain.clone());
-        Self { step, chain, acting: sampled.acting }
+        let (step, chain) = (sampled.step(usize::MAX), sampled.chain.clone());
+        Self { step, chain, acting: sampled.acting() }
     }
 
     /// Operations that its margins may take.

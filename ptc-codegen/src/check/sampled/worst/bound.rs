@@ -4,7 +4,7 @@ use super::super::chain::along;
 use super::super::force::most as most_of;
 use super::super::span::Span;
 use super::super::trust::{Inexact, Trust};
-use super::{Output, Sampled};
+use super::{Output, Sampled, earlier};
 
 /// The largest size of an output, by cause.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -96,31 +96,35 @@ impl Sampled {
         let mut row = self.row(output, at);
         let mut inexact = Inexact::new(trust, self.size());
         let mut causes = Causes::new(self);
+        let mut walk = self.walk(trust.is_some());
         if output.direct != 0.0 {
-            let u = &self.step(at).u;
-            causes.see(|cause| output.direct * u.of_cause[cause].0);
+            let (_, of_cause) = self.of_u(at);
+            causes.see(|cause| output.direct * of_cause[cause].0);
             causes.add();
             bound.jitter += self.of_drift(trust, at, &causes.seen);
-            inexact.direct(output.direct, self.step(at), at, self.limits());
+            inexact.direct(output.direct, walk.at(at), at, self.limits());
         }
         let mut room = vec![0.0; self.size()];
         let (mut constant, mut varying) = (0.0, [0.0; 2]);
         // Sizes of the terms of what may cancel.
         let mut cancelling = 0.0;
         for k in (0..at).rev() {
-            let step = self.step(k);
+            let step = walk.at(k);
             if let Some(force) = &self.force {
-                let signed = force.signed(&row);
+                let signed = force.signed(step, &row);
                 constant += signed;
                 cancelling += (force.middle.abs() + force.constant) * signed.abs();
                 if force.varying > 0.0 {
-                    let size = most_of(&self.chain, &row, &[]);
+                    let size = match step.force {
+                        Some(_) => [signed.abs(); 2],
+                        None => most_of(&self.chain, &row, &[]),
+                    };
                     varying.iter_mut().zip(size).for_each(|(sum, part)| *sum += part);
                 }
             }
             causes.see(|cause| along(&row, &step.columns[cause]));
-            let earlier = output.change && k + 1 == at;
-            if earlier {
+            let changes = output.change && k + 1 == at;
+            if changes {
                 causes.seen.iter_mut().zip(&step.u.of_cause).for_each(|(sum, (own, _))| {
                     *sum -= output.direct * own;
                 });
@@ -141,9 +145,9 @@ impl Sampled {
             if self.gain_error > 0.0 {
                 bound.gain += along(&row, &self.chain.input).abs() * self.of_gain(trust, k);
             }
-            inexact.sample(self, k, &row);
-            self.earlier(k, &mut row, &mut room);
-            if earlier {
+            inexact.sample(self, step, k, &row);
+            earlier(&step.matrix, &mut row, &mut room);
+            if changes {
                 let less = self.row(output, k);
                 row.iter_mut().zip(less).for_each(|(sum, own)| *sum -= own);
             }
