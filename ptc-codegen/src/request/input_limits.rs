@@ -46,6 +46,12 @@ impl Spec {
     /// Largest b such that |u| <= b keeps an input, from 0, within its fixed limits: not positive where u = 0 is
     /// outside; `None` without fixed limits.
     pub fn radius(&self, index: usize) -> Option<BigRational> {
+        let [least, most] = self.limits(index);
+        most.into_iter().chain(least.map(|least| -least)).min()
+    }
+
+    /// The fixed limits of an input, from 0, the lower one first; `None` where u has none, or it is left to run time.
+    pub fn limits(&self, index: usize) -> [Option<BigRational>; 2] {
         let (most, least) = match self.own_limits(index) {
             Some(own) => (Some(own.most), own.least),
             None => {
@@ -53,9 +59,13 @@ impl Spec {
                 (self.fixed.get(&Parameter::UMax), least)
             }
         };
+        let has_own = least.is_some() || (self.u_min && self.axes.is_none());
         let most = most.and_then(Fixed::number).cloned();
-        let least = least.and_then(Fixed::number).map(|least| -least);
-        most.into_iter().chain(least).min()
+        let least = match has_own {
+            true => least.and_then(Fixed::number).cloned(),
+            false => most.as_ref().map(|most| -most),
+        };
+        [least, most]
     }
 
     /// Makes the limits of u that are open infinite.

@@ -5,7 +5,7 @@ use ptc_codegen::reference::Status;
 use ptc_codegen::simulate::{Loop, Sampled, Values};
 
 use crate::looped::loop_of;
-use crate::support::design;
+use crate::support::{design, entries};
 
 const PERIOD: f64 = 0.01;
 
@@ -111,5 +111,35 @@ fn a_loop_whose_limits_exclude_rest_is_not_sound() {
     for chain in CHAINS {
         let found = loop_of(&text(chain, "u_min = 0.001\nu_max = 1e9\n"));
         assert_eq!(found.verdict, Verdict::Undecided, "{found:?}");
+    }
+}
+
+/// From a box on one side of 0 u is not symmetric, and each limit is held against what u reaches on its side.
+#[test]
+fn a_proof_holds_u_against_both_limits() {
+    // u = -2 x/(M h), M samples to go and at least 5, is largest at the start and never positive.
+    let running = "n = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-2]\nsample_time = 0.01\neps = 0.05\n\
+                   tau = 0.5\n[verify]\nx1 = [0.5, 1]\n";
+    // u = 60 s^2 - 80 s^3, s = T/tau, from x1 = 1 at rest: -20 at the start, 5 at s = 1/2.
+    let continuous = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\ntau = 1\n[plant]\nf = 0\n[verify]\nx1 = [0.5, 1]\nx2 = 0\n";
+    let objective = "[[objective]]\nbound = \"attractive\"\nerror = 1\n";
+    for (design, within, beyond) in [
+        (running, [-4.001, 0.001], [[-3.999, 0.001], [-4.001, -0.03]]),
+        (continuous, [-20.001, 5.001], [[-19.999, 5.001], [-20.001, 4.999]]),
+    ] {
+        let proved = |[low, high]: [f64; 2]| {
+            let text = format!("u_min = {low:?}\nu_max = {high:?}\n{design}{objective}");
+            let entries = entries(&text);
+            let spec = ptc_codegen::request::read(&entries).expect("a design");
+            let campaign =
+                ptc_codegen::verify::read_with_plant(&entries, &spec).expect("a campaign");
+            ptc_codegen::verify::bound::proved(&campaign)
+        };
+        let found = proved(within);
+        assert!(found[0].is_proved(), "{within:?}: {found:?}");
+        for limits in beyond {
+            let found = proved(limits);
+            assert!(!found[0].is_proved(), "{limits:?}: {found:?}");
+        }
     }
 }

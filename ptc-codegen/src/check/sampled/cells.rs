@@ -3,13 +3,12 @@
 //! In a cell of gains each differs from the middle by a part of it, which acts as an error of the
 //! input in proportion to it. Cells are halved until each of them is decided.
 
-use num_traits::ToPrimitive;
-
 use super::gating::Gating;
 use super::joined::Joined;
-use super::judge::Loop;
+use super::judge::{Loop, limits};
 use super::outcome::closed;
 use super::reach::{self, Reach};
+use super::span::Span;
 use super::trust::Trust;
 use super::way::{Afterwards, Way, larger};
 use super::worst::{Bound, Sampled};
@@ -101,12 +100,12 @@ impl Worst {
     /// Whether each state is within `error`, u below its limit, and every reading believed.
     pub(crate) fn is_met(&self, spec: &Spec) -> bool {
         let errors = &spec.promises.error;
-        let limit = spec.radius(0).and_then(|radius| radius.to_f64());
+        let limits = limits(spec);
         let states = self.states.iter().enumerate();
         states
             .into_iter()
             .all(|(i, bound)| one_or_each(errors, i).is_none_or(|error| bound.total() <= error))
-            && limit.is_none_or(|limit| self.way.as_ref().is_some_and(|way| way.u < limit))
+            && (limits == Span::ALL || self.way.as_ref().is_some_and(|way| way.is_within(limits)))
             && closed(spec, self).is_none()
     }
 
@@ -173,12 +172,13 @@ impl Loop<'_> {
     /// Whether smaller cells tell no more: all is within bounds, or what the gain adds is small where no
     /// bounds are wanted or some are exceeded without it.
     fn is_decided(&self, worst: &Worst) -> bool {
-        let limit = self.limit();
-        let below = |of: fn(&Way) -> f64| worst.way.as_ref().is_none_or(|way| of(way) < limit);
+        let limits = self.limits();
+        let keeps = |of: &dyn Fn(&Way) -> bool| worst.way.as_ref().is_none_or(of);
         let all = || worst.states.iter().zip(self.errors());
-        let is_within = all().all(|(bound, error)| bound.total() <= error) && below(|way| way.u);
+        let is_within = all().all(|(bound, error)| bound.total() <= error)
+            && keeps(&|way| way.is_within(limits));
         let is_exceeded = all().any(|(bound, error)| bound.total() - bound.gain > error)
-            || !below(|way| way.u_attained);
+            || !keeps(&|way| way.u_attained < limits.size());
         let is_close = worst.states.iter().all(|bound| bound.gain <= CLOSE * bound.total());
         match self.has_errors() {
             true => is_within || is_exceeded && is_close,

@@ -172,8 +172,8 @@ impl Sampled {
                 true => peak(&self.acts(), &moved),
                 false => [0.0; 2],
             };
-            let inexact =
-                [0, 1].map(|which| self.inexact(walk.at(k), &moved.states[k][which], acting[which]));
+            let inexact = [0, 1]
+                .map(|which| self.inexact(walk.at(k), &moved.states[k][which], acting[which]));
             moved.inexact.push(inexact);
             moved.acting.push(acting);
         }

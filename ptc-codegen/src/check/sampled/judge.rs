@@ -15,6 +15,7 @@ use super::gains::gains;
 use super::gating::Gate;
 use super::moved::{Moved, Response};
 use super::relative::Late;
+use super::span::Span;
 use super::sums::Sum;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
@@ -271,6 +272,11 @@ impl<'a> Loop<'a> {
         radius.unwrap_or(f64::INFINITY)
     }
 
+    /// The limits of u.
+    pub(super) fn limits(&self) -> Span {
+        limits(self.spec)
+    }
+
     /// The wanted bound of each state; 1 where it is not given.
     pub(super) fn errors(&self) -> Vec<f64> {
         let errors = &self.spec.promises.error;
@@ -286,6 +292,12 @@ fn size(spec: &Spec) -> usize {
         None => spec.n + 2,
     });
     spec.n + delay.inputs() + 1 + kept
+}
+
+/// The fixed limits of the input of a design.
+pub(super) fn limits(spec: &Spec) -> Span {
+    let [low, high] = spec.limits(0).map(|limit| limit.and_then(|limit| limit.to_f64()));
+    Span { low: low.unwrap_or(Span::ALL.low), high: high.unwrap_or(Span::ALL.high) }
 }
 
 pub(super) fn exact(value: Option<&Fixed>) -> Option<BigRational> {

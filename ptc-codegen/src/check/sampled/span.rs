@@ -10,6 +10,9 @@ pub struct Span {
 }
 
 impl Span {
+    /// All numbers.
+    pub(super) const ALL: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
+
     /// All values of at most this size.
     pub(crate) fn of_size(size: f64) -> Self {
         Self { low: -size, high: size }

@@ -39,7 +39,8 @@ pub fn trajectory(spec: &Spec, expanded: Option<&Expanded>) -> Option<Trajectory
     let (state, _) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let signals = sampled.signals(&sampled.state(state + 1), count);
     let (states, u) = sampled.follow(&signals);
-    let is_clipped = u.iter().any(|u| u.is_nan() || u.abs() >= closed.limit());
+    let limits = closed.limits();
+    let is_clipped = u.iter().any(|u| u.is_nan() || *u <= limits.low || *u >= limits.high);
     let column = |j: usize| states.iter().map(|s| s[j]).collect::<Vec<_>>();
     (!is_clipped).then(|| Trajectory {
         state,

@@ -29,6 +29,8 @@ pub struct Way {
     pub between: bool,
     /// Of |u|, the command until the deadline.
     pub u: f64,
+    /// What the command is within until the deadline.
+    pub commands: Span,
     /// What the input that acts is within, as the actuator resolves it, that of the sample at the deadline included.
     pub acts: Span,
     /// What each sum that was asked for is within; empty where they are not bounded as sums.
@@ -60,6 +62,7 @@ impl Way {
             within: hulls(&self.within, &other.within),
             between: self.between && other.between,
             u: self.u.max(other.u),
+            commands: self.commands.hull(other.commands),
             acts: self.acts.hull(other.acts),
             sums: hulls(&self.sums, &other.sums),
             u_attained: self.u_attained.max(other.u_attained),
@@ -74,12 +77,21 @@ impl Way {
         let u = self.u.min(other.u);
         let u_attained = self.u_attained.max(other.u_attained);
         let acts = self.acts.common(other.acts);
+        let commands = self.commands.common(other.commands);
         if !(self.between && other.between) {
-            return Self { u, acts, u_attained, ..other };
+            return Self { u, commands, acts, u_attained, ..other };
         }
         let both = self.within.iter().zip(&other.within);
         let within: Vec<_> = both.map(|(a, b)| a.common(*b)).collect();
-        Self { x: sizes(&within), within, u, acts, u_attained, ..other }
+        Self { x: sizes(&within), within, u, commands, acts, u_attained, ..other }
+    }
+
+    /// Whether u is never clipped to its limits.
+    pub(super) fn is_within(&self, limits: Span) -> bool {
+        match limits.low == -limits.high {
+            true => self.u < limits.high,
+            false => limits.low < self.commands.low && self.commands.high < limits.high,
+        }
     }
 }
 
@@ -131,6 +143,7 @@ impl Sampled {
             within: start.take(n).collect(),
             between: between.is_some(),
             u: 0.0,
+            commands: Span { low: f64::INFINITY, high: f64::NEG_INFINITY },
             acts: Span::default(),
             sums: Vec::new(),
             u_attained: 0.0,
@@ -151,6 +164,7 @@ impl Sampled {
                 // What rho takes may be of the other sign.
                 let rate = self.moved.as_ref().map_or(0.0, |moved| moved.input);
                 way.u = way.u.max(bound.total() + rate);
+                way.commands = way.commands.hull(bound.span().wider(rate));
                 way.u_attained = way.u_attained.max(bound.at_least() - rate);
                 way.u_rms = way.u_rms.max(bound.rms);
             }

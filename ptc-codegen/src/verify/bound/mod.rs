@@ -41,8 +41,9 @@ pub use running::limits;
 use super::linear::{LinearLoop, Values, drift, values};
 use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigInt, BigRational, integer};
-use crate::expression::Expression;
 use crate::expression::enclosure::{Interval, Range};
+use crate::expression::{Expression, Variable};
+use crate::request::Spec;
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
 const CELLS: usize = 20_000;
@@ -158,12 +159,11 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
         Err(why) => return all(why),
     };
     // As long as u is within its limits the loop is the linear one.
-    if let Some(most) = campaign.spec.radius(0) {
-        let unclipped = Kind::Input { upsilon: Expression::from(most) };
-        if let Err(gap) = prover.of_kind(&unclipped, &values) {
-            let limits = if campaign.spec.u_min { "u_max or u_min" } else { "u_max" };
-            return all(format!("u may be clipped by {limits}: {}", gap.why));
-        }
+    if let Some(unclipped) = unclipped(&campaign.spec)
+        && let Err(gap) = prover.of_kind(&unclipped, &values)
+    {
+        let limits = if campaign.spec.u_min { "u_max or u_min" } else { "u_max" };
+        return all(format!("u may be clipped by {limits}: {}", gap.why));
     }
     let scope = match Emitted::of(campaign, &mut prover) {
         Ok(emitted) => {
@@ -181,6 +181,22 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
         },
     };
     campaign.objectives.iter().map(one).collect()
+}
+
+/// That u stays within its fixed limits; `None` where it has none.
+fn unclipped(spec: &Spec) -> Option<Kind> {
+    let [least, most] = spec.limits(0);
+    match (least, most) {
+        (None, None) => None,
+        (Some(least), Some(most)) if least == -&most => {
+            Some(Kind::Input { upsilon: Expression::from(most) })
+        }
+        (least, most) => Some(Kind::Within {
+            h: Expression::from(Variable::Control),
+            low: least.map(Expression::from),
+            high: most.map(Expression::from),
+        }),
+    }
 }
 
 /// The loop of a campaign, and what it is held against.

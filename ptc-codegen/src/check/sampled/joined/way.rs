@@ -23,9 +23,9 @@ struct Block {
     /// Bounds of all states at its first sample, and what those of the plant are within.
     states: Vec<f64>,
     spans: Vec<Span>,
-    /// The row of u there, the bound of its sum over the states, and what |u| reaches at least.
+    /// The row of u there, what its sum over the states is within, and what |u| reaches at least.
     row: Vec<f64>,
-    of_row: f64,
+    of_row: Span,
     attained: f64,
     /// P by rows, and W.
     product: Vec<f64>,
@@ -48,7 +48,7 @@ impl Block {
         let size = sampled.size();
         let bound = |output: &Output| sampled.bound(output, at, Some(Trust::Reach(reach)));
         let row = sampled.row(&sampled.control(), at);
-        let of_row = bound(&Output { row: row.clone(), direct: 0.0, change: false }).total();
+        let of_row = bound(&Output { row: row.clone(), direct: 0.0, change: false }).span();
         let mut control = bound(&sampled.control());
         // The command, before the actuator rounds it.
         control.actuator -= sampled.actuator;
@@ -145,9 +145,17 @@ impl Joined {
 
 impl Way {
     fn from_start(within: Vec<Span>) -> Self {
-        let acts = Span::default();
-        let (x, sums) = (Vec::new(), Vec::new());
-        Self { x, within, sums, between: false, u: 0.0, acts, u_attained: 0.0, u_rms: 0.0 }
+        Self {
+            x: Vec::new(),
+            within,
+            between: false,
+            u: 0.0,
+            commands: Span { low: f64::INFINITY, high: f64::NEG_INFINITY },
+            acts: Span::default(),
+            sums: Vec::new(),
+            u_attained: 0.0,
+            u_rms: 0.0,
+        }
     }
 
     /// Takes a sample of a block in.
@@ -155,12 +163,15 @@ impl Way {
         let here: Vec<_> =
             block.spans.iter().zip(&added.states).map(|(own, by)| own.wider(*by)).collect();
         self.within = hulls(&self.within, &here);
-        let u = (block.of_row + added.of_row + added.direct) * ROUNDED;
+        let command = block.of_row.wider((added.of_row + added.direct) * ROUNDED);
+        let command = command.wider((ROUNDED - 1.0) * command.size());
+        let u = command.size();
         if runs || sampled.acting().is_none() {
             self.acts = self.acts.hull(Span::of_size(u + sampled.actuator));
         }
         if runs {
             self.u = self.u.max(u);
+            self.commands = self.commands.hull(command);
             self.u_attained = self.u_attained.max(block.attained);
         }
     }

@@ -13,10 +13,11 @@ use super::eps::Candidate;
 use super::followed::Followed;
 use super::judge::Loop;
 use super::peaks::peaks;
+use super::span::Span;
 use super::worst::Bound;
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, bounds, list};
-use crate::diagnostic::{digits, digits_up};
+use crate::diagnostic::{digits, digits_down, digits_up};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::number::round;
@@ -188,28 +189,39 @@ pub(super) fn limit_of_u(spec: &Spec, index: usize) -> Option<(f64, &'static str
 
 /// Whether u may be clipped, and what is known of it.
 pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option<String>, bool) {
-    let (limit, name) = match limit_of_u(spec, 0) {
+    let name = match limit_of_u(spec, 0) {
         None if spec.has_open_limit() => {
             return (Some("without a limit of u, which is left to run time".to_owned()), false);
         }
         None => return (None, false),
         // What r^(n) takes of u is not known.
         Some(_) if spec.reference == Some(Reference::Input) => return (None, false),
-        Some((_, name)) => (closed.limit(), name),
+        Some((_, name)) => name,
     };
-    match &worst.way {
-        Some(way) if way.u < limit => {
-            (Some(format!("u is never clipped: |u| < {name} = {}", digits(limit))), false)
-        }
-        Some(way) => (
-            Some(format!("|u| may reach {}, and {name} = {}", digits_up(way.u), digits(limit))),
+    let Some(way) = &worst.way else {
+        return (
+            Some("there are too many samples to decide whether u is clipped".to_owned()),
             true,
-        ),
-        None => {
-            (Some("there are too many samples to decide whether u is clipped".to_owned()), true)
-        }
+        );
+    };
+    let (limit, limits) = (closed.limit(), closed.limits());
+    let is_clipped = !way.is_within(limits);
+    if limits.low == -limits.high {
+        let told = match is_clipped {
+            true => format!("|u| may reach {}, and {name} = {}", digits_up(way.u), digits(limit)),
+            false => format!("u is never clipped: |u| < {name} = {}", digits(limit)),
+        };
+        return (Some(told), is_clipped);
     }
 }
+    let Span { low, high } = way.commands;
+    let [low, high] = [digits_down(low), digits_up(high)];
+    let [least, most] = [limits.low, limits.high].map(digits);
+    let told = match is_clipped {
+        true => format!("u may reach {low} and {high}, and its limits are {least} and {most}"),
+        false => format!("u is never clipped: from {low} to {high} it is within {least} to {most}"),
+    };
+    (Some(told), is_clipped)
 
 /// The u_max that is never reached: a part of it more than the peak is left for its rounding.
 fn unclipped(spec: &Spec, worst: &Worst) -> Option<String> {
