@@ -136,7 +136,7 @@ pub static KEYS: [KeyInfo; 60] = [
     },
     KeyInfo {
         key: "states",
-        meaning: "names of the states of a model of the plant, from which x1..xn, f and g follow",
+        meaning: "names of the states of a model of the plant, from which x1..xn, f and g follow, or beside A and B for the checks",
         legal: "names; one is enough",
         example: "angle,speed",
     },

@@ -105,6 +105,8 @@ impl Spec {
         if let Some(gains) = axes.gains.get(index) {
             spec.fixed.extend((1..).map(Parameter::Gain).zip(gains.iter().cloned()));
             spec.poles = axes.poles.get(index).cloned().unwrap_or_default();
+            // It lists those of all.
+            spec.written.remove("poles");
         }
         if let Some(limit) = axes.limits.get(index) {
             spec.fixed.insert(Parameter::UMax, limit.clone());

@@ -152,12 +152,23 @@ impl Spec {
             let rows = |rows: &[Vec<BigRational>]| {
                 format!("[{}]", rows.iter().map(|own| row(own)).collect::<Vec<_>>().join(","))
             };
-            words.push(format!("--A=\"{}\" --B=\"{}\"", rows(&plant.a), row(&plant.b)));
+            let row_of = |key, numbers: &[BigRational]| match self.written.get(key) {
+                Some(text) => format!("[{text}]"),
+                None => row(numbers),
+            };
+            let rows_of = |key, numbers: &[Vec<BigRational>]| {
+                let text = self.written.get(key).filter(|text| text.starts_with('['));
+                text.cloned().unwrap_or_else(|| rows(numbers))
+            };
+            let (a, b) = (rows_of("A", &plant.a), row_of("B", &plant.b));
+            words.push(format!("--A=\"{a}\" --B=\"{b}\""));
             if !plant.measures_states() {
-                words.push(format!("--C=\"{}\"", rows(&plant.c)));
+                words.push(format!("--C=\"{}\"", rows_of("C", &plant.c)));
             }
+            words.extend(self.written.get("states").map(|names| format!("--states={names}")));
+            let follows = sampled.follows.as_ref();
             words.extend(
-                sampled.follows.as_ref().map(|own| format!("--output=\"{}\"", row(own.output()))),
+                follows.map(|own| format!("--output=\"{}\"", row_of("output", own.output()))),
             );
         }
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
@@ -170,33 +181,44 @@ impl Spec {
             words.push("--disturbance constant".to_owned());
         }
         if let Some(observer) = &sampled.observer {
-            words.push(format!("--observer-poles={}", written(&observer.poles)));
+            let poles = self.list_written("observer_poles", || written(&observer.poles));
+            words.push(word("--observer-poles", &poles));
             let samples = observer.samples;
             words.extend(samples.map(|samples| format!("--observer-samples={samples}")));
             words.extend(observer.eps.iter().map(|eps| word("--observer-eps", eps)));
             if !observer.after.is_empty() {
-                words.push(format!("--after-observer={}", written(&observer.after)));
+                let poles = self.list_written("after_observer", || written(&observer.after));
+                words.push(word("--after-observer", &poles));
             }
             words.extend(gate_words(&observer.gate));
         }
         words
     }
 
-    /// The poles as they are written for `--poles`, exact.
+    /// The poles as they were written for `--poles`, exact.
     pub fn written_poles(&self) -> String {
-        written(&self.poles)
+        self.list_written("poles", || written(&self.poles))
+    }
+
+    /// A list of numbers as it was written, without rows.
+    fn list_written(&self, key: &str, exact: impl FnOnce() -> String) -> String {
+        let own = self.written.get(key).filter(|text| !text.starts_with('['));
+        own.cloned().unwrap_or_else(exact)
     }
 
     fn gain_words(&self) -> Option<String> {
         if let Some(axes) = self.axes.as_ref().filter(|axes| !axes.gains.is_empty()) {
             let (flag, rows): (_, Vec<_>) = match axes.poles.as_slice() {
                 [] => ("gains", axes.gains.iter().filter_map(|row| list(row.iter())).collect()),
-                poles => ("poles", poles.iter().map(|row| written(row)).collect()),
+                poles => match self.written.get("poles").filter(|text| text.starts_with('[')) {
+                    Some(text) => return Some(word("--poles", text)),
+                    None => ("poles", poles.iter().map(|row| written(row)).collect()),
+                },
             };
             return Some(format!("--{flag}=\"[[{}]]\"", rows.join("],[")));
         }
         if !self.poles.is_empty() {
-            return Some(format!("--poles={}", self.written_poles()));
+            return Some(word("--poles", &self.written_poles()));
         }
         let gains = (1..=self.loop_order()).filter_map(|i| self.fixed.get(&Parameter::Gain(i)));
         list(gains).map(|gains| word("--gains", &gains))
@@ -224,7 +246,12 @@ impl Spec {
             ("--x0-max", &promises.x0_max),
             ("--x-max", &promises.x_max),
         ];
-        words.extend(promises.delay.as_ref().map(|delay| format!("--delay={delay}")));
+        words.extend(
+            promises
+                .delay
+                .as_ref()
+                .map(|delay| word("--delay", &self.list_written("delay", || delay.to_string()))),
+        );
         for (flag, values) in lists {
             let of_chains = ["--error", "--x0-max"].contains(&flag);
             words.extend(match self.bounds_of_chains(values).filter(|_| of_chains) {
@@ -343,7 +370,7 @@ fn written(poles: &[(BigRational, BigRational)]) -> String {
 fn pole(re: &BigRational, im: &BigRational) -> String {
     let zero = BigRational::default();
     if *im == zero {
-        return re.to_string();
+        return constant::text(re);
     }
     let sign = if *im < zero { "" } else { "+" };
     let units = im.numer();

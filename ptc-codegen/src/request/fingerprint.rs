@@ -1,5 +1,7 @@
 //! The fingerprint of a design: a short name of everything that determines its emitted program.
 
+use std::collections::BTreeMap;
+
 use super::{Clock, Promises, Spec};
 
 /// Hexadecimal digits of a fingerprint.
@@ -11,11 +13,12 @@ const GROWTH: &str = "growth";
 impl Spec {
     /// The fingerprint: equal for two designs whose emitted programs are the same in every language.
     ///
-    /// It hashes the command that gives the design back, without the promises of which the program knows nothing.
+    /// It hashes the command that gives the design back, without the promises of which the program knows nothing and
+    /// with lists of numbers by their values.
     pub fn fingerprint(&self) -> String {
         let spec = self.clone().apart();
         let promises = spec.determining();
-        let command = Self { promises, ..spec }.command();
+        let command = Self { promises, written: BTreeMap::new(), ..spec }.command();
         let hash = hash([command.as_str()]);
         let digits = format!("{:032x}", hash ^ (hash >> 64));
         digits[digits.len() - DIGITS..].to_owned()

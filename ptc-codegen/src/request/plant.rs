@@ -34,6 +34,14 @@ impl Spec {
         }
     }
 
+    /// The name by which checks speak of a state of the loop, from 0: that of a linear plant, else of the chain.
+    pub(crate) fn state_of_loop(&self, index: usize) -> String {
+        let named = self.sampled().filter(|own| own.linear.is_some());
+        let names = named.and_then(|_| self.written.get("states"));
+        let own = names.and_then(|names| names.split(',').nth(index));
+        own.map_or_else(|| format!("x{}", index + 1), str::to_owned)
+    }
+
     /// The names of the inputs of the plant.
     pub fn input_names(&self) -> Vec<String> {
         match (&self.model, &self.coupled) {

@@ -58,6 +58,8 @@ pub struct Spec {
     pub u_min: bool,
     /// The poles from which the gains were computed; empty where gains were given.
     pub poles: Vec<(BigRational, BigRational)>,
+    /// Lists of numbers as they were written, by their keys, and the names of the states of a linear plant.
+    pub written: BTreeMap<&'static str, String>,
     /// What the checks hold the design to.
     pub promises: Promises,
     /// The engine that expands a mapping of the user's, where it is not the library's own: the forms
@@ -97,6 +99,7 @@ impl Spec {
             bounds: BTreeMap::new(),
             u_min: false,
             poles: Vec::new(),
+            written: BTreeMap::new(),
             promises: Promises::default(),
             engine: None,
         }

@@ -34,7 +34,7 @@ fn designs_read_back_as_they_were() {
         ("--units rad --n 2 --mu exp", "--n 2 --mu exp --units rad"),
         // A shell would look for files called a=1 or a=2.
         ("--n 1 --mu exp --param \"a=[1,2]\"", "--n 1 --mu exp --param \"a=[1,2]\""),
-        ("--n 3 --mu exp --poles=-1,-2+3i/2,-2-1.5i", "--n 3 --mu exp --poles=-1,-2+3i/2,-2-3i/2"),
+        ("--n 3 --mu exp --poles=-1,-2+3i/2,-2-1.5i", "--n 3 --mu exp --poles=-1,-2+3i/2,-2-1.5i"),
         // A function that has the name of a family.
         ("--n 1 --mu=\"1*tanh(t)\"", "--n 1 --mu=\"tanh(t)\""),
         ("--n 1 --mu=\"tau*(2/4)*exp(t)\"", "--n 1 --mu=\"tau*(1/2)*exp(t)\""),

@@ -52,12 +52,13 @@ pub(super) fn peaks(spec: &Spec, expanded: Option<&Expanded>) -> Option<String> 
         most * ROUNDED
     };
     let all: Vec<_> = (0..spec.n).map(peak).collect();
-    let each = (1..).zip(&all).map(|(j, u)| format!("{} from x{j} = 1", digits(*u)));
+    let state = |j: usize| spec.state_of_loop(j);
+    let each = (0..).zip(&all).map(|(j, u)| format!("{} from {} = 1", digits(*u), state(j)));
     let each = each.collect::<Vec<_>>().join(", ");
     let below = limit_of_u(spec, 0).map(|(_, name)| {
         let limit = closed.limit();
-        let moving = (1..).zip(&all).filter(|(_, u)| **u > 0.0);
-        let from = moving.map(|(j, u)| format!("|x{j}| < {}", digits_down(limit / u)));
+        let moving = (0..).zip(&all).filter(|(_, u)| **u > 0.0);
+        let from = moving.map(|(j, u)| format!("|{}| < {}", state(j), digits_down(limit / u)));
         format!("; below {name} for {}, each alone", from.collect::<Vec<_>>().join(", "))
     });
     let below = below.unwrap_or_default();

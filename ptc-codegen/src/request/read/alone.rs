@@ -76,6 +76,7 @@ impl Reader<'_> {
         spec.fixed.retain(|parameter, _| matches!(parameter, Parameter::SampleTime | Parameter::A));
         spec.u_min = false;
         spec.poles.clear();
+        spec.written.remove("poles");
         spec.after = After::Hold;
         spec.reference = None;
         let promises = std::mem::take(&mut spec.promises);

@@ -26,6 +26,18 @@ impl Reader<'_> {
         }
     }
 
+    /// Refuses names of the states that are none, or too few.
+    fn names_of_states(&mut self, n: usize) {
+        let Some(node) = self.keys.get("states").copied() else { return };
+        let names = self.names(node, ("input", &[]));
+        if let Some((states, _)) = names.filter(|(states, _)| states.len() != n) {
+            let message =
+                format!("{} for {}", counted(&states.len(), "name"), counted(&n, "state"));
+            let help = "give a name for each row of A, or leave `states` out".to_owned();
+            self.wrong("states", Some(node.place), message, help);
+        }
+    }
+
     /// The linear plant, and how many of the states that are estimated each row of C accounts for;
     /// `None` if the plant is a chain, or was not read.
     pub(super) fn linear(
@@ -64,6 +76,7 @@ impl Reader<'_> {
             self.wrong("A", Some(a.place), message, help);
             return None;
         }
+        self.names_of_states(n);
         let a_rows = self.matrix("A", a, Some(n), n);
         let b = match self.keys.get("B").copied() {
             Some(b) => self.row("B", b, n),

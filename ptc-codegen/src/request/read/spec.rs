@@ -110,6 +110,7 @@ impl<'a> Reader<'a> {
             bounds: BTreeMap::new(),
             u_min: false,
             poles: law.poles,
+            written: self.written(),
             promises,
             engine: None,
         };

@@ -1,5 +1,7 @@
 //! Values as readers take them: lists, counts, and how they are shown.
 
+use std::collections::BTreeMap;
+
 use num_traits::ToPrimitive;
 
 use super::Reader;
@@ -14,6 +16,34 @@ pub(crate) fn items(node: &Node) -> &[Node] {
     match &node.value {
         Value::List(items) => items,
         _ => std::slice::from_ref(node),
+    }
+}
+
+/// The key that names the states of a linear plant.
+const STATES: &str = "states";
+
+/// The keys whose values are lists of numbers, or one, that are computed with as numbers alone.
+const NUMBERS: [&str; 8] =
+    ["poles", "observer_poles", "after_observer", "A", "B", "C", "output", "delay"];
+
+impl Reader<'_> {
+    /// Lists of numbers as they are written, and the names of the states of a linear plant.
+    pub(super) fn written(&self) -> BTreeMap<&'static str, String> {
+        let named = self.keys.contains_key("A").then_some(STATES);
+        let keys = NUMBERS.into_iter().chain(named);
+        let given = keys.filter_map(|key| Some((key, *self.keys.get(key)?)));
+        given.map(|(key, node)| (key, list_of(node))).collect()
+    }
+}
+
+/// A list without its brackets and blanks; with them where it has rows.
+fn list_of(node: &Node) -> String {
+    let text = node.value.to_string().replace(' ', "");
+    let has_rows = items(node).iter().any(|item| matches!(item.value, Value::List(_)));
+    let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']'));
+    match inner.filter(|_| !has_rows) {
+        Some(inner) => inner.to_owned(),
+        None => text,
     }
 }
 

@@ -51,5 +51,5 @@ pub(in crate::check::sampled) fn split(spec: &Spec, worst: &Worst, i: usize) -> 
     let parts = causes(spec, bound);
     let parts: Vec<_> =
         parts.iter().map(|(cause, part)| format!("{} {cause}", digits(*part))).collect();
-    format!("|x{}| <= {}: {}", i + 1, digits_up(bound.total()), parts.join(" + "))
+    format!("|{}| <= {}: {}", spec.state_of_loop(i), digits_up(bound.total()), parts.join(" + "))
 }

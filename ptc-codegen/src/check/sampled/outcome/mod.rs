@@ -91,8 +91,9 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN))
     };
     let (state, most) = share(&totals);
-    let told =
-        |i: usize, x: &[f64]| format!("the worst |x{}| at the deadline is {}", i + 1, digits(x[i]));
+    let told = |i: usize, x: &[f64]| {
+        format!("the worst |{}| at the deadline is {}", spec.state_of_loop(i), digits(x[i]))
+    };
     let all = format!("at the deadline |x| <= {}", bounds(totals.iter().copied()));
     let unknown = match (&spec.promises.plant, &spec.reference) {
         (Some(PlantBounds::Unknown(why)), _) => {
@@ -213,7 +214,6 @@ pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option
         };
         return (Some(told), is_clipped);
     }
-}
     let Span { low, high } = way.commands;
     let [low, high] = [digits_down(low), digits_up(high)];
     let [least, most] = [limits.low, limits.high].map(digits);
@@ -222,6 +222,7 @@ pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option
         false => format!("u is never clipped: from {low} to {high} it is within {least} to {most}"),
     };
     (Some(told), is_clipped)
+}
 
 /// The u_max that is never reached: a part of it more than the peak is left for its rounding.
 fn unclipped(spec: &Spec, worst: &Worst) -> Option<String> {

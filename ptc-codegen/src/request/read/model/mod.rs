@@ -30,8 +30,9 @@ pub(super) struct Read {
 impl Reader<'_> {
     /// Whether the design has a model, however it is written.
     pub(super) fn has_model(&self) -> bool {
-        // Beside A and B the output is a row.
-        let of_plant = |key: &str| key == "output" && self.keys.contains_key("A");
+        // Beside A and B the output is a row, and the states have names alone.
+        let of_plant =
+            |key: &str| ["output", "states"].contains(&key) && self.keys.contains_key("A");
         let mut given = KEYS.iter().filter(|key| self.keys.contains_key(**key));
         given.any(|key| !of_plant(key)) || self.has_coupled()
     }

@@ -9,7 +9,7 @@ use crate::syntax::{Argument, Node, Value};
 
 impl Reader<'_> {
     /// The names of the states and of the inputs, which are given under `key`.
-    pub(super) fn names(
+    pub(in super::super) fn names(
         &mut self,
         states: &Node,
         (key, inputs): (&'static str, &[Node]),
