@@ -10,7 +10,7 @@ use crate::check::sampled::{Bound, Cost, Gating, Margins, Stability, Worst, marg
 use clap::Args;
 use serde_json::json;
 
-use super::doubts::doubts;
+use super::doubts::unknown;
 use super::flags::{Design, EngineFlag, ListFormat, SpecFlags};
 use super::progress::checking;
 use super::report::{Failure, note};
@@ -57,7 +57,9 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let (mut spec, plant) = given.read_with_plant()?;
-    doubts(&spec, plant.as_ref()).iter().for_each(|doubt| note(doubt));
+    if let Some(doubt) = plant.as_ref().and_then(|plant| unknown(&spec, plant)) {
+        note(&doubt);
+    }
     let expanded = request.engine.engine.prepare(&mut spec)?;
     let report = checking(|| examine_expanded(&spec, expanded));
     let refused = report.refusals().next().is_some();

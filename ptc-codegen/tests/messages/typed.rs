@@ -49,7 +49,10 @@ const ROWS: [Typed; 25] = [
         ..checked(
             "milliseconds",
             "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5, -6]\nclock = \"samples\"\nsample_time = 5e-4\ndelay = 5e-4\n[params]\ntau = 500\n",
-            &["1000000 samples: is tau = 500 in s?", "is delay = 5e-4 in samples?"],
+            &[
+                "1e6 samples of 5e-4 s: is tau in s?",
+                "5e-4, 2.5e-7 s: delay is in samples, not in s",
+            ],
         )
     },
     checked(

@@ -76,10 +76,14 @@ impl Reader<'_> {
             with_comma(node).filter(|meant| !(meant.starts_with('-') && legal.contains("> 0")))?;
         let written = node.value.to_string();
         let written = written.trim_matches(['[', ']']).replace(", ", ",");
-        let of_axes = if key == "g" { "; a list of two needs axes = 2" } else { "" };
+        let further = match key {
+            "g" => "; a list of two needs axes = 2",
+            "tau" | "t0" | "eps" => "; an interval goes under [verify]",
+            _ => "",
+        };
         Some((
             format!("{key} = `{written}` is a list"),
-            format!("did you mean {meant}? {key} is {legal}{of_axes}"),
+            format!("did you mean {meant}? {key} is {legal}{further}"),
         ))
     }
 }
