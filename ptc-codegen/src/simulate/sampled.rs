@@ -26,6 +26,8 @@ use crate::samples;
 pub struct Sampled {
     n: usize,
     inputs: usize,
+    /// How many values are measured.
+    measured: usize,
     controller: Kind,
     moved: Moved,
     integrals: Option<Integrals>,
@@ -89,6 +91,7 @@ impl Sampled {
             return Ok(Self {
                 n: spec.states(),
                 inputs: spec.input_names().len(),
+                measured: spec.measurements(),
                 controller,
                 moved,
                 integrals: None,
@@ -103,7 +106,8 @@ impl Sampled {
         if let Some(plant) = &sampled.linear {
             let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
             let moved = Moved::Linear(Linear::new(plant, h));
-            return Ok(Self { n: spec.n, inputs: 1, controller, moved, integrals: None });
+            let measured = spec.measurements();
+            return Ok(Self { n: spec.n, inputs: 1, measured, controller, moved, integrals: None });
         }
         // A chain has the f that the controller knows.
         let f = spec.drift.clone().unwrap_or(Expression::integer(0));
@@ -111,7 +115,8 @@ impl Sampled {
         let plant = if *plant == Plant::default() { &own } else { plant };
         let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
         let inputs = spec.input_names().len();
-        Ok(Self { n: spec.states(), inputs, controller, moved, integrals: None })
+        let measured = spec.measurements();
+        Ok(Self { n: spec.states(), inputs, measured, controller, moved, integrals: None })
     }
 
     /// The same with integrals over the run beside it.
@@ -200,6 +205,8 @@ impl Sampled {
                 Moved::Linear(plant) => plant.measured(state),
             };
             frame.measure(&mut measured);
+            // A chain's other states reach no sensor.
+            measured.truncate(self.measured);
             let mut again = false;
             while armed.next_if(|at| since >= at * (1.0 - SAME)).is_some() {
                 again = true;
