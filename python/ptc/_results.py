@@ -21,7 +21,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps."""
     SATURATED = 2
-    """u was clipped to u_max."""
+    """u was clipped to its limits."""
     AFTER = 3
     """The deadline is over."""
     GATED = 4

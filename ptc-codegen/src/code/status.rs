@@ -10,7 +10,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held, or the deadline is over.
     Hold,
-    /// |u| was clipped to `u_max`.
+    /// u was clipped to its limits.
     Saturated,
     /// The deadline is over, and u is 0.
     After,

@@ -179,11 +179,8 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         causality: "output",
         variability: "discrete",
         description:
-            match spec.u_min {
-                true => "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to u_max or u_min, 3 after the deadline",
-                false => "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to u_max, 3 after the deadline",
-            }
-            .to_owned(),
+            "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to its limits, 3 after the deadline"
+                .to_owned(),
         kind2: "Integer",
         kind3: "Int32",
         dependencies: every.join(" "),

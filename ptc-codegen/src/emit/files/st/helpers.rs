@@ -104,7 +104,7 @@ One call does one of these."
 status; on a negative one u is 0 and nothing has changed; u is 0 after init and arm too:
    0  tracking, or init or arm done
    1  hold: time-to-go held at eps, the deadline is near or over, u is valid
-   2  saturated: u clipped to u_max; wins over 1 and 3
+   2  saturated: u clipped to its limits; wins over 1 and 3
    3  after: the deadline is over, u is 0 or that of the user-defined law
    4  gated: a reading was not believed, u by prediction alone; wins over all above
   -1  a parameter outside its domain, or coefficients that overflow; arm without init
