@@ -26,6 +26,7 @@ mod report;
 mod rules;
 mod rust;
 mod samples;
+mod seams;
 mod seeded;
 mod selftest;
 mod st;
@@ -64,6 +65,7 @@ pub const LAYERS: &[Layer] = &[
     report::LAYER,
     book::LAYER,
     explorer::LAYER,
+    seams::LAYER,
     verdicts::LAYER,
     suites::EMITTED,
     suites::LOOPS,
