@@ -10,6 +10,7 @@ use std::sync::LazyLock;
 
 use ptc_assure::harness::goldens::{FEW, controllers, of_axes};
 use ptc_assure::harness::{empty, program, run, rustc, write};
+use ptc_codegen::check::resolved::Resolved;
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
 use ptc_codegen::request::{Feedback, Spec};
@@ -89,6 +90,10 @@ fn the_macro_expands_to_the_golden() {
         assert!(items.contains("::ptc::"), "{}", spec.name());
         let real = program::real(spec.precision);
         let own = items.replace(&format!("::ptc::math::{real}::"), "math::").replace("::ptc::", "");
+        // The file names the design in its head, the macro where the controller is documented.
+        let design = Resolved::of(&spec).spec.fingerprint();
+        assert!(file.text.contains(&format!("design {design}.")), "{}: {design}", spec.name());
+        let own = own.replacen(&format!(" Design {design}."), "", 1);
         assert!(file.text.ends_with(&own), "{}: the file does not end in\n{own}", spec.name());
     }
 }

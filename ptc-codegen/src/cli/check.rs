@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::accepted::Accepted;
 use crate::check::Outcome;
 use crate::check::examine::{Report, examine_expanded};
-use crate::check::resolved::Choice;
+use crate::check::resolved::{Choice, follows, lines};
 use crate::check::sampled::{Bound, Cost, Gating, Margins, Stability, Worst, margins, stability};
 use clap::Args;
 use serde_json::json;
@@ -23,8 +23,8 @@ Checks with missing values are skipped, and the report names these values. An un
 The fingerprint names the design with all that was chosen; verdicts, reports and emitted files of
 one controller show the same.
 
-JSON: {\"name\":\"...\",\"command\":\"...\",\"fingerprint\":\"...\",\"chosen\":[...],\"accepted\":true,
-\"undecided\":[],\"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",
+JSON: {\"name\":\"...\",\"command\":\"...\",\"fingerprint\":\"...\",\"chosen\":[...],\"follows\":[...],
+\"accepted\":true,\"undecided\":[],\"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",
 \"verdict\":\"sound\",\"summary\":\"...\",\"details\":[...],\"fix\":null},...]};
 a verdict is sound, unsound, refuted, undecided or not checked.
 
@@ -93,8 +93,8 @@ fn text(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
     };
     let mut out = format!("{}: {order}, {}\n", spec.name(), spec.command());
     let _ = writeln!(out, "\ndesign      {}", spec.fingerprint());
-    for choice in &report.choices {
-        let _ = writeln!(out, "            - {choice}");
+    for line in lines(&report.choices, spec) {
+        let _ = writeln!(out, "            - {line}");
     }
     for outcome in &report.outcomes {
         let verdict = outcome.verdict.text();
@@ -207,6 +207,7 @@ fn json(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
         "command": report.spec.command(),
         "fingerprint": report.spec.fingerprint(),
         "chosen": report.choices.iter().map(chosen).collect::<Vec<_>>(),
+        "follows": follows(&report.spec).iter().map(chosen).collect::<Vec<_>>(),
         "accepted": !refused,
         "undecided": report.undecided().map(|outcome| outcome.name).collect::<Vec<_>>(),
         "not_looked_at": report.unseen(),

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use crate::check::resolved::Choice;
 use crate::design::{self, mistakes, overrides, root};
 use crate::diagnostic::{Diagnostic, LARGE, Place};
 use crate::internal::INTERNAL;
@@ -35,6 +36,16 @@ struct Flag {
     text: String,
     /// Where the value begins in it: after `NAME=` for `--param`.
     value: usize,
+}
+
+/// The lines of a design file that fix what was chosen.
+pub(crate) fn chosen(choices: &[Choice]) -> Vec<design::Line> {
+    let line = |choice: &Choice| design::Line {
+        key: choice.key.to_owned(),
+        value: choice.value.clone(),
+        comment: format!("chosen: {}", choice.reason),
+    };
+    choices.iter().map(line).collect()
 }
 
 /// Where a [`Place`] is.

@@ -23,12 +23,18 @@ const FACADE: &str = "::ptc::";
 
 /// The items of the Rust file of a controller on the types of the facade crate `ptc`.
 pub fn emit_items(controller: &Controller<'_>) -> String {
-    code::rust::items(&in_time(controller, Vec::new(), declared::element), FACADE)
+    let head = vec![design(controller.spec())];
+    code::rust::items(&in_time(controller, head, declared::element), FACADE)
 }
 
 /// The same of a controller in samples.
 pub fn emit_sampled_items(spec: &Spec) -> String {
-    code::rust::items(&in_samples(spec, &|_, _| Vec::new()), FACADE)
+    code::rust::items(&in_samples(spec, &|_, _| vec![design(spec)]), FACADE)
+}
+
+/// The head of the items of the macro: which design they are of.
+fn design(spec: &Spec) -> String {
+    format!("Design {}.", spec.fingerprint())
 }
 
 /// The program of a controller as it is printed, with the head of its file.

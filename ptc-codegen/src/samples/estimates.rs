@@ -5,8 +5,9 @@ use std::ops::{Add, Div, Mul, Range, Sub};
 use num_traits::ToPrimitive;
 
 use super::controller::Builder;
+use super::ends::{HELD_PART, is_noisy, switch};
 use super::observer::{Injection, Recurrence};
-use super::rows::{deadbeat_from, rows};
+use super::rows::rows;
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
@@ -15,9 +16,6 @@ use crate::internal::fault;
 use crate::linear::{Pair, sampled_poles};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Observer, Sampled, What};
-
-/// A part of N_o at which the gains of the observer stay once it is through.
-const HELD_PART: i64 = 8;
 
 /// The gains of one measured value, with the words between `l` and the number of a state in their
 /// names, and the unit of each.
@@ -89,7 +87,7 @@ impl<'a> Builder<'a> {
         ));
         body.extend(self.believe(&[(measured - 1, String::new())]));
         let observer = self.observer();
-        let switch = deadbeat_from(order, &observer.greatest);
+        let switch = switch(observer);
         let recurrence = self.recurrence(0..order, &switch);
         let c: Vec<_> = (0..order).map(|j| integer(i64::from(j == 0))).collect();
         let Some(injection) = Injection::of(&pair, &c, &recurrence) else {
@@ -109,15 +107,6 @@ impl<'a> Builder<'a> {
             body.push(Statement::Let(name.clone(), real, Expr::local(base).add(correction)));
         }
         body
-    }
-
-    /// Whether what is measured is known to be inexact.
-    fn is_noisy(&self) -> bool {
-        let promises = &self.spec.promises;
-        let any = |bounds: &[Fixed]| {
-            bounds.iter().any(|b| b.number().is_some_and(|b| *b != BigRational::default()))
-        };
-        any(&promises.noise) || any(&promises.noise_rms) || any(&promises.sensor_step)
     }
 
     pub(super) fn observer(&self) -> &'a Observer {
@@ -159,7 +148,7 @@ impl<'a> Builder<'a> {
         body.push(Statement::Let("left_o".to_owned(), Shape::Count, left));
         let from = BigRational::from_integer(switch.clone());
         let going = Expr::local("left_o").real();
-        let noisy = self.is_noisy() && observer.after.is_empty();
+        let noisy = is_noisy(self.spec) && observer.after.is_empty();
         let now = match (observer_eps, noisy) {
             (Some(eps), _) => {
                 let hold = Expr::Number(eps.clone()).div(self.parameter(Parameter::SampleTime));

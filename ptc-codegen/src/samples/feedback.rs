@@ -5,6 +5,7 @@ use std::ops::{Add, Div, Mul, Sub};
 use num_traits::ToPrimitive;
 
 use super::controller::Builder;
+use super::ends::end_of_law;
 use super::rows::{deadbeat, deadbeat_from, rows};
 use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Place, Shape, Statement, Test};
@@ -155,10 +156,9 @@ impl Builder<'_> {
 
     /// Samples to go at which deadbeat takes over.
     fn deadbeat_from(&self, order: usize, held: bool) -> Expr {
-        let whole = |i: usize| integer(i64::try_from(i).unwrap_or(0));
         if held {
             // Held gains need no end, but below this the law does not exist.
-            return Expr::Number(whole(order) - BigRational::new(1.into(), 2.into()));
+            return Expr::Number(end_of_law(order));
         }
         if let Some(given) = self.fixed(Parameter::Deadbeat) {
             return Expr::Number(given.clone());

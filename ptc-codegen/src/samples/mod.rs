@@ -12,6 +12,7 @@
 mod alone;
 mod chains;
 mod controller;
+mod ends;
 mod estimates;
 mod feedback;
 mod gate;
@@ -27,5 +28,6 @@ mod staged;
 mod start;
 
 pub use controller::controller;
+pub(crate) use ends::{deadbeat, end_of_law, is_noisy, observer_held};
 #[cfg(feature = "files")]
 pub use numbers::Numbers;

@@ -2,7 +2,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::rows::{deadbeat_from, rows};
+use super::ends::deadbeat;
+use super::rows::rows;
 use crate::algebra::BigRational;
 use crate::code::Expr;
 use crate::linear::Pair;
@@ -44,9 +45,7 @@ impl Numbers {
             (1..=order).map(|i| number(Parameter::Gain(i)).cloned().map(Expr::Number)).collect();
         let law = rows(&gains?, &Expr::Number(number(Parameter::A)?.clone()));
         let held = number(Parameter::Eps).is_some_and(|eps| *eps != BigRational::default());
-        let given = number(Parameter::Deadbeat).and_then(ToPrimitive::to_u64);
-        let follows = sampled.greatest.as_ref().map(|greatest| deadbeat_from(order, greatest));
-        let deadbeat = given.or(follows.as_ref().and_then(ToPrimitive::to_u64));
+        let deadbeat = deadbeat(spec).as_ref().and_then(ToPrimitive::to_u64);
         Some(Self {
             s: (0..order).map(row).collect::<Option<Vec<_>>>()?,
             rows: law.iter().filter_map(Expr::number).cloned().collect(),

@@ -9,9 +9,9 @@ use std::ops::{Add, Mul, Sub};
 use num_traits::Zero;
 
 use super::controller::Builder;
+use super::ends::switch;
 use super::estimates::Named;
 use super::observer::Injection;
-use super::rows::deadbeat_from;
 use crate::algebra::{BigInt, BigRational};
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::internal::fault;
@@ -100,8 +100,7 @@ impl Builder<'_> {
     /// The injections of all blocks, which end together, and where deadbeat takes over.
     fn injections(&self, outputs: &Outputs) -> (Vec<Named>, BigInt) {
         let observer = self.observer();
-        let greatest = |size: &usize| deadbeat_from(*size, &observer.greatest);
-        let switch = outputs.blocks.iter().map(greatest).max().unwrap_or_default();
+        let switch = switch(observer);
         let mut first = 0;
         let mut injections = Vec::new();
         for (i, size) in outputs.blocks.iter().enumerate() {

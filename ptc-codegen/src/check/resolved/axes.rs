@@ -18,7 +18,8 @@ pub(super) fn resolve(spec: &Spec, expanded: Option<&Expanded>) -> Resolved {
     });
     let chosen = each.filter_map(|mut own| {
         let eps = own.spec.fixed.remove(&Parameter::Eps)?;
-        Some((eps, own.choices.pop()?.reason))
+        let choice = own.choices.into_iter().find(|choice| choice.key == Parameter::Eps.key())?;
+        Some((eps, choice.reason))
     });
     let size = |eps: &Fixed| eps.number().and_then(ToPrimitive::to_f64).unwrap_or(0.0);
     let several = spec.designs().len() > 1;

@@ -4,11 +4,13 @@
 //! resolves its request first and speaks of the result, so that what is checked, run and verified is what is emitted.
 
 mod axes;
+mod follows;
 mod in_samples;
 mod in_time;
 mod margin;
 
 pub(super) use axes::alone;
+pub use follows::follows;
 
 use std::fmt;
 
@@ -85,6 +87,11 @@ impl Resolved {
         self.looped = None;
     }
 
+    /// Notes a value that the design leaves open, which is fixed already.
+    fn note(&mut self, key: &'static str, value: &str, reason: String) {
+        self.choices.push(Choice { key, value: value.to_owned(), reason });
+    }
+
     /// Fixes the eps that is best for the loop: the preferred one of those of which the check of the loop says most.
     ///
     /// # Errors
@@ -116,10 +123,22 @@ impl Resolved {
         Ok(())
     }
 
+    /// A line for each value that is chosen, and for each that other keys determine, with its reason.
+    pub fn lines(&self) -> Vec<String> {
+        lines(&self.choices, &self.spec)
+    }
+
     /// What the check of the loop said already, and the design.
     pub(super) fn parts(self) -> (Spec, Vec<Choice>, Option<Looped>) {
         (self.spec, self.choices, self.looped)
     }
+}
+
+/// A line for each choice, and for what follows from the design that was resolved by them.
+pub fn lines(choices: &[Choice], spec: &Spec) -> Vec<String> {
+    let chosen = choices.iter().map(ToString::to_string);
+    let follows = follows(spec).into_iter().map(|choice| format!("follows: {}", choice.told()));
+    chosen.chain(follows).collect()
 }
 
 /// Whether something beside the state at the start disturbs the loop, by which an eps can be judged.

@@ -5,6 +5,7 @@ mod report;
 
 use std::path::Path;
 
+use crate::design::completed;
 use crate::synthesis::{self, Outcome, Wish, file};
 use crate::verify::{Trial, possible};
 
@@ -13,7 +14,7 @@ pub(crate) use args::{EXAMPLES, Request};
 use super::output::{self, Outputs};
 use super::progress::progress;
 use super::report::Failure;
-use super::source::Source;
+use super::source::{Source, chosen};
 use super::write;
 
 /// Runs `design`.
@@ -48,6 +49,7 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
         &head(&request.design, &told),
     )
     .map_err(|error| Failure::because(format!("invalid TOML: {error}"), "mend the design file"))?;
+    let text = completed(&text, &chosen(&best.campaign.design.choices));
     let printed = out.is_standard_output();
     let written = output::write(&[(out, text.as_bytes())])?;
     if printed { Ok(()) } else { write::to_stdout(&format!("{told}{written}")) }

@@ -17,6 +17,9 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
         format!("{name}: {}, after {}\n", probe.choice, counted(&tries, "try"))
     };
     text.push_str(&format!("design {}\n", campaign.design.spec.fingerprint()));
+    for line in campaign.design.lines() {
+        text.push_str(&format!("  {line}\n"));
+    }
     let all = campaign.objectives.iter().zip(&found.worst).zip(&found.verdicts);
     let mut draws = None;
     for (number, ((objective, (excess, _)), verdict)) in (1..).zip(all) {

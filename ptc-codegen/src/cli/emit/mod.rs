@@ -6,9 +6,9 @@ use std::path::Path;
 
 use crate::accepted::Accepted;
 use crate::check::examine::examine_resolved;
-use crate::check::resolved::{Choice, Resolved};
+use crate::check::resolved::Resolved;
 use crate::controller::measured::Measured;
-use crate::design::{self, Line};
+use crate::design;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::emit::{File, Language, Project};
 use crate::expansion::Expanded;
@@ -24,8 +24,8 @@ use super::output::{self, Outputs};
 use super::progress::checking;
 use super::project as folder;
 use super::read;
-use super::report::Failure;
-use super::source::Source;
+use super::report::{Failure, note};
+use super::source::{Source, chosen};
 use super::write;
 
 /// Runs `emit`.
@@ -56,6 +56,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         return write::to_stdout(&program);
     }
     let design = checking(|| Resolved::expanded(&spec, expanded.as_ref()));
+    design.choices.iter().for_each(|choice| note(&choice.to_string()));
     let text = to.is_some().then(|| resolved(&source, &design)).transpose()?;
     match request.project {
         Some(kind) => match project(design, expanded, kind) {
@@ -81,12 +82,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
 /// The design file of a resolved design.
 fn resolved(source: &Source, design: &Resolved) -> Result<String, Failure> {
     let fingerprint = design.spec.fingerprint();
-    let line = |choice: &Choice| Line {
-        key: choice.key.to_owned(),
-        value: choice.value.clone(),
-        comment: format!("chosen: {}", choice.reason),
-    };
-    let text = source.completed(design.choices.iter().map(line).collect());
+    let text = source.completed(chosen(&design.choices));
     let (entries, found) = design::read(&text, &mut |_| Place(usize::MAX));
     let again = plant::read_design(&entries).ok().filter(|_| found.is_empty());
     match again.map(|(spec, _)| Resolved::of(&spec)) {

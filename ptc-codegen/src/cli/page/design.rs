@@ -1,6 +1,7 @@
 //! What a design is, in tables, and the command that runs it again.
 
 use crate::check::examine::Report;
+use crate::check::resolved::follows;
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
@@ -55,6 +56,7 @@ pub(super) fn facts(report: &Report) -> Vec<Fact> {
     let gain = spec.input_gain.as_ref().map_or("1".to_owned(), of_plant);
     let mut facts = vec![fact("name", spec.name()), fact("fingerprint", spec.fingerprint())];
     facts.extend(report.choices.iter().map(|choice| fact("chosen", choice.told())));
+    facts.extend(follows(&report.spec).iter().map(|choice| fact("follows", choice.told())));
     match &spec.coupled {
         Some(coupled) => facts.extend([
             fact("plant", coupled.order_text()),

@@ -11,7 +11,8 @@ given as an expression, in r_1, r_2, ..., which follow as expressions.
 
 JSON: each form is a list of terms, {\"coefficient\":\"-3/2\",\"exponents\":{\"T\":2}}, its coefficient
 exact. Exponents are keyed by the order of the derivative of s, by k for r_k in the abstract
-B_{i,j}, and by the symbol's text for all others. The subjects give
+B_{i,j}, and by the symbol's text for all others. With a design file \"fingerprint\" names the
+resolved design, \"chosen\" and \"follows\" list what was open in it. The subjects give
   r       {\"r\":[{\"k\":1,\"terms\":[...]},...]}
   R       {\"R\":[{\"k\":0,\"m\":0,\"terms\":[...]},...]}
   bell    {\"B\":[{\"i\":0,\"j\":0,\"terms\":[...]},...]}

@@ -30,7 +30,7 @@ pub(super) fn sheets(
         let notice = Notice { help: Some(help.to_owned()), ..Notice::of(message.to_owned()) };
         return Err(Failure::refused(vec![notice]));
     }
-    let mut plant = Sheet { heading: coupled.lines(), blocks: Vec::new() };
+    let mut plant = Sheet { heading: coupled.lines(), blocks: Vec::new(), design: None };
     plant.heading.extend(law(coupled));
     plant.heading.push("where v_i is the u of the chain of output i:".to_owned());
     let mut all = vec![plant];

@@ -1,6 +1,8 @@
 //! A sheet in JSON; the help of `show` documents its shape.
 
 use crate::algebra::{Kind, Poly, Symbol};
+use crate::check::resolved::follows;
+use crate::cli::check::chosen;
 use crate::expression::Expression;
 use serde_json::{Map, Value, json};
 
@@ -8,13 +10,18 @@ use super::sheet::{Block, Forms, Sheet};
 
 /// One sheet, or those of several outputs as a list.
 pub(super) fn render(sheets: &[Sheet]) -> String {
-    let value = match sheets {
+    let mut value = match sheets {
         [sheet] => object(sheet),
         several => {
             let outputs = several.iter().filter(|sheet| !sheet.blocks.is_empty()).map(object);
             json!({ "outputs": outputs.collect::<Vec<_>>() })
         }
     };
+    if let Some(design) = sheets.first().and_then(|sheet| sheet.design.as_ref()) {
+        value["fingerprint"] = json!(design.spec.fingerprint());
+        value["chosen"] = design.choices.iter().map(chosen).collect();
+        value["follows"] = follows(&design.spec).iter().map(chosen).collect();
+    }
     format!("{value}\n")
 }
 

@@ -15,6 +15,7 @@ mod sheet;
 mod text;
 
 use crate::algebra::Poly;
+use crate::check::resolved::Resolved;
 use crate::diagnostic::Diagnostic;
 use crate::family::Family;
 use crate::keys::KeyInfo;
@@ -31,6 +32,7 @@ pub(crate) use args::{EXAMPLES, Show, Subject};
 use super::engine::{Engine, Part};
 #[cfg(feature = "lab")]
 use super::mathml::Math;
+use super::progress::checking;
 use super::report::Failure;
 use super::source::Source;
 use forms::{bell, entries, fixed_values, matrix};
@@ -48,10 +50,18 @@ pub(crate) fn show(request: &Show) -> Result<String, Failure> {
     };
     let sheets = match ask(request)? {
         Asked::Abstract(n) => vec![of_abstract(subject, n, engine)?],
-        Asked::Design(spec) => match &spec.coupled {
-            Some(coupled) => coupled::sheets(subject, (&spec, coupled), one)?,
-            None => vec![one(&spec)?],
-        },
+        Asked::Design(spec) => {
+            let design = checking(|| Resolved::of(&spec));
+            let spec = &design.spec;
+            let mut sheets = match &spec.coupled {
+                Some(coupled) => coupled::sheets(subject, (spec, coupled), one)?,
+                None => vec![one(spec)?],
+            };
+            if let Some(first) = sheets.first_mut().filter(|_| request.design.design.is_some()) {
+                first.name(design);
+            }
+            sheets
+        }
     };
     let each = |render: fn(&Sheet) -> String| sheets.iter().map(render).collect::<Vec<_>>();
     Ok(match request.format {

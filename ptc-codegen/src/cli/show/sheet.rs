@@ -1,6 +1,7 @@
 //! What `show` prints, before it has a notation.
 
 use crate::algebra::{Poly, text};
+use crate::check::resolved::Resolved;
 use crate::expression::Expression;
 
 /// The answer to one request.
@@ -9,6 +10,8 @@ pub(super) struct Sheet {
     pub(super) heading: Vec<String>,
     /// The parts, in order.
     pub(super) blocks: Vec<Block>,
+    /// The design that they are of, where a file gives it.
+    pub(super) design: Option<Resolved>,
 }
 
 /// A part of a sheet.
@@ -57,8 +60,15 @@ pub(super) enum Layout {
 }
 
 impl Sheet {
+    /// Names the design that the sheet is of.
+    pub(super) fn name(&mut self, design: Resolved) {
+        let name = format!("design {}", design.spec.fingerprint());
+        self.heading.splice(0..0, std::iter::once(name).chain(design.lines()));
+        self.design = Some(design);
+    }
+
     pub(super) fn new(heading: &str) -> Self {
-        Self { heading: vec![heading.to_owned()], blocks: Vec::new() }
+        Self { heading: vec![heading.to_owned()], blocks: Vec::new(), design: None }
     }
 
     /// Adds closed forms.

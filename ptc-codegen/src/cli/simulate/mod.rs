@@ -9,7 +9,7 @@ mod page;
 mod picture;
 mod run;
 
-use crate::check::resolved::{Choice, Resolved};
+use crate::check::resolved::Resolved;
 use crate::diagnostic::visible_line;
 use crate::parameter::Precision;
 use crate::plant::{self, Plant};
@@ -40,6 +40,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let mut runs = Vec::new();
+    let mut designs = Vec::new();
     let mut drawn = None;
     let mappings = source.each_flag("mu");
     if let (true, Some(path)) = (mappings.len() > 1, &request.report) {
@@ -94,7 +95,6 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
                 "the loop at every instant is integrated in f64; the emitted program, in f32, gives u and its status up to eps, if eps is known; --sample-time runs it in the loop",
             );
         }
-        let emitted = around.is_some() || spec.has_model();
         let mut run = match &around {
             None => continuous((&resolved, &spec), &plant, &asked, &mut csv)?,
             Some(around) => sampled((&resolved, &spec), &plant, &asked, around, &mut csv)?,
@@ -119,8 +119,10 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         if let Some(told) = run.tracking() {
             note(&told);
         }
-        if emitted && runs.is_empty() {
-            chosen(&resolved);
+        let fingerprint = resolved.spec.fingerprint();
+        if !designs.contains(&fingerprint) {
+            named(&resolved, (!designs.is_empty()).then_some(&run.label));
+            designs.push(fingerprint);
         }
         runs.push(run);
         drawn = Some(Drawn { requested, resolved, spec, plant });
@@ -144,12 +146,11 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     if printed { Ok(()) } else { write::to_stdout(&told) }
 }
 
-/// Prints what was chosen for the controller that runs.
-fn chosen(resolved: &Resolved) {
-    let all: Vec<_> = resolved.choices.iter().map(Choice::told).collect();
-    if !all.is_empty() {
-        note(&format!("design {}, chosen: {}", resolved.spec.fingerprint(), all.join("; ")));
-    }
+/// Names the controller that runs, and prints what was chosen for it; `run` is that of a further one.
+fn named(resolved: &Resolved, run: Option<&String>) {
+    let of = run.map_or_else(String::new, |run| format!(", {run}"));
+    note(&format!("design {}{of}", resolved.spec.fingerprint()));
+    resolved.lines().iter().for_each(|line| note(line));
 }
 
 /// Whether tau does not tell the runs apart.

@@ -57,8 +57,8 @@ impl Summary {
         let mut text = format!("{}: {}\n", campaign.spec.name(), self.run);
         text.push_str(&format!("draws: {}\n", self.distribution));
         text.push_str(&format!("design {}\n", campaign.design.spec.fingerprint()));
-        for choice in &campaign.design.choices {
-            text.push_str(&format!("  {choice}\n"));
+        for line in campaign.design.lines() {
+            text.push_str(&format!("  {line}\n"));
         }
         text.push('\n');
         let judged = campaign.objectives.iter().zip(&self.objectives);

@@ -21,7 +21,7 @@ fn emit(kind: &str, arguments: &[&str], out: Option<&Path>, from: &Path) -> Outp
 /// Makes a project without a warning; what is printed.
 fn made(kind: &str, arguments: &[&str], out: &Path) -> String {
     let output = emit(kind, arguments, Some(out), Path::new("/"));
-    let told = String::from_utf8_lossy(&output.stderr);
+    let told = support::without_design(&String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success() && told.is_empty(), "{kind} {arguments:?}: {told}");
     String::from_utf8(output.stdout).expect("UTF-8")
 }
@@ -34,7 +34,7 @@ fn told(output: &Output, code: i32) -> String {
 
 fn run(command: &mut Command) -> String {
     let output = command.output().expect("it runs");
-    let told = String::from_utf8_lossy(&output.stderr);
+    let told = support::without_design(&String::from_utf8_lossy(&output.stderr));
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(output.status.success(), "{command:?}: {printed}{told}");
     assert_eq!(told, "", "{command:?}");

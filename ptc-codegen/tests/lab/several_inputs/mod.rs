@@ -12,7 +12,7 @@ mod sampled;
 
 use crate::support;
 
-use support::{UNICYCLE, example, folder_with, run_in};
+use support::{UNICYCLE, example, folder_with, run_in, without_design};
 
 /// The head and the rows of a run of `simulate`, and what is said beside it.
 fn run(test: &str, design: &str, further: &[&str]) -> (String, Vec<Vec<f64>>, String) {

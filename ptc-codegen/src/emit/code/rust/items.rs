@@ -19,7 +19,9 @@ impl Rust<'_> {
         let kind = type_name(&code.name);
         let about = format!("Run-time parameters of [`{kind}`].");
         self.structure(&format!("{kind}Params"), &about, &code.parameters, true);
-        let about = format!("Prescribed-time {}.", code.noun());
+        // In a file the head stands above all.
+        let head = if self.runtime.is_empty() { "" } else { &format!(" {}", code.head.join(" ")) };
+        let about = format!("Prescribed-time {}.{head}", code.noun());
         self.structure(&kind, &about, &code.fields, false);
         if !code.gains.is_empty() {
             let about = format!("Feedback gains of [`{kind}`] at one time.");
