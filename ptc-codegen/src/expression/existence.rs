@@ -6,6 +6,7 @@
 
 use super::enclosure::Interval;
 use super::function::Domain;
+use super::sign::Sign;
 use super::{Expression, Found, Function, Node};
 
 /// What a part of an expression has to be.
@@ -47,6 +48,18 @@ impl Condition {
             Self::NotNegative => values.is_not_negative(),
             Self::InsideOne => values.is_inside(&Interval::integer(1).both_signs()),
             Self::WithinOne => values.within(Domain::WithinOne).is_some_and(|part| part == *values),
+        }
+    }
+
+    /// Whether every number of a sign meets it.
+    pub(crate) fn is_met_by(self, sign: Sign) -> bool {
+        match self {
+            Self::NotZero => matches!(sign, Sign::Positive | Sign::Negative),
+            Self::Positive => sign == Sign::Positive,
+            Self::NotNegative => {
+                matches!(sign, Sign::Positive | Sign::NotNegative | Sign::Zero)
+            }
+            Self::InsideOne | Self::WithinOne => sign == Sign::Zero,
         }
     }
 

@@ -7,6 +7,7 @@ use crate::expression::enclosure::{Interval, Range};
 use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::existence::{Condition, needs};
 use crate::expression::normal::normal;
+use crate::expression::sign::{Sign, sign};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
@@ -131,6 +132,8 @@ impl Reader<'_> {
         let mut met = |part: &Expression, condition: Condition| {
             let value = evaluator.value(part, &names);
             value.is_some_and(|value| condition.is_met(&value.interval))
+                || sign(part, &|name| sign_of(name, &names))
+                    .is_some_and(|sign| condition.is_met_by(sign))
         };
         let given = spec.known_references().map(|all| &all[0]);
         let mut wanted = given.flat_map(needs).map(analytic);
@@ -147,6 +150,16 @@ impl Reader<'_> {
             "give {start}values or bounds of the parameters under [params]; write a sum of squares as one; or give the derivatives with each call, `reference` = input"
         );
         self.wrong("reference", place, message, help);
+    }
+}
+
+/// The sign of the values of a name; an interval that ends at infinity loses that of a reciprocal.
+fn sign_of(name: &Expression, names: &Names) -> Option<Sign> {
+    let values = names.get(name)?;
+    match (values.is_positive(), values.is_not_negative()) {
+        (true, _) => Some(Sign::Positive),
+        (_, true) => Some(Sign::NotNegative),
+        _ => None,
     }
 }
 

@@ -46,6 +46,7 @@ fn a_reference_that_exists_is_taken() {
     for reference in [
         "1/(1 + t^2)",
         "1/(2 + sin(t))",
+        "ln(1/(1 + t*t))",
         "ln(2 + sin(t))",
         "1/(1 + exp(t))",
         "sqrt(t + 1)",
