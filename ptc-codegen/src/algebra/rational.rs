@@ -41,10 +41,12 @@ pub(crate) fn multiple(a: BigInt, b: &BigInt) -> BigInt {
     let twos = |of: &BigInt| of.trailing_zeros().unwrap_or(0);
     let (a_twos, b_twos) = (twos(&a), twos(b));
     let (a, b) = (a >> a_twos, b >> b_twos);
-    let odd = match () {
-        () if a.is_one() => b,
-        () if b.is_one() || a == b => a,
-        () => BigRational::new(a, b.clone()).numer() * b,
+    let odd = if a.is_one() {
+        b
+    } else if b.is_one() || a == b {
+        a
+    } else {
+        BigRational::new(a, b.clone()).numer() * b
     };
     odd << a_twos.max(b_twos)
 }

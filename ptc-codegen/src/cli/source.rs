@@ -260,10 +260,12 @@ impl Parsed<'_> {
                 let internal = all.iter().any(|d| d.code == INTERNAL);
                 let refused = !all.is_empty() && all.iter().all(Diagnostic::refuses);
                 let notices = all.iter().map(|d| self.notice(d)).collect();
-                let exit = match () {
-                    () if internal => Exit::Internal,
-                    () if refused => Exit::Failed,
-                    () => Exit::BadInput,
+                let exit = if internal {
+                    Exit::Internal
+                } else if refused {
+                    Exit::Failed
+                } else {
+                    Exit::BadInput
                 };
                 Err(Failure { exit, notices })
             }

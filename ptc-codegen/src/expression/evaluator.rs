@@ -144,11 +144,14 @@ impl Evaluator {
             return Some(base.whole_power(k));
         }
         let exponent = self.enclose(b, names)?;
-        self.note(match () {
-            () if base.is_negative() => Existence::Never,
-            () if !base.is_not_negative() => Existence::Partly,
-            () if base.has_zero() && !exponent.is_positive() => Existence::ButAtPoles,
-            () => Existence::Certain,
+        self.note(if base.is_negative() {
+            Existence::Never
+        } else if !base.is_not_negative() {
+            Existence::Partly
+        } else if base.has_zero() && !exponent.is_positive() {
+            Existence::ButAtPoles
+        } else {
+            Existence::Certain
         });
         if !base.is_not_negative() {
             return Some(Interval::WHOLE);
@@ -179,11 +182,16 @@ fn existence_within(inner: &Interval, domain: Domain) -> Existence {
     // How far the interval is inside of each end.
     let above = low.map(|edge| (inner.minus(&Interval::integer(edge.at)), edge.closed));
     let below = high.map(|edge| (Interval::integer(edge.at).minus(inner), edge.closed));
-    let of_edge = |(room, closed): (Interval, bool)| match () {
-        () if room.is_negative() => Existence::Never,
-        () if !room.is_not_negative() => Existence::Partly,
-        () if !closed && room.has_zero() => Existence::ButAtPoles,
-        () => Existence::Certain,
+    let of_edge = |(room, closed): (Interval, bool)| {
+        if room.is_negative() {
+            Existence::Never
+        } else if !room.is_not_negative() {
+            Existence::Partly
+        } else if !closed && room.has_zero() {
+            Existence::ButAtPoles
+        } else {
+            Existence::Certain
+        }
     };
     let found = [above, below].into_iter().flatten().map(of_edge);
     found.max().unwrap_or(Existence::Certain)

@@ -96,12 +96,18 @@ impl Pair {
         }
         // Where the input of age a, in samples, is kept.
         let kept = |age: usize| n + age - 1;
-        let entry = |i: usize, j: usize| match () {
-            () if i < n && j < n => self.phi.at(i, j).clone(),
-            () if i < n && j == kept(inputs) => &self.gamma[i] - &self.newer[i],
-            () if i < n && inputs > 1 && j == kept(inputs - 1) => self.newer[i].clone(),
-            () if i > n && j + 1 == i => BigRational::one(),
-            () => BigRational::zero(),
+        let entry = |i: usize, j: usize| {
+            if i < n && j < n {
+                self.phi.at(i, j).clone()
+            } else if i < n && j == kept(inputs) {
+                &self.gamma[i] - &self.newer[i]
+            } else if i < n && inputs > 1 && j == kept(inputs - 1) {
+                self.newer[i].clone()
+            } else if i > n && j + 1 == i {
+                BigRational::one()
+            } else {
+                BigRational::zero()
+            }
         };
         let unit = |i: usize| match i {
             i if i < n && inputs == 1 => self.newer[i].clone(),

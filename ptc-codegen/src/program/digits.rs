@@ -95,10 +95,12 @@ impl Size {
             Some((least.rounded(spec.precision)?, greatest.rounded(spec.precision)?))
         });
         if let Some((least, greatest)) = bounds.or_else(|| spec.ends_of_kind(parameter)) {
-            return match () {
-                () if least > 0.0 => Self::positive(least, greatest),
-                () if greatest < 0.0 => Self::positive(-greatest, -least).negative(),
-                () => Self::UNKNOWN,
+            return if least > 0.0 {
+                Self::positive(least, greatest)
+            } else if greatest < 0.0 {
+                Self::positive(-greatest, -least).negative()
+            } else {
+                Self::UNKNOWN
             };
         }
         match parameter {

@@ -265,10 +265,12 @@ impl Slots {
                 high = y;
             }
             let next = at(self, root.next);
-            let proposal = match () {
-                () if next >= low && next <= high => "inside",
-                () if next >= low => "beyond",
-                () => "before",
+            let proposal = if next >= low && next <= high {
+                "inside"
+            } else if next >= low {
+                "beyond"
+            } else {
+                "before"
             };
             watch(value, if right { "right" } else { "left" });
             watch(value, proposal);

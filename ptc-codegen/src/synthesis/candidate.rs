@@ -135,13 +135,13 @@ impl Candidate {
         #[allow(clippy::cast_precision_loss)]
         let poles = orders.iter().copied().max().unwrap_or(1) as f64;
         // Left of -n rho u goes to 0, and x with it. Where rho = 0 each stable pole does that.
-        let (range, first) = match () {
-            () if plan.is_none() && spacing.is_none() => ((1.0, 1.0), 1.0),
-            () if decay > 0.0 => {
-                let line = poles * decay;
-                ((line, 32.0 * line), 1.5 * line)
-            }
-            () => ((poles / 16.0, 32.0 * poles), poles),
+        let (range, first) = if plan.is_none() && spacing.is_none() {
+            ((1.0, 1.0), 1.0)
+        } else if decay > 0.0 {
+            let line = poles * decay;
+            ((line, 32.0 * line), 1.5 * line)
+        } else {
+            ((poles / 16.0, 32.0 * poles), poles)
         };
         Self { clock, orders, plan, spacing, unit, range, first }
     }

@@ -244,18 +244,15 @@ impl Journal {
         let here = &self.header;
         unusable(
             path,
-            &match () {
-                () if there.version != here.version => format!(
+            &if there.version != here.version {
+                format!(
                     "it is of version {} of ptc-codegen, and this is {}",
                     there.version, here.version
-                ),
-                () if there.campaign != here.campaign => {
-                    format!(
-                        "it is of another campaign: {}",
-                        differing(&there.campaign, &here.campaign)
-                    )
-                }
-                () => format!("it has {} of this campaign, and not {}", there.range, here.range),
+                )
+            } else if there.campaign != here.campaign {
+                format!("it is of another campaign: {}", differing(&there.campaign, &here.campaign))
+            } else {
+                format!("it has {} of this campaign, and not {}", there.range, here.range)
             },
         )
     }

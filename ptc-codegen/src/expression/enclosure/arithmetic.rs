@@ -127,12 +127,12 @@ impl<E: End> Enclosure<E> {
     /// a + b.
     #[inline]
     pub(crate) fn plus(&self, other: &Self) -> Self {
-        match () {
-            () if self.is_zero() => other.clone(),
-            () if other.is_zero() => self.clone(),
-            () => {
-                Self { low: self.low.sum(&other.low, Down), high: self.high.sum(&other.high, Up) }
-            }
+        if self.is_zero() {
+            other.clone()
+        } else if other.is_zero() {
+            self.clone()
+        } else {
+            Self { low: self.low.sum(&other.low, Down), high: self.high.sum(&other.high, Up) }
         }
     }
 

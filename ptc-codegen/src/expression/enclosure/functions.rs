@@ -28,20 +28,29 @@ impl Interval {
     }
 
     fn exp(&self, cache: &mut Consts) -> Self {
-        self.growing(&mut |x| match () {
-            () if *x < small(-2500) => Self::new(small(0), two_to(-3500)),
-            () if *x > small(2500) => Self::new(two_to(3500), INF_POS),
-            () if is_tiny(x) => Self::around(small(1)),
-            () => Self::around(x.exp(LONG, RoundingMode::None, cache)),
+        self.growing(&mut |x| {
+            if *x < small(-2500) {
+                Self::new(small(0), two_to(-3500))
+            } else if *x > small(2500) {
+                Self::new(two_to(3500), INF_POS)
+            } else if is_tiny(x) {
+                Self::around(small(1))
+            } else {
+                Self::around(x.exp(LONG, RoundingMode::None, cache))
+            }
         })
     }
 
     fn ln(&self, cache: &mut Consts) -> Self {
         let Some(there) = self.clipped(&small(0), &INF_POS) else { return Self::WHOLE };
-        there.growing(&mut |x| match () {
-            () if x.is_zero() => Self::from(INF_NEG),
-            () if x.is_inf() => Self::from(INF_POS),
-            () => Self::around(x.ln(LONG, RoundingMode::None, cache)),
+        there.growing(&mut |x| {
+            if x.is_zero() {
+                Self::from(INF_NEG)
+            } else if x.is_inf() {
+                Self::from(INF_POS)
+            } else {
+                Self::around(x.ln(LONG, RoundingMode::None, cache))
+            }
         })
     }
 
@@ -86,10 +95,14 @@ impl Interval {
         if bound >= small(1) {
             return shifted;
         }
-        self.growing(&mut |x| match () {
-            () if x.is_zero() => Self::integer(0),
-            () if is_tiny(x) => Self::around(x.clone()),
-            () => Self::around(x.sin(LONG, RoundingMode::None, cache)),
+        self.growing(&mut |x| {
+            if x.is_zero() {
+                Self::integer(0)
+            } else if is_tiny(x) {
+                Self::around(x.clone())
+            } else {
+                Self::around(x.sin(LONG, RoundingMode::None, cache))
+            }
         })
     }
 
@@ -122,10 +135,14 @@ impl Interval {
     /// A function at one number of its domain, or at an infinite end.
     fn at(function: Function, x: &BigFloat, cache: &mut Consts) -> Self {
         let library = |of: fn(&BigFloat, usize, RoundingMode, &mut Consts) -> BigFloat,
-                       cache: &mut Consts| match () {
-            () if x.is_zero() => Self::integer(0),
-            () if is_tiny(x) => Self::around(x.clone()),
-            () => Self::around(of(x, LONG, RoundingMode::None, cache)),
+                       cache: &mut Consts| {
+            if x.is_zero() {
+                Self::integer(0)
+            } else if is_tiny(x) {
+                Self::around(x.clone())
+            } else {
+                Self::around(of(x, LONG, RoundingMode::None, cache))
+            }
         };
         match function {
             Function::Abs => Self::from(x.clone()),

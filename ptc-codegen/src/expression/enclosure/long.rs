@@ -44,13 +44,18 @@ pub(super) fn two_to(exponent: i32) -> BigFloat {
 fn settled(end: BigFloat, side: RoundingMode) -> BigFloat {
     let exponent = end.exponent().filter(|_| !end.is_zero()).unwrap_or(0);
     let outwards = end.is_positive() == (side == Up);
-    let size = match () {
-        () if end.is_nan() => return infinity(side),
-        () if exponent.abs() <= MAX_EXPONENT => return end,
-        () if exponent > 0 && outwards => return infinity(side),
-        () if exponent > 0 => two_to(MAX_EXPONENT - 1),
-        () if outwards => two_to(-MAX_EXPONENT),
-        () => return small(0),
+    let size = if end.is_nan() {
+        return infinity(side);
+    } else if exponent.abs() <= MAX_EXPONENT {
+        return end;
+    } else if exponent > 0 && outwards {
+        return infinity(side);
+    } else if exponent > 0 {
+        two_to(MAX_EXPONENT - 1)
+    } else if outwards {
+        two_to(-MAX_EXPONENT)
+    } else {
+        return small(0);
     };
     if end.is_positive() { size } else { -size }
 }
@@ -75,10 +80,12 @@ impl End for BigFloat {
     }
 
     fn inverse(&self, side: RoundingMode) -> Self {
-        match () {
-            () if self.is_zero() => infinity(side),
-            () if self.is_inf() => small(0),
-            () => settled(small(1).div(self, BITS, side), side),
+        if self.is_zero() {
+            infinity(side)
+        } else if self.is_inf() {
+            small(0)
+        } else {
+            settled(small(1).div(self, BITS, side), side)
         }
     }
 }

@@ -57,12 +57,16 @@ impl Clock {
         let one = Expression::integer(1);
         let in_units = |form: &Expression, of_mu: bool| {
             let share = if of_mu { form.clone().div(unknown.clone()) } else { form.clone() };
-            match () {
-                () if of_family => Some(with(form, &one)),
-                () if scales(&with(&share, &unknown)) => Some(with(form, &one)),
-                () if low == high && of_mu => Some(with(&share, &tau)),
-                () if low == high => Some(with(form, &tau)),
-                () => None,
+            if of_family {
+                Some(with(form, &one))
+            } else if scales(&with(&share, &unknown)) {
+                Some(with(form, &one))
+            } else if low == high && of_mu {
+                Some(with(&share, &tau))
+            } else if low == high {
+                Some(with(form, &tau))
+            } else {
+                None
             }
         };
         let form = match campaign.spec.time_mapping.form() {

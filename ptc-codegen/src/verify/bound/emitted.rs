@@ -102,9 +102,10 @@ impl Emitted {
             let is_loose = at_one.is_none_or(|[states, middle]| {
                 states.iter().zip(&middle).any(|(x, about)| size(x) > 2.0 * size(about))
             });
-            let is_share = match () {
-                () if of_tau <= least || of_share <= least => of_share >= of_tau,
-                () => is_loose || tau[0] == tau[1],
+            let is_share = if of_tau <= least || of_share <= least {
+                of_share >= of_tau
+            } else {
+                is_loose || tau[0] == tau[1]
             };
             if is_share {
                 left.extend(halved(&share).map(|share| (share, tau.clone())));

@@ -59,10 +59,10 @@ impl Flow {
             let power = i32::try_from(n - j).unwrap_or(i32::MAX);
             &gains[j] / num_traits::Pow::pow(&rate, power)
         };
-        let a = Square::of(n, |i, j| match () {
-            () if i + 1 == n => -scaled(j),
-            () => integer(i64::from(j == i + 1)),
-        });
+        let a = Square::of(
+            n,
+            |i, j| if i + 1 == n { -scaled(j) } else { integer(i64::from(j == i + 1)) },
+        );
         let norm = a.norm();
         let grid = (norm.high() / STEP).log2().ceil().max(0.0);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]

@@ -205,10 +205,12 @@ impl Arithmetic<'_> {
         let at = inner[0];
         let slope = function.row().slope;
         if let Slope::Sign | Slope::Zero = slope {
-            let sign = match () {
-                () if at.is_positive() => Range::from(1.0),
-                () if at.is_negative() => Range::from(-1.0),
-                () => return None,
+            let sign = if at.is_positive() {
+                Range::from(1.0)
+            } else if at.is_negative() {
+                Range::from(-1.0)
+            } else {
+                return None;
             };
             let sign = Series::constant(sign, inner.len());
             return Some(if slope == Slope::Sign { sign.times(a) } else { sign });

@@ -90,10 +90,14 @@ impl Table {
         }
         side.settle();
         let scaled = |j: usize| gains[j] / rate.powi(exponent(n - j));
-        let entry = |i: usize, j: usize| match () {
-            () if i + 1 == n => -scaled(j),
-            () if j == i + 1 => 1.0,
-            () => 0.0,
+        let entry = |i: usize, j: usize| {
+            if i + 1 == n {
+                -scaled(j)
+            } else if j == i + 1 {
+                1.0
+            } else {
+                0.0
+            }
         };
         let companion = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
         let t0 = Pack::all(values.get(Parameter::StartTime));

@@ -36,14 +36,14 @@ impl Summary {
         let any = |wanted: &dyn Fn(Verdict) -> bool| {
             self.objectives.iter().any(|judged| wanted(judged.verdict))
         };
-        match () {
-            () if any(&|verdict| verdict == Verdict::Fails) => End::Fails,
-            () if self.sides.as_ref().is_some_and(|sides| sides.apart)
-                || any(&|verdict| !verdict.holds()) =>
-            {
-                End::Undecided
-            }
-            () => End::Holds,
+        if any(&|verdict| verdict == Verdict::Fails) {
+            End::Fails
+        } else if self.sides.as_ref().is_some_and(|sides| sides.apart)
+            || any(&|verdict| !verdict.holds())
+        {
+            End::Undecided
+        } else {
+            End::Holds
         }
     }
 

@@ -127,9 +127,8 @@ pub(crate) fn law(drawn: &mut Drawn, n: usize) -> (Vec<f64>, String) {
 /// x_1..x_n and g u from x at w = 1, for tau = 1: one row each.
 pub(crate) fn transition(gains: &[f64], kappa: &Kappa, a: f64, w: f64) -> DMatrix<f64> {
     let n = gains.len();
-    let companion = DMatrix::from_fn(n, n, |i, j| match () {
-        () if i + 1 == n => -gains[j],
-        () => f64::from(u8::from(j == i + 1)),
+    let companion = DMatrix::from_fn(n, n, |i, j| {
+        if i + 1 == n { -gains[j] } else { f64::from(u8::from(j == i + 1)) }
     });
     let rows = |w: f64| {
         let [_, k1, k2, k3] = (kappa.1)(w, a);

@@ -76,17 +76,16 @@ fn force(spec: &Spec) -> String {
         return "f = 0".to_owned();
     };
     let zero = BigRational::default();
-    match () {
-        () if *constant == zero && *varying == zero => format!("f = {}", number(middle)),
-        () => {
-            let most = constant + varying;
-            let signal = match (*constant == zero, *varying == zero) {
-                (_, true) => "constant",
-                (true, _) => "any signal",
-                _ => "in part constant",
-            };
-            let [low, high] = [middle - &most, middle + &most].each_ref().map(number);
-            format!("f in [{low}, {high}], {signal}")
-        }
+    if *constant == zero && *varying == zero {
+        format!("f = {}", number(middle))
+    } else {
+        let most = constant + varying;
+        let signal = match (*constant == zero, *varying == zero) {
+            (_, true) => "constant",
+            (true, _) => "any signal",
+            _ => "in part constant",
+        };
+        let [low, high] = [middle - &most, middle + &most].each_ref().map(number);
+        format!("f in [{low}, {high}], {signal}")
     }
 }

@@ -27,10 +27,14 @@ impl Bounds {
                 return Err(Why::MayNotExist(spelt.clone()));
             }
         }
-        let sign = |kink: Interval| match () {
-            () if kink.is_positive() => Some(true),
-            () if kink.is_negative() => Some(false),
-            () => None,
+        let sign = |kink: Interval| {
+            if kink.is_positive() {
+                Some(true)
+            } else if kink.is_negative() {
+                Some(false)
+            } else {
+                None
+            }
         };
         let signs = form.kinks.iter().map(|kink| of_part(kink).ok().and_then(sign));
         let decided = form.decided(signs.collect());
