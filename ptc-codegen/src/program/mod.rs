@@ -30,6 +30,7 @@ mod op;
 pub mod passes;
 pub mod range;
 mod reach;
+pub(crate) mod rounding;
 pub mod rows;
 
 pub use arithmetic::apply;

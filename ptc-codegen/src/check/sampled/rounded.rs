@@ -1,7 +1,6 @@
 //! The emitted arithmetic, enclosed: each value in exact arithmetic, and how far rounding takes it.
 //!
-//! An operation in floating point returns (a op b)(1 + d), |d| <= u, the unit roundoff, as long as
-//! nothing underflows. The error of a sum is charged with u(|a| + |b|), not u|a + b|: the bound is
+//! Errors follow by [`rounding`], as long as nothing underflows. The error of a sum is charged with u(|a| + |b|), not u|a + b|: the bound is
 //! then linear in the magnitudes of the states, so that the errors found for the unit vectors bound
 //! that of every state, |u_emitted - sum_j gain_j x_j| <= sum_j error_j |x_j|.
 
@@ -9,9 +8,9 @@ use std::collections::BTreeMap;
 
 use super::systems::eliminated;
 use crate::algebra::BigRational;
-use crate::expression::Function;
 use crate::expression::enclosure::{Calls, Interval, Range};
 use crate::parameter::Precision;
+use crate::program::rounding::{self, Near, Units};
 use crate::program::{Input, Op, Program, Stage, Value, number};
 
 /// A value of the program.
@@ -22,9 +21,6 @@ pub(super) struct Rounded {
     /// Bound of |emitted - exact|.
     pub(super) error: f64,
 }
-
-/// Units in the last place by which a function of the mathematical library may be off.
-const LIBRARY: f64 = 2.0;
 
 impl Rounded {
     /// A number that the emitted code has exactly.
@@ -42,8 +38,10 @@ impl Rounded {
         Self { exact: range, error: up(unit_roundoff(precision) * range.size().high()) }
     }
 
-    fn size(self) -> f64 {
-        self.exact.size().high()
+    /// Its sizes as rounding sees them: those of the exact value.
+    fn near(self) -> Near {
+        let size = self.exact.size();
+        Near { least: size.low(), most: size.high(), error: self.error }
     }
 
     /// Encloses the emitted value too.
@@ -62,16 +60,18 @@ fn up(value: f64) -> f64 {
 
 /// The largest relative error of one operation in `precision`.
 pub(super) fn unit_roundoff(precision: Precision) -> f64 {
-    match precision {
-        Precision::F32 => 2f64.powi(-24),
-        Precision::F64 => 2f64.powi(-53),
-    }
+    Units::of(precision).roundoff
+}
+
+/// The errors of one operation of a law in samples, where nothing underflows.
+pub(super) fn units(precision: Precision) -> Units {
+    Units::of(precision).without_underflow()
 }
 
 /// Values of a program, computed stage by stage.
 pub(super) struct StagedValues<'a> {
     program: &'a Program,
-    unit: f64,
+    units: Units,
     /// By value; `None` if it is not computed, or no enclosure is known.
     values: Vec<Option<Rounded>>,
     /// The solutions of systems, where they are enclosed.
@@ -87,10 +87,10 @@ impl<'a> StagedValues<'a> {
         for value in program.needed(outputs) {
             due[program.get(value).stage as usize].push(value);
         }
-        let unit = unit_roundoff(program.precision);
+        let units = units(program.precision);
         let values = vec![None; program.values.len()];
         let (solved, calls) = (BTreeMap::new(), Calls::new()?);
-        Some(Self { program, unit, values, solved, due, calls })
+        Some(Self { program, units, values, solved, due, calls })
     }
 
     /// Computes the values of a stage; those of earlier stages are known.
@@ -111,30 +111,31 @@ impl<'a> StagedValues<'a> {
         value: Value,
         input: &dyn Fn(Input) -> Option<Rounded>,
     ) -> Option<Rounded> {
-        let unit = self.unit;
+        let units = self.units;
         let program = self.program;
         let at = |value: Value| self.values[value.0];
         match &program.get(value).op {
             Op::Number(exact) => Some(Rounded::number(exact, program.precision)),
             Op::Input(asked) => input(*asked),
             Op::Neg(a) => at(*a).map(|a| Rounded { exact: -a.exact, ..a }),
-            Op::Add(a, b) => Some(sum(at(*a)?, at(*b)?, unit)),
+            Op::Add(a, b) => Some(sum(at(*a)?, at(*b)?, units)),
             Op::Sub(a, b) => {
                 let (a, b) = (at(*a)?, at(*b)?);
                 // Exact for the values at hand, which says nothing of other states.
                 let exactly = program.get(value).stage < Stage::Step && is_exact(a, b);
-                let unit = if exactly { 0.0 } else { unit };
-                Some(sum(a, Rounded { exact: -b.exact, ..b }, unit))
+                let units = if exactly { Units::EXACT } else { units };
+                Some(sum(a, Rounded { exact: -b.exact, ..b }, units))
             }
-            Op::Mul(a, b) => Some(product(at(*a)?, at(*b)?, unit)),
+            Op::Mul(a, b) => Some(product(at(*a)?, at(*b)?, units)),
             Op::Fused(a, b, c) => {
-                let unrounded = product(at(*a)?, at(*b)?, 0.0);
-                Some(sum(unrounded, at(*c)?, unit))
+                let unrounded = product(at(*a)?, at(*b)?, Units::EXACT);
+                Some(sum(unrounded, at(*c)?, units))
             }
-            Op::Div(a, b) | Op::Quotient(a, b) => quotient(at(*a)?, at(*b)?, unit),
+            Op::Div(a, b) | Op::Quotient(a, b) => quotient(at(*a)?, at(*b)?, units),
             Op::Power(a, k) => {
                 let a = at(*a)?;
-                Some((1..*k).fold(a, |power, _| product(power, a, unit)))
+                let exact = (1..*k).fold(a.exact, |power, _| power * a.exact);
+                Some(Rounded { exact, error: units.of_product(a.near(), *k) })
             }
             Op::Max(a, b) => {
                 let (a, b) = (at(*a)?, at(*b)?);
@@ -145,25 +146,22 @@ impl<'a> StagedValues<'a> {
                 Some(Rounded { exact: a.exact.least(&b.exact), error: a.error.max(b.error) })
             }
             Op::Call(function, a) => {
-                let (function, a) = (*function, at(*a)?);
-                let near = a.emitted();
-                let values = [a.exact, near].map(|on| self.calls.values(function, on));
-                let moved = self.calls.steepest(function, near).map(|slope| up(slope * a.error));
-                Some(called(function.is_of_library(), values, moved, unit))
+                let a = at(*a)?;
+                let [exact, near] =
+                    [a.exact, a.emitted()].map(|on| self.calls.values(*function, on));
+                let inherited = rounding::call(&mut self.calls, *function, a.emitted(), a.error);
+                let error = units.of_call(*function, near.size().high(), inherited);
+                Some(Rounded { exact, error })
             }
             Op::Pow(a, b) => {
                 let (a, b) = (at(*a)?, at(*b)?);
                 if !a.emitted().is_positive() {
                     return None;
                 }
-                let near = self.calls.power(a.emitted(), b.emitted());
-                // d(a^b)/da = b a^b/a, and d(a^b)/db = ln(a) a^b.
-                let of_base = (b.emitted() * near / a.emitted()).size().high();
-                let logarithm = self.calls.values(Function::Ln, a.emitted());
-                let of_exponent = (logarithm * near).size().high();
-                let moved = up(up(of_base * a.error) + up(of_exponent * b.error));
                 let exact = self.calls.power(a.exact, b.exact);
-                Some(called(true, [exact, near], Some(moved), unit))
+                let size = exact.size().high();
+                let inherited = rounding::power(a.near(), b.near(), size)?;
+                Some(Rounded { exact, error: units.of_power(size, inherited) })
             }
             Op::Elimination { matrix, right } => {
                 self.solved.remove(&value);
@@ -179,10 +177,10 @@ impl<'a> StagedValues<'a> {
     }
 }
 
-pub(super) fn sum(a: Rounded, b: Rounded, unit: f64) -> Rounded {
-    let inherited = up(a.error + b.error);
-    let size = up(up(a.size() + b.size()) + inherited);
-    Rounded { exact: a.exact + b.exact, error: up(inherited + up(unit * size)) }
+pub(super) fn sum(a: Rounded, b: Rounded, units: Units) -> Rounded {
+    let size = up(a.near().most + b.near().most);
+    let error = units.rounded(size, rounding::sum(a.near(), b.near()));
+    Rounded { exact: a.exact + b.exact, error }
 }
 
 /// Whether a - b is a number of the precision, by Sterbenz: b/2 <= a <= 2 b.
@@ -193,31 +191,15 @@ fn is_exact(a: Rounded, b: Rounded) -> bool {
     within(a, b) || within(-a, -b)
 }
 
-pub(super) fn product(a: Rounded, b: Rounded, unit: f64) -> Rounded {
+pub(super) fn product(a: Rounded, b: Rounded, units: Units) -> Rounded {
     let exact = a.exact * b.exact;
-    let inherited = up(up(a.error * up(b.size() + b.error)) + up(a.size() * b.error));
-    let size = up(exact.size().high() + inherited);
-    Rounded { exact, error: up(inherited + up(unit * size)) }
+    let error = units.rounded(exact.size().high(), rounding::product(a.near(), b.near()));
+    Rounded { exact, error }
 }
 
-pub(super) fn quotient(a: Rounded, b: Rounded, unit: f64) -> Option<Rounded> {
+pub(super) fn quotient(a: Rounded, b: Rounded, units: Units) -> Option<Rounded> {
     let exact = a.exact / b.exact;
-    let least = -((-b.emitted().size()).high());
-    if least <= 0.0 || !exact.is_bounded() {
-        return None;
-    }
-    // (a + da)/(b + db) - a/b = (da - (a/b) db)/(b + db).
-    let moved = up(a.error + up(exact.size().high() * b.error));
-    let inherited = up(moved / least);
-    let size = up(exact.size().high() + inherited);
-    Some(Rounded { exact, error: up(inherited + up(unit * size)) })
-}
-
-/// The value of a function: on the exact operand, and on all operands the code may have, with what the error of the
-/// operand makes of it, if that is known. One of a library rounds more than once.
-fn called(library: bool, [exact, near]: [Range; 2], moved: Option<f64>, unit: f64) -> Rounded {
-    let width = (Range::from(near.high()) - Range::from(near.low())).high();
-    let inherited = moved.filter(|moved| *moved < width).unwrap_or(width);
-    let roundings = if library { 2.0 * LIBRARY } else { 1.0 };
-    Rounded { exact, error: up(inherited + up(roundings * unit * near.size().high())) }
+    let size = exact.size().high();
+    let inherited = rounding::quotient(a.near(), b.near(), size)?;
+    exact.is_bounded().then(|| Rounded { exact, error: units.rounded(size, inherited) })
 }

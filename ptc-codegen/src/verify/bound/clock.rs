@@ -57,9 +57,7 @@ impl Clock {
         let one = Expression::integer(1);
         let in_units = |form: &Expression, of_mu: bool| {
             let share = if of_mu { form.clone().div(unknown.clone()) } else { form.clone() };
-            if of_family {
-                Some(with(form, &one))
-            } else if scales(&with(&share, &unknown)) {
+            if of_family || scales(&with(&share, &unknown)) {
                 Some(with(form, &one))
             } else if low == high && of_mu {
                 Some(with(&share, &tau))

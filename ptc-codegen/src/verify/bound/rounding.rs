@@ -1,18 +1,7 @@
 //! How far what a program computes may be from what it stands for.
 //!
-//! For each value v of the program let v* be the same in exact arithmetic. The bounds of the envelope
-//! hold every computed v, and |v - v*| <= e follows operation by operation. An operation on computed
-//! operands rounds to nearest: its result v is off by at most u |v| + s, with the unit roundoff u and
-//! the smallest subnormal number s (standard model with underflow; + and - are exact where they are
-//! subnormal). A function of a library is trusted to two units in the last place, 4 u |v| + 4 s. To
-//! this comes what the errors of the operands make of it:
-//!
-//! - a b: |ab - a*b*| = |a (b - b*) + b* (a - a*)| <= |a| e_b + (|b| + e_b) e_a
-//! - a/b: |a/b - a*/b*| = |(a - a*)/b* + (a/b) (b* - b)/b*| <= (e_a + |a/b| e_b)/(|b| - e_b)
-//! - f(a): the greatest slope of f within e_a of all a, times e_a
-//! - a^k by multiplications: each factor of a^m has at most m - 1 roundings.
-//!
-//! The bound itself is computed in doubles, and each step of it enlarged by more than it rounds.
+//! The bounds of the envelope hold every computed value, and what rounding makes of it follows operation by operation, by
+//! [`rounding`].
 
 use std::collections::BTreeMap;
 
@@ -20,13 +9,9 @@ use num_traits::{Signed, ToPrimitive};
 
 use crate::check::envelope::Computed;
 use crate::check::envelope::bounds::Bounds;
-use crate::expression::Function;
 use crate::expression::enclosure::{Calls, Range};
-use crate::parameter::Precision;
+use crate::program::rounding::{self, MORE, Near, Units};
 use crate::program::{Op, Program, Value, number, rows};
-
-/// What covers the roundings of one step of a bound.
-const MORE: f64 = 1.0 + 1e-14;
 
 /// A computed value and its error.
 #[derive(Clone, Copy)]
@@ -37,26 +22,16 @@ struct Rounded {
 }
 
 impl Rounded {
-    fn size(self) -> f64 {
-        self.value.range.size().high()
+    /// Its sizes as rounding sees them: those of the computed value.
+    fn near(self) -> Near {
+        let size = self.value.range.size();
+        Near { least: size.low(), most: size.high(), error: self.error }
     }
 
-    /// The least |v*|, or less than 0.
-    fn least(self) -> f64 {
-        self.value.range.size().low() - self.error * MORE
+    /// What holds the computed value and the exact one.
+    fn both(self) -> Range {
+        self.value.range + Range::from(self.error).both_signs()
     }
-
-    /// The greatest |v*|.
-    fn most(self) -> f64 {
-        (self.size() + self.error) * MORE
-    }
-}
-
-/// The units of a precision.
-#[derive(Clone, Copy)]
-struct Units {
-    roundoff: f64,
-    subnormal: f64,
 }
 
 /// A bound of |v - v*| for a value computed within `bounds` by operations that round; none where an
@@ -69,10 +44,7 @@ pub(super) fn error(
     root: Value,
     calls: &mut Calls,
 ) -> Option<f64> {
-    let units = match program.precision {
-        Precision::F32 => Units { roundoff: 2f64.powi(-24), subnormal: 2f64.powi(-149) },
-        Precision::F64 => Units { roundoff: 2f64.powi(-53), subnormal: 2f64.powi(-1074) },
-    };
+    let units = Units::of(program.precision);
     let mut known: Vec<Option<Rounded>> = vec![None; program.values.len()];
     let mut arrays: BTreeMap<Value, Vec<Rounded>> = BTreeMap::new();
     let elapsed = program.limits.elapsed.map(|(elapsed, _)| elapsed);
@@ -92,7 +64,7 @@ pub(super) fn error(
                 let on = |op: &Op, of: &[Rounded]| {
                     let values: Vec<_> = of.iter().map(|rounded| rounded.value).collect();
                     let value = crate::check::envelope::apply(op, &values, precision);
-                    Rounded { value, error: units.of(op, of, value) }
+                    Rounded { value, error: error_of(units, op, of, value) }
                 };
                 let (tail, weights) = (all(tail)?, all(weights)?);
                 arrays.insert(value, rows::by_operations(&tail, &weights, *fused, on));
@@ -106,13 +78,13 @@ pub(super) fn error(
             Op::Input(_) => 0.0,
             Op::Law(_) | Op::Elimination { .. } | Op::Unknown | Op::Root(_) => return None,
             Op::Call(function, a) => {
-                let roundings = if function.is_of_library() { 4.0 } else { 1.0 };
-                let own = units.roundoff * own.range.size().high() + units.subnormal;
-                (moved(calls, *function, of(a)?) + roundings * own) * MORE
+                let a = of(a)?;
+                let inherited = rounding::call(calls, *function, a.both(), a.error);
+                units.of_call(*function, own.range.size().high(), inherited)
             }
             op => {
                 let operands = op.operands().iter().map(of).collect::<Option<Vec<_>>>()?;
-                units.of(op, &operands, own)
+                error_of(units, op, &operands, own)
             }
         };
         known[value.0] = Some(Rounded { value: own, error });
@@ -120,53 +92,33 @@ pub(super) fn error(
     known[root.0].map(|root| root.error).filter(|error| error.is_finite())
 }
 
-impl Units {
-    /// The error of an operation with a computed result from `own`.
-    fn of(self, op: &Op, operands: &[Rounded], own: Computed) -> f64 {
-        let size = own.range.size().high();
-        let rounding = self.roundoff * size + self.subnormal;
-        let error = match (op, operands) {
-            (Op::Neg(_), [a]) => a.error,
-            (Op::Add(..) | Op::Sub(..), [a, b]) => a.error + b.error + self.roundoff * size,
-            (Op::Mul(..), [a, b]) => a.size() * b.error + b.most() * a.error + rounding,
-            (Op::Fused(..), [a, b, c]) => {
-                a.size() * b.error + b.most() * a.error + c.error + rounding
-            }
-            (Op::Div(..) | Op::Quotient(..), [a, b]) if b.least() > 0.0 => {
-                let quotient = size * (1.0 + 2.0 * self.roundoff) + self.subnormal;
-                (a.error + quotient * b.error) / (b.least() * (2.0 - MORE)) + rounding
-            }
-            (Op::Power(_, k), [a]) => {
-                let (most, count) = (a.most(), f64::from(*k));
-                let k = i32::try_from(*k).unwrap_or(i32::MAX);
-                let whole = most.powi(k) * (1.0 + 1e-12);
-                let moved = count * most.powi(k - 1) * a.error;
-                let relative = count * self.roundoff * (1.0 + count * self.roundoff);
-                let lost = count * self.subnormal * most.max(1.0).powi(k);
-                (moved + relative * whole + lost) * (1.0 + 1e-12)
-            }
-            (Op::Max(..) | Op::Min(..), [a, b]) => a.error.max(b.error),
-            (Op::Pow(..), [a, b]) if a.least() > 0.0 => {
-                let logarithm = a.least().ln().abs().max(a.most().ln().abs()) + 1e-15;
-                let change = b.most() / a.least() * a.error + logarithm * b.error;
-                // With |ln(v*/v)| <= change, as both slopes are at most that within the errors.
-                size * (1.0 + 8.0 * self.roundoff) * change.exp_m1() * (1.0 + 1e-12)
-                    + 4.0 * rounding
-            }
-            _ => f64::INFINITY,
-        };
-        if error.is_nan() { f64::INFINITY } else { error * MORE }
-    }
-}
-
-/// The error of a function's value due to that of its argument.
-fn moved(calls: &mut Calls, function: Function, a: Rounded) -> f64 {
-    if a.error == 0.0 {
-        return 0.0;
-    }
-    let [low, high] = a.value.range.ends();
-    let on = Range::new(low - a.error * MORE, high + a.error * MORE);
-    calls.steepest(function, on).map_or(f64::INFINITY, |slope| slope * a.error * MORE)
+/// The error of an operation with a computed result from `own`; infinite where it is not known.
+fn error_of(units: Units, op: &Op, operands: &[Rounded], own: Computed) -> f64 {
+    let size = own.range.size().high();
+    let near: Vec<_> = operands.iter().map(|operand| operand.near()).collect();
+    // What is computed may be that much less than before it was rounded.
+    let unrounded = size * (1.0 + 8.0 * units.roundoff) + units.subnormal;
+    let error = match (op, &near[..]) {
+        (Op::Neg(_), [a]) => Some(a.error),
+        // A sum is exact where it is subnormal.
+        (Op::Add(..) | Op::Sub(..), [a, b]) => {
+            Some(units.without_underflow().rounded(size, rounding::sum(*a, *b)))
+        }
+        (Op::Mul(..), [a, b]) => Some(units.rounded(size, rounding::product(*a, *b))),
+        (Op::Fused(..), [a, b, c]) => {
+            Some(units.rounded(size, rounding::product(*a, *b) + c.error))
+        }
+        (Op::Div(..) | Op::Quotient(..), [a, b]) => {
+            rounding::quotient(*a, *b, unrounded).map(|inherited| units.rounded(size, inherited))
+        }
+        (Op::Power(_, k), [a]) => Some(units.of_product(*a, *k)),
+        (Op::Max(..) | Op::Min(..), [a, b]) => Some(a.error.max(b.error)),
+        (Op::Pow(..), [a, b]) => {
+            rounding::power(*a, *b, unrounded).map(|inherited| units.of_power(size, inherited))
+        }
+        _ => None,
+    };
+    error.unwrap_or(f64::INFINITY)
 }
 
 #[cfg(test)]
@@ -175,7 +127,7 @@ mod tests {
     use crate::family::Family;
     use crate::law::Law;
     use crate::lower::lower;
-    use crate::parameter::Parameter;
+    use crate::parameter::{Parameter, Precision};
     use crate::program::interpret::Interpreter;
     use crate::program::{Input, passes};
     use crate::request::Spec;

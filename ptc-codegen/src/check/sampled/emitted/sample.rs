@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::super::chain::{Chain, Near, Row, centre};
-use super::super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
+use super::super::rounded::{Rounded, product, quotient, sum, unit_roundoff, units};
 use super::repeats::Trace;
 use super::{Held, is_rate};
 use crate::algebra::BigRational;
 use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
 use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
+use crate::program::rounding::Units;
 use crate::request::Sampled;
 
 /// The numbers of a program as they are rounded, by their places in it.
@@ -245,7 +246,7 @@ impl<'a> Sample<'a> {
     }
 
     fn real(&self, value: &'a Expr) -> Option<Held> {
-        let unit = unit_roundoff(self.precision);
+        let units = units(self.precision);
         match value {
             Expr::Number(exact) => Some(Held::Known(self.number(exact))),
             Expr::Neg(a) => Some(match self.real(a)? {
@@ -256,28 +257,28 @@ impl<'a> Sample<'a> {
             Expr::Binary(operator, a, b) => {
                 let (a, b) = (self.real(a)?, self.real(b)?);
                 match operator {
-                    Operator::Add => self.sum(a, b, unit),
+                    Operator::Add => self.sum(a, b, units),
                     Operator::Sub => match b {
-                        Held::Known(b) => self.sum(a, Held::Known(negative(b)), unit),
+                        Held::Known(b) => self.sum(a, Held::Known(negative(b)), units),
                         Held::Linear(b) => {
                             let b = b.into_iter().map(negative).collect();
-                            self.sum(a, Held::Linear(b), unit)
+                            self.sum(a, Held::Linear(b), units)
                         }
                         Held::Count(_) => None,
                     },
                     Operator::Mul => match (a, b) {
-                        (Held::Known(a), Held::Known(b)) => Some(Held::Known(product(a, b, unit))),
+                        (Held::Known(a), Held::Known(b)) => Some(Held::Known(product(a, b, units))),
                         (Held::Known(k), Held::Linear(sum))
                         | (Held::Linear(sum), Held::Known(k)) => {
-                            let each = sum.into_iter().map(|term| product(k, term, unit));
+                            let each = sum.into_iter().map(|term| product(k, term, units));
                             Some(Held::Linear(each.collect()))
                         }
                         _ => None,
                     },
                     Operator::Div => match (a, b) {
-                        (Held::Known(a), Held::Known(b)) => quotient(a, b, unit).map(Held::Known),
+                        (Held::Known(a), Held::Known(b)) => quotient(a, b, units).map(Held::Known),
                         (Held::Linear(sum), Held::Known(k)) => {
-                            let each = sum.into_iter().map(|term| quotient(term, k, unit));
+                            let each = sum.into_iter().map(|term| quotient(term, k, units));
                             each.collect::<Option<Vec<_>>>().map(Held::Linear)
                         }
                         _ => None,
@@ -288,8 +289,10 @@ impl<'a> Sample<'a> {
                 let count = self.count(a)?;
                 self.trace.number(a, count);
                 let exact = Range::from(f64::from(count));
-                let error =
-                    if self.precision == Precision::F64 { 0.0 } else { unit * exact.high() };
+                let error = match self.precision {
+                    Precision::F64 => 0.0,
+                    Precision::F32 => units.roundoff * exact.high(),
+                };
                 Some(Held::Known(Rounded { exact, error }))
             }
             Expr::Choose(test, a, b) => self.real(if self.test(test)? { a } else { b }),
@@ -299,11 +302,11 @@ impl<'a> Sample<'a> {
         }
     }
 
-    fn sum(&self, a: Held, b: Held, unit: f64) -> Option<Held> {
+    fn sum(&self, a: Held, b: Held, units: Units) -> Option<Held> {
         match (a, b) {
-            (Held::Known(a), Held::Known(b)) => Some(Held::Known(sum(a, b, unit))),
+            (Held::Known(a), Held::Known(b)) => Some(Held::Known(sum(a, b, units))),
             (Held::Linear(a), Held::Linear(b)) => {
-                let each = a.into_iter().zip(b).map(|(a, b)| sum(a, b, unit));
+                let each = a.into_iter().zip(b).map(|(a, b)| sum(a, b, units));
                 Some(Held::Linear(each.collect()))
             }
             // A nonzero constant makes the loop affine, which is not examined.
