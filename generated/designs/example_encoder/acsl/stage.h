@@ -2,8 +2,8 @@
  * Prescribed-time controller stage: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0 --u-max=6 --poles=-4,-5,-6 --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
- * Version 0.1.0, design de8a83daaa40.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0 --u-max=6 --poles=-4,-5,-6 --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+ * Version 0.1.0, design b7caa2d9b180.
  *
  * Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_1D58ABE0_H
-#define STAGE_1D58ABE0_H
+#ifndef STAGE_FD07EF75_H
+#define STAGE_FD07EF75_H
 
 #include <stdint.h>
 
@@ -59,9 +59,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -98,7 +97,6 @@ ptc_status stage_init(stage *self, const stage_params *params);
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
- * Estimates too large to compute with begin anew.
  */
 /*@ requires self == \null || \valid(self);
     requires self == \null || stage_set(self);
@@ -110,7 +108,7 @@ ptc_status stage_arm(stage *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed. u must not overlap y.
+ * On a negative status u is 0 and nothing has changed.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

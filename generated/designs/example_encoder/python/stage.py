@@ -2,8 +2,8 @@
 Prescribed-time controller stage: order n = 2, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0 --u-max=6 --poles=-4,-5,-6 --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
-Version 0.1.0, design de8a83daaa40.
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0 --u-max=6 --poles=-4,-5,-6 --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+Version 0.1.0, design b7caa2d9b180.
 
 Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
       sample late.
@@ -67,7 +67,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4

@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_A0E7CF57_HPP
-#define GANTRY_A0E7CF57_HPP
+#ifndef GANTRY_6FBC0EE5_HPP
+#define GANTRY_6FBC0EE5_HPP
 
 #include <array>
 #include <cfloat>
@@ -102,9 +102,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -164,12 +163,10 @@ struct [[nodiscard]] GantryGains {
         if (finite(v) && (absolute(v) <= u_max[axis])) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (finite(v)) {
-                if (u_max[axis] < v) {
-                    return {u_max[axis], Status::Saturated};
-                } else {
-                    return {-u_max[axis], Status::Saturated};
-                }
+            if (u_max[axis] < v) {
+                return {u_max[axis], Status::Saturated};
+            } else if (v < -u_max[axis]) {
+                return {-u_max[axis], Status::Saturated};
             } else {
                 return {0.0, Status::Range};
             }
@@ -322,14 +319,12 @@ public:
                 const double v = wanted[axis];
                 if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
                     if (finite(x[axis][0]) && finite(x[axis][1])) {
-                        if (finite(v)) {
-                            if (u_max[axis] < v) {
-                                all.u[axis] = u_max[axis];
-                                all.axes[axis] = Status::Saturated;
-                            } else {
-                                all.u[axis] = -u_max[axis];
-                                all.axes[axis] = Status::Saturated;
-                            }
+                        if (u_max[axis] < v) {
+                            all.u[axis] = u_max[axis];
+                            all.axes[axis] = Status::Saturated;
+                        } else if (v < -u_max[axis]) {
+                            all.u[axis] = -u_max[axis];
+                            all.axes[axis] = Status::Saturated;
                         } else {
                             all.axes[axis] = Status::Range;
                         }

@@ -63,8 +63,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_689DF6DC_HPP
-#define TABLE_689DF6DC_HPP
+#ifndef TABLE_B52AA775_HPP
+#define TABLE_B52AA775_HPP
 
 #include <array>
 #include <cfloat>
@@ -97,9 +97,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -141,12 +140,10 @@ struct [[nodiscard]] TableGains {
         if (finite(v) && (absolute(v) <= 0.5)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (finite(v)) {
-                if (0.5 < v) {
-                    return {0.5, Status::Saturated};
-                } else {
-                    return {-0.5, Status::Saturated};
-                }
+            if (0.5 < v) {
+                return {0.5, Status::Saturated};
+            } else if (v < -0.5) {
+                return {-0.5, Status::Saturated};
             } else {
                 return {0.0, Status::Range};
             }
@@ -227,14 +224,12 @@ public:
         if (finite(v) && (absolute(v) <= 0.5) && (late < -0.0361)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
-            if (finite(v)) {
-                if (0.5 < v) {
-                    return {0.5, Status::Saturated};
-                } else if (v < -0.5) {
-                    return {-0.5, Status::Saturated};
-                } else {
-                    return {v, Status::Hold};
-                }
+            if (0.5 < v) {
+                return {0.5, Status::Saturated};
+            } else if (v < -0.5) {
+                return {-0.5, Status::Saturated};
+            } else if (finite(v)) {
+                return {v, Status::Hold};
             } else {
                 return {0.0, Status::Range};
             }

@@ -81,8 +81,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_9FF773FA_H
-#define TANK_9FF773FA_H
+#ifndef TANK_6BBB74F4_H
+#define TANK_6BBB74F4_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -94,9 +94,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -127,7 +126,7 @@ ptc_status tank_arm(tank *self, double t0);
 /*
  * u = (q, p) at time t [s] and state x = (h, c, e). Where one of them is not finite, as at a state
  * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
- * one was clipped. u and axes must not overlap x.
+ * one was clipped.
  */
 ptc_status tank_step(
     const tank *self,

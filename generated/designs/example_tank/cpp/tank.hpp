@@ -80,8 +80,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_0D52128B_HPP
-#define TANK_0D52128B_HPP
+#ifndef TANK_D1613F73_HPP
+#define TANK_D1613F73_HPP
 
 #include <array>
 #include <cfloat>
@@ -115,9 +115,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

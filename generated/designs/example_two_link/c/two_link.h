@@ -2,8 +2,8 @@
  * Prescribed-time controller two_link: outputs of order 2, 2, mapping rational.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --mu "rational(a=1/20)" --name two_link --tau=20 --eps=1 --limits=120,60 --poles=-1,-3/2 --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param grav=9.81 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
- * Version 0.1.0, design d4f49786c174.
+ *   ptc-codegen emit --lang c --mu "rational(a=1/20)" --name two_link --tau=20 --eps=1 --limits=120,60 --poles=-1,-1.5 --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param grav=9.81 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
+ * Version 0.1.0, design cf1990ed927f.
  *
  * Plant, with the inputs M1, M2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[(m1 +
  *       m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 +
@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_69CEF0A8_H
-#define TWO_LINK_69CEF0A8_H
+#ifndef TWO_LINK_CF26AE2C_H
+#define TWO_LINK_CF26AE2C_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -98,9 +98,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -131,7 +130,7 @@ ptc_status two_link_arm(two_link *self, double t0);
 /*
  * u = (M1, M2) at time t [s] and state x = (q1, q2, w1, w2). Where one of them is not finite, as at
  * a state at which the inputs do not decouple the outputs, every u is 0; else the status is
- * SATURATED where one was clipped. u and axes must not overlap x.
+ * SATURATED where one was clipped.
  */
 ptc_status two_link_step(
     const two_link *self,

@@ -2,8 +2,8 @@
  * Prescribed-time controller two_link: outputs of order 2, 2, mapping rational.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --mu "rational(a=1/20)" --name two_link --tau=20 --eps=1 --limits=120,60 --poles=-1,-3/2 --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param grav=9.81 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
- * Version 0.1.0, design d4f49786c174.
+ *   ptc-codegen emit --lang cpp --mu "rational(a=1/20)" --name two_link --tau=20 --eps=1 --limits=120,60 --poles=-1,-1.5 --states="q1, q2, w1, w2" --inputs=M1,M2 --inertia="[[(m1 + m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 + m2*l1*l2*cos(q2), m2*l2^2]]" --bias="-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2), m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)" --param grav=9.81 --param l1=0.6 --param l2=0.5 --param m1=2 --param m2=1.5
+ * Version 0.1.0, design cf1990ed927f.
  *
  * Plant, with the inputs M1, M2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[(m1 +
  *       m2)*l1^2 + m2*l2^2 + 2*m2*l1*l2*cos(q2), m2*l2^2 + m2*l1*l2*cos(q2)], [m2*l2^2 +
@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_383AC3DE_HPP
-#define TWO_LINK_383AC3DE_HPP
+#ifndef TWO_LINK_2E8B0A2F_HPP
+#define TWO_LINK_2E8B0A2F_HPP
 
 #include <array>
 #include <cfloat>
@@ -120,9 +120,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

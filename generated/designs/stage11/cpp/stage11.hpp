@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE11_3424CB3B_HPP
-#define STAGE11_3424CB3B_HPP
+#ifndef STAGE11_58C3E683_HPP
+#define STAGE11_58C3E683_HPP
 
 #include <array>
 #include <cfloat>
@@ -79,9 +79,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -184,18 +183,10 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept. Estimates too large to compute with begin anew.
+    /// kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_hat_) + absolute(x2_hat_) + absolute(x3_hat_) + absolute(x4_hat_) + absolute(d_hat_) <= 1e18f)) {
-            seen_ = 0U;
-            x1_hat_ = 0.0f;
-            x2_hat_ = 0.0f;
-            x3_hat_ = 0.0f;
-            x4_hat_ = 0.0f;
-            d_hat_ = 0.0f;
-        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
@@ -347,11 +338,6 @@ private:
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
-    }
-
-    static constexpr float absolute(float v) noexcept
-    {
-        return (v > 0.0f) ? v : (0.0f - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

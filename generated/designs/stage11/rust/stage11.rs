@@ -53,7 +53,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

@@ -2,7 +2,7 @@
  * Prescribed-time observer stage14_observer: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+1i,-5-1i --observer-samples=12
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+i,-5-i --observer-samples=12
  * Version 0.1.0, design d1ea1cd2ee5c.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
@@ -36,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE14_OBSERVER_CD039072_H
-#define STAGE14_OBSERVER_CD039072_H
+#ifndef STAGE14_OBSERVER_03351C79_H
+#define STAGE14_OBSERVER_03351C79_H
 
 #include <stdint.h>
 
@@ -51,9 +51,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -109,10 +108,7 @@ typedef struct stage14_observer {
  */
 ptc_status stage14_observer_init(stage14_observer *self, const stage14_observer_params *params);
 
-/*
- * Starts a round of 12 samples at tick `k`. The estimates are kept. Estimates too large to compute
- * with begin anew.
- */
+/* Starts a round of 12 samples at tick `k`. The estimates are kept. */
 /*@ requires self == \null || \valid(self);
     requires self == \null || stage14_observer_set(self);
     assigns *self;

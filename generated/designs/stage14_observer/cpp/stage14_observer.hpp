@@ -2,7 +2,7 @@
  * Prescribed-time observer stage14_observer: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+1i,-5-1i --observer-samples=12
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+i,-5-i --observer-samples=12
  * Version 0.1.0, design d1ea1cd2ee5c.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
@@ -35,8 +35,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE14_OBSERVER_16F24167_HPP
-#define STAGE14_OBSERVER_16F24167_HPP
+#ifndef STAGE14_OBSERVER_9789B5BB_HPP
+#define STAGE14_OBSERVER_9789B5BB_HPP
 
 #include <array>
 #include <cfloat>
@@ -70,9 +70,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -156,17 +155,10 @@ public:
         return Status::Ok;
     }
 
-    /// Starts a round of 12 samples at tick `k`. The estimates are kept. Estimates too large to
-    /// compute with begin anew.
+    /// Starts a round of 12 samples at tick `k`. The estimates are kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_hat_) + absolute(x2_hat_) + absolute(x3_hat_) <= 1e150)) {
-            seen_ = 0U;
-            x1_hat_ = 0.0;
-            x2_hat_ = 0.0;
-            x3_hat_ = 0.0;
-        }
     }
 
     /// The estimates of tick `k`, which may wrap, from what is measured, y = (x1, ...) at that tick
@@ -251,11 +243,6 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    static constexpr double absolute(double v) noexcept
-    {
-        return (v > 0.0) ? v : (0.0 - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

@@ -11,7 +11,7 @@ function self = stage14_observer_init(params) %#codegen
 % Prescribed-time observer stage14_observer: order n = 3, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+1i,-5-1i --observer-samples=12
+%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+i,-5-i --observer-samples=12
 % Version 0.1.0, design d1ea1cd2ee5c.
 %
 % Plant: x1' = x2, ..., x3' = u; u held from sample to sample.

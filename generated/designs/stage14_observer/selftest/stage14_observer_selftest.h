@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time observer stage14_observer, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+1i,-5-1i --observer-samples=12 --selftest
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage14 --what observer --clock samples --measured=x1 --observer-poles=-4,-5+i,-5-i --observer-samples=12 --selftest
  * Version 0.1.0.
  *
  * 4 sets of parameters with 43 calls, 13 sets that init must refuse. The expected values were

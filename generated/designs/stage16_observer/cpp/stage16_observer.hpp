@@ -36,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE16_OBSERVER_5F1314DF_HPP
-#define STAGE16_OBSERVER_5F1314DF_HPP
+#ifndef STAGE16_OBSERVER_39A03D68_HPP
+#define STAGE16_OBSERVER_39A03D68_HPP
 
 #include <array>
 #include <cfloat>
@@ -71,9 +71,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -120,22 +119,10 @@ public:
         return Status::Ok;
     }
 
-    /// Starts a round of 20 samples at tick `k`. Estimates and inputs under way are kept. Estimates
-    /// too large to compute with begin anew.
+    /// Starts a round of 20 samples at tick `k`. Estimates and inputs under way are kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_next_) + absolute(x2_next_) + absolute(x3_next_) + absolute(d_next_) <= 1e150)) {
-            seen_ = 0U;
-            x1_hat_ = 0.0;
-            x1_next_ = 0.0;
-            x2_hat_ = 0.0;
-            x2_next_ = 0.0;
-            x3_hat_ = 0.0;
-            x3_next_ = 0.0;
-            d_hat_ = 0.0;
-            d_next_ = 0.0;
-        }
     }
 
     /// The estimates of tick `k`, which may wrap, from what is measured, y = C x at that tick and
@@ -274,11 +261,6 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    static constexpr double absolute(double v) noexcept
-    {
-        return (v > 0.0) ? v : (0.0 - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage18: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage18 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
- * Version 0.1.0, design 995bd6c0a918.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage18 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
+ * Version 0.1.0, design bc22993a3ea4.
  *
  * Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
  *       sample to sample.
@@ -43,8 +43,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_367974E6_H
-#define STAGE18_367974E6_H
+#ifndef STAGE18_E2A45EAB_H
+#define STAGE18_E2A45EAB_H
 
 #include <stdint.h>
 
@@ -58,9 +58,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -88,7 +87,7 @@ ptc_status stage18_arm(stage18 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x of the model. On a negative status u is 0 and
- * nothing has changed. u must not overlap x.
+ * nothing has changed.
  */
 ptc_status stage18_step(const stage18 *self, uint32_t k, const double x[2], double *u);
 

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage18: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage18 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
- * Version 0.1.0, design 995bd6c0a918.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage18 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
+ * Version 0.1.0, design bc22993a3ea4.
  *
  * Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
  *       sample to sample.
@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_08ACB27C_HPP
-#define STAGE18_08ACB27C_HPP
+#ifndef STAGE18_E87A0AF9_HPP
+#define STAGE18_E87A0AF9_HPP
 
 #include <array>
 #include <cfloat>
@@ -77,9 +77,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage2: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
- * Version 0.1.0, design 75680df23c07.
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+ * Version 0.1.0, design b83ed869d4cf.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_E400D39D_H
-#define STAGE2_E400D39D_H
+#ifndef STAGE2_DA40ED59_H
+#define STAGE2_DA40ED59_H
 
 #include <stdint.h>
 
@@ -53,9 +53,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -80,7 +79,7 @@ ptc_status stage2_arm(stage2 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x = (x1, x1', ...). On a negative status u is 0
- * and nothing has changed. u must not overlap x.
+ * and nothing has changed.
  */
 ptc_status stage2_step(const stage2 *self, uint32_t k, const double x[3], double *u);
 

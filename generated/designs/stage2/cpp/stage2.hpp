@@ -2,8 +2,8 @@
  * Prescribed-time controller stage2: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
- * Version 0.1.0, design 75680df23c07.
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+ * Version 0.1.0, design b83ed869d4cf.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_2EBEF053_HPP
-#define STAGE2_2EBEF053_HPP
+#ifndef STAGE2_31E9C42D_HPP
+#define STAGE2_31E9C42D_HPP
 
 #include <array>
 #include <cfloat>
@@ -73,9 +73,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

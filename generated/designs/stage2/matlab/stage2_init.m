@@ -8,8 +8,8 @@ function self = stage2_init(~) %#codegen
 % Prescribed-time controller stage2: order n = 3, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
-% Version 0.1.0, design 75680df23c07.
+%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+% Version 0.1.0, design b83ed869d4cf.
 %
 % Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

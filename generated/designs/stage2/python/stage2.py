@@ -2,8 +2,8 @@
 Prescribed-time controller stage2: order n = 3, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
-Version 0.1.0, design 75680df23c07.
+  ptc-codegen emit --lang python --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+Version 0.1.0, design b83ed869d4cf.
 
 Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -62,7 +62,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4

@@ -2,8 +2,8 @@
 Prescribed-time controller stage22: order n = 2, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage22 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
-Version 0.1.0, design 1531839ead9d.
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage22 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
+Version 0.1.0, design 2d310baefd9f.
 
 Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
       sample to sample.
@@ -72,7 +72,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4

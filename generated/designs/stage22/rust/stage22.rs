@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage22 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
-//! Version 0.1.0, design 1531839ead9d.
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage22 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
+//! Version 0.1.0, design 2d310baefd9f.
 //!
 //! Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
 //!       sample to sample.
@@ -57,7 +57,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

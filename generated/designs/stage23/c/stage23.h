@@ -2,8 +2,8 @@
  * Prescribed-time controller stage23: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --observer-poles=-4,-5,-6 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
- * Version 0.1.0, design 4c3c000d67d1.
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --deadbeat=10 --observer-poles=-4,-5,-6 --observer-samples=25 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
+ * Version 0.1.0, design a2326bb2d6bc.
  *
  * Plant: x' = A x + B u of --A and --B above; u held from sample to sample, one sample late,
  *       y = C x.
@@ -37,7 +37,7 @@
  *
  * k counts samples and may wrap; arm again within 2^32 - N samples.
  * From sample N on the last gains are held (status HOLD).
- * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ * The estimates are exact from sample 25 after the start on where the measurement is; with
  *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
  *       below deadbeat.
  * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
@@ -56,8 +56,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_C392DB57_H
-#define STAGE23_C392DB57_H
+#ifndef STAGE23_34437D61_H
+#define STAGE23_34437D61_H
 
 #include <stdint.h>
 
@@ -71,9 +71,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -106,13 +105,12 @@ ptc_status stage23_init(stage23 *self, const stage23_params *params);
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
- * Estimates too large to compute with begin anew.
  */
 ptc_status stage23_arm(stage23 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x, and the reference. Call it once
- * for each tick. On a negative status u is 0 and nothing has changed. u must not overlap y or r.
+ * for each tick. On a negative status u is 0 and nothing has changed.
  */
 ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const double r[4], double *u);
 

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage23: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --observer-poles=-4,-5,-6 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
- * Version 0.1.0, design 4c3c000d67d1.
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --deadbeat=10 --observer-poles=-4,-5,-6 --observer-samples=25 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
+ * Version 0.1.0, design a2326bb2d6bc.
  *
  * Plant: x' = A x + B u of --A and --B above; u held from sample to sample, one sample late,
  *       y = C x.
@@ -37,7 +37,7 @@
  *
  * k counts samples and may wrap; arm again within 2^32 - N samples.
  * From sample N on the last gains are held (status HOLD).
- * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ * The estimates are exact from sample 25 after the start on where the measurement is; with
  *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
  *       below deadbeat.
  * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_C9CDAA27_HPP
-#define STAGE23_C9CDAA27_HPP
+#ifndef STAGE23_72B73359_HPP
+#define STAGE23_72B73359_HPP
 
 #include <array>
 #include <cfloat>
@@ -90,9 +90,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -146,19 +145,10 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept. Estimates too large to compute with begin anew.
+    /// kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_next_) + absolute(x2_next_) + absolute(x3_next_) <= 1e150)) {
-            seen_ = 0U;
-            x1_hat_ = 0.0;
-            x1_next_ = 0.0;
-            x2_hat_ = 0.0;
-            x2_next_ = 0.0;
-            x3_hat_ = 0.0;
-            x3_next_ = 0.0;
-        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = C x, and the reference. Call it
@@ -247,7 +237,7 @@ public:
             const double s12 = 2.5950153689199906 * (u1_ - u_r1_);
             v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
         }
-        if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on))) {
+        if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
@@ -288,11 +278,6 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    static constexpr double absolute(double v) noexcept
-    {
-        return (v > 0.0) ? v : (0.0 - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

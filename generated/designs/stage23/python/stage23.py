@@ -2,8 +2,8 @@
 Prescribed-time controller stage23: order n = 3, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --observer-poles=-4,-5,-6 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
-Version 0.1.0, design 4c3c000d67d1.
+  ptc-codegen emit --lang python --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --deadbeat=10 --observer-poles=-4,-5,-6 --observer-samples=25 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
+Version 0.1.0, design a2326bb2d6bc.
 
 Plant: x' = A x + B u of --A and --B above; u held from sample to sample, one sample late,
       y = C x.
@@ -37,7 +37,7 @@ Parameters:
 
 k counts samples and may wrap; arm again within 2^32 - N samples.
 From sample N on the last gains are held (status HOLD).
-The estimates are exact from sample N/2 after the start on where the measurement is; with
+The estimates are exact from sample 25 after the start on where the measurement is; with
       noise or sensor_step given, or observer_eps, the gains of the observer are then held
       below deadbeat.
 |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
@@ -79,7 +79,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4

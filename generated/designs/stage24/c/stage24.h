@@ -2,8 +2,8 @@
  * Prescribed-time controller stage24: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
- * Version 0.1.0, design 50bc8ccf34e5.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --deadbeat=6 --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
+ * Version 0.1.0, design 406c238cf2d6.
  *
  * Plant: x' = A x + B u of --A and --B above; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -51,8 +51,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_09E69BC0_H
-#define STAGE24_09E69BC0_H
+#ifndef STAGE24_0D96D81A_H
+#define STAGE24_0D96D81A_H
 
 #include <stdint.h>
 
@@ -66,9 +66,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -100,7 +99,7 @@ ptc_status stage24_arm(stage24 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x. On a negative status u is 0 and nothing has
- * changed. u must not overlap x.
+ * changed.
  */
 ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float *u);
 

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage24: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
- * Version 0.1.0, design 50bc8ccf34e5.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --deadbeat=6 --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
+ * Version 0.1.0, design 406c238cf2d6.
  *
  * Plant: x' = A x + B u of --A and --B above; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -50,8 +50,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_FE3F3604_HPP
-#define STAGE24_FE3F3604_HPP
+#ifndef STAGE24_0DAC66F2_HPP
+#define STAGE24_0DAC66F2_HPP
 
 #include <array>
 #include <cfloat>
@@ -85,9 +85,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
-//! Version 0.1.0, design 50bc8ccf34e5.
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --deadbeat=6 --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
+//! Version 0.1.0, design 406c238cf2d6.
 //!
 //! Plant: x' = A x + B u of --A and --B above; u held from sample to sample.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -59,7 +59,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage25: outputs of order 1, 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01
- * Version 0.1.0, design 1919fd9b1618.
+ *   ptc-codegen emit --lang cpp --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-4.5]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01
+ * Version 0.1.0, design 602ddeccb2d0.
  *
  * Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
  *       = h, output 2 = e; u held from sample to sample.
@@ -55,8 +55,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE25_090F6DE9_HPP
-#define STAGE25_090F6DE9_HPP
+#ifndef STAGE25_233CF312_HPP
+#define STAGE25_233CF312_HPP
 
 #include <array>
 #include <cfloat>
@@ -91,9 +91,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

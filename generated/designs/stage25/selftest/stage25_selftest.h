@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage25, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01 --selftest
+ *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage25 --clock samples --tau=0.3 --eps=0.04 --limits=2,3 --poles="[[-4],[-3,-4.5]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --sample-time=0.01 --selftest
  * Version 0.1.0.
  *
  * 3 sets of parameters with 60 calls, 0 sets that init must refuse. The expected values were

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage27: outputs of order 1, 2, 1, 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-5/2,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
- * Version 0.1.0, design bf9f49114361.
+ *   ptc-codegen emit --lang c --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-2.5,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
+ * Version 0.1.0, design 7fcab43de361.
  *
  * Plant: the inputs A, B, C, D: a' = A*(2 + b^2) + B - a*c, b' = b1, b1' = B*(3 + a) + C*d -
  *       b*d1, c' = C + D*a - c^2, d' = d1, d1' = D*(2 - b) + A*c + a, output 1 = a, output 2
@@ -66,8 +66,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_73CFEEBD_H
-#define STAGE27_73CFEEBD_H
+#ifndef STAGE27_A797CF3B_H
+#define STAGE27_A797CF3B_H
 
 #include <stdint.h>
 
@@ -81,9 +81,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -122,7 +121,7 @@ ptc_status stage27_arm(stage27 *self, uint32_t k);
 /*
  * u = (A, B, C, D) from tick `k`, which may wrap, and state x = (a, b, b1, c, d, d1). Where one of
  * them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0;
- * else the status is SATURATED where one was clipped. u and axes must not overlap x.
+ * else the status is SATURATED where one was clipped.
  */
 ptc_status stage27_step(
     const stage27 *self,

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage27: outputs of order 1, 2, 1, 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-5/2,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
- * Version 0.1.0, design bf9f49114361.
+ *   ptc-codegen emit --lang cpp --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-2.5,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
+ * Version 0.1.0, design 7fcab43de361.
  *
  * Plant: the inputs A, B, C, D: a' = A*(2 + b^2) + B - a*c, b' = b1, b1' = B*(3 + a) + C*d -
  *       b*d1, c' = C + D*a - c^2, d' = d1, d1' = D*(2 - b) + A*c + a, output 1 = a, output 2
@@ -65,8 +65,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_8E38CF22_HPP
-#define STAGE27_8E38CF22_HPP
+#ifndef STAGE27_6878EED1_HPP
+#define STAGE27_6878EED1_HPP
 
 #include <array>
 #include <cfloat>
@@ -101,9 +101,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

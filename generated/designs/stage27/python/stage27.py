@@ -2,8 +2,8 @@
 Prescribed-time controller stage27: outputs of order 1, 2, 1, 2, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-5/2,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
-Version 0.1.0, design bf9f49114361.
+  ptc-codegen emit --lang python --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-2.5,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
+Version 0.1.0, design 7fcab43de361.
 
 Plant: the inputs A, B, C, D: a' = A*(2 + b^2) + B - a*c, b' = b1, b1' = B*(3 + a) + C*d -
       b*d1, c' = C + D*a - c^2, d' = d1, d1' = D*(2 - b) + A*c + a, output 1 = a, output 2
@@ -90,7 +90,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-5/2,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
-//! Version 0.1.0, design bf9f49114361.
+//!   ptc-codegen emit --lang rust --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-2.5,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a"
+//! Version 0.1.0, design 7fcab43de361.
 //!
 //! Plant: the inputs A, B, C, D: a' = A*(2 + b^2) + B - a*c, b' = b1, b1' = B*(3 + a) + C*d -
 //!       b*d1, c' = C + D*a - c^2, d' = d1, d1' = D*(2 - b) + A*c + a, output 1 = a, output 2
@@ -74,7 +74,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

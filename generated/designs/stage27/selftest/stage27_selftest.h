@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage27, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-5/2,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a" --selftest
+ *   ptc-codegen emit --lang c --mu "exp(a=0.8)" --name stage27 --clock samples --eps=0 --u-max=inf --poles="[[-4],[-3,-4],[-5],[-2.5,-6]]" --states="a, b, b1, c, d, d1" --inputs=A,B,C,D --outputs="a, b, c, d" --dynamics="A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a" --selftest
  * Version 0.1.0.
  *
  * 4 sets of parameters with 77 calls, 14 sets that init must refuse. The expected values were

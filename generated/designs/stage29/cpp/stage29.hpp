@@ -2,8 +2,8 @@
  * Prescribed-time controller stage29: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01
- * Version 0.1.0, design 42ca6e30ad8a.
+ *   ptc-codegen emit --lang cpp --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+i,-3-i],[-6,-7.5]]" --g="[1/2, 2, -1]" --sample-time=0.01
+ * Version 0.1.0, design 4feab5b1e49c.
  *
  * Plant: x1' = x2, x2' = g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -40,8 +40,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE29_1FAEAFA6_HPP
-#define STAGE29_1FAEAFA6_HPP
+#ifndef STAGE29_06DD24CE_HPP
+#define STAGE29_06DD24CE_HPP
 
 #include <array>
 #include <cfloat>
@@ -76,9 +76,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

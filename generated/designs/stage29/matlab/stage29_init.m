@@ -8,8 +8,8 @@ function self = stage29_init(~) %#codegen
 % Prescribed-time controller stage29: order n = 2, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01
-% Version 0.1.0, design 42ca6e30ad8a.
+%   ptc-codegen emit --lang matlab --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+i,-3-i],[-6,-7.5]]" --g="[1/2, 2, -1]" --sample-time=0.01
+% Version 0.1.0, design 4feab5b1e49c.
 %
 % Plant: x1' = x2, x2' = g u; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage29, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --sample-time=0.01 --selftest
+ *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name stage29 --clock samples --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+i,-3-i],[-6,-7.5]]" --g="[1/2, 2, -1]" --sample-time=0.01 --selftest
  * Version 0.1.0.
  *
  * 3 sets of parameters with 77 calls, 0 sets that init must refuse. The expected values were

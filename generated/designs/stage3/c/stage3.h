@@ -2,8 +2,8 @@
  * Prescribed-time controller stage3: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage3 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
- * Version 0.1.0, design f20e905317e3.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage3 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
+ * Version 0.1.0, design 8d50629685b7.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE3_6A94CD52_H
-#define STAGE3_6A94CD52_H
+#ifndef STAGE3_4A9015F6_H
+#define STAGE3_4A9015F6_H
 
 #include <stdint.h>
 
@@ -59,9 +59,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -90,13 +89,12 @@ ptc_status stage3_init(stage3 *self, const stage3_params *params);
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
- * Estimates too large to compute with begin anew.
  */
 ptc_status stage3_arm(stage3 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed. u must not overlap y.
+ * On a negative status u is 0 and nothing has changed.
  */
 ptc_status stage3_step(stage3 *self, uint32_t k, const double y[1], double *u);
 

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage3: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage3 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
- * Version 0.1.0, design f20e905317e3.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage3 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
+ * Version 0.1.0, design 8d50629685b7.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -43,8 +43,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE3_BD00394F_HPP
-#define STAGE3_BD00394F_HPP
+#ifndef STAGE3_16B45A99_HPP
+#define STAGE3_16B45A99_HPP
 
 #include <array>
 #include <cfloat>
@@ -78,9 +78,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -130,16 +129,10 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept. Estimates too large to compute with begin anew.
+    /// kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_) <= 1e150)) {
-            seen_ = 0U;
-            x1_hat_ = 0.0;
-            x2_hat_ = 0.0;
-            d_hat_ = 0.0;
-        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
@@ -252,11 +245,6 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    static constexpr double absolute(double v) noexcept
-    {
-        return (v > 0.0) ? v : (0.0 - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

@@ -11,8 +11,8 @@ function self = stage3_init(params) %#codegen
 % Prescribed-time controller stage3: order n = 2, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name stage3 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
-% Version 0.1.0, design f20e905317e3.
+%   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name stage3 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
+% Version 0.1.0, design 8d50629685b7.
 %
 % Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
 %       sample late.

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage31: outputs of order 1, 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
- * Version 0.1.0, design fcdcaf715040.
+ *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-4.5]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
+ * Version 0.1.0, design 2c157dacc07c.
  *
  * Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
  *       = h, output 2 = e; u held from sample to sample.
@@ -63,8 +63,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_AD8313F9_H
-#define STAGE31_AD8313F9_H
+#ifndef STAGE31_2F2DFE0D_H
+#define STAGE31_2F2DFE0D_H
 
 #include <stdint.h>
 
@@ -78,9 +78,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -115,8 +114,7 @@ ptc_status stage31_arm(stage31 *self, uint32_t k);
 /*
  * u = (q, p) from tick `k`, which may wrap, state x = (h, c, e) and the reference r of each output.
  * Where one of them is not finite, as at a state at which the inputs do not decouple the outputs,
- * every u is 0; else the status is SATURATED where one was clipped. u and axes must not overlap x
- * or r.
+ * every u is 0; else the status is SATURATED where one was clipped.
  */
 ptc_status stage31_step(
     const stage31 *self,

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage31: outputs of order 1, 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
- * Version 0.1.0, design fcdcaf715040.
+ *   ptc-codegen emit --lang cpp --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-4.5]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
+ * Version 0.1.0, design 2c157dacc07c.
  *
  * Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
  *       = h, output 2 = e; u held from sample to sample.
@@ -62,8 +62,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_FEECD1D4_HPP
-#define STAGE31_FEECD1D4_HPP
+#ifndef STAGE31_C3BED971_HPP
+#define STAGE31_C3BED971_HPP
 
 #include <array>
 #include <cfloat>
@@ -98,9 +98,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

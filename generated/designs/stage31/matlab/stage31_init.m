@@ -12,8 +12,8 @@ function self = stage31_init(params) %#codegen
 % Prescribed-time controller stage31: outputs of order 1, 2, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
-% Version 0.1.0, design fcdcaf715040.
+%   ptc-codegen emit --lang matlab --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-4.5]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input
+% Version 0.1.0, design 2c157dacc07c.
 %
 % Plant: the inputs q, p: h' = q - 1/10*h, c' = p - c*(1 + h), e' = (c - e)*(1 + h), output 1
 %       = h, output 2 = e; u held from sample to sample.

@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage31, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-9/2]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input --selftest
+ *   ptc-codegen emit --lang c --mu "exp(a=1)" --name stage31 --clock samples --eps=0 --limits=2,3 --poles="[[-4],[-3,-4.5]]" --states="h, c, e" --inputs=q,p --outputs="h, e" --dynamics="q - 1/10*h, p - c*(1 + h), (c - e)*(1 + h)" --reference input --selftest
  * Version 0.1.0.
  *
  * 4 sets of parameters with 96 calls, 14 sets that init must refuse. The expected values were

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage33: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name stage33 --clock samples --precision f32 --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --reference="1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)" --sample-time=0.01
- * Version 0.1.0, design ed4024b345c9.
+ *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name stage33 --clock samples --precision f32 --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+i,-3-i],[-6,-7.5]]" --g="[1/2, 2, -1]" --reference="1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)" --sample-time=0.01
+ * Version 0.1.0, design 600667a7090c.
  *
  * Plant: x1' = x2, x2' = g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -53,8 +53,8 @@
  *   loop: not checked: axis 1: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE33_24E95376_H
-#define STAGE33_24E95376_H
+#ifndef STAGE33_3CFA1B1F_H
+#define STAGE33_3CFA1B1F_H
 
 #include <stdint.h>
 
@@ -68,9 +68,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -100,8 +99,7 @@ ptc_status stage33_arm(stage33 *self, uint32_t k);
 
 /*
  * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each. Where one
- * of them is not finite, every u is 0; else the status is SATURATED where one was clipped. u and
- * axes must not overlap x.
+ * of them is not finite, every u is 0; else the status is SATURATED where one was clipped.
  */
 ptc_status stage33_step(
     const stage33 *self,

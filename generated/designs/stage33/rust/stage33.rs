@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 2 --axes 3 --mu "exp(a=1)" --name stage33 --clock samples --precision f32 --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+1i,-3-1i],[-6,-15/2]]" --g="[1/2, 2, -1]" --reference="1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)" --sample-time=0.01
-//! Version 0.1.0, design ed4024b345c9.
+//!   ptc-codegen emit --lang rust --n 2 --axes 3 --mu "exp(a=1)" --name stage33 --clock samples --precision f32 --tau=0.3 --eps=0 --limits=1,2,3 --poles="[[-4,-5],[-3+i,-3-i],[-6,-7.5]]" --g="[1/2, 2, -1]" --reference="1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)" --sample-time=0.01
+//! Version 0.1.0, design 600667a7090c.
 //!
 //! Plant: x1' = x2, x2' = g u; u held from sample to sample.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -61,7 +61,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

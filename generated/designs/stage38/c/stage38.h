@@ -2,8 +2,8 @@
  * Prescribed-time controller stage38: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
- * Version 0.1.0, design 60f839fb746e.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage38 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
+ * Version 0.1.0, design 1e7cb9e82b61.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -26,7 +26,7 @@
  *
  * k counts samples and may wrap; arm again within 2^32 - N samples.
  * From sample N on u = 0 (status AFTER).
- * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ * The estimates are exact from sample 20 after the start on where the measurement is; with
  *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
  *       below deadbeat.
  * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
@@ -45,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_3294F4BC_H
-#define STAGE38_3294F4BC_H
+#ifndef STAGE38_1A713684_H
+#define STAGE38_1A713684_H
 
 #include <stdint.h>
 
@@ -60,9 +60,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -90,13 +89,12 @@ ptc_status stage38_init(stage38 *self, const stage38_params *params);
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
- * Estimates too large to compute with begin anew.
  */
 ptc_status stage38_arm(stage38 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed. u must not overlap y.
+ * On a negative status u is 0 and nothing has changed.
  */
 ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u);
 

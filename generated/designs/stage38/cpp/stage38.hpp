@@ -2,8 +2,8 @@
  * Prescribed-time controller stage38: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
- * Version 0.1.0, design 60f839fb746e.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage38 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
+ * Version 0.1.0, design 1e7cb9e82b61.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -26,7 +26,7 @@
  *
  * k counts samples and may wrap; arm again within 2^32 - N samples.
  * From sample N on u = 0 (status AFTER).
- * The estimates are exact from sample N/2 after the start on where the measurement is; with
+ * The estimates are exact from sample 20 after the start on where the measurement is; with
  *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
  *       below deadbeat.
  * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_40EE3805_HPP
-#define STAGE38_40EE3805_HPP
+#ifndef STAGE38_F9428D11_HPP
+#define STAGE38_F9428D11_HPP
 
 #include <array>
 #include <cfloat>
@@ -79,9 +79,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -125,16 +124,10 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept. Estimates too large to compute with begin anew.
+    /// kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_) <= 1e18f)) {
-            seen_ = 0U;
-            x1_hat_ = 0.0f;
-            x2_hat_ = 0.0f;
-            d_hat_ = 0.0f;
-        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
@@ -253,11 +246,6 @@ private:
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
-    }
-
-    static constexpr float absolute(float v) noexcept
-    {
-        return (v > 0.0f) ? v : (0.0f - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

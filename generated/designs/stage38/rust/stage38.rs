@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
-//! Version 0.1.0, design 60f839fb746e.
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage38 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
+//! Version 0.1.0, design 1e7cb9e82b61.
 //!
 //! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
 //!       sample late.
@@ -26,7 +26,7 @@
 //!
 //! k counts samples and may wrap; arm again within 2^32 - N samples.
 //! From sample N on u = 0 (status AFTER).
-//! The estimates are exact from sample N/2 after the start on where the measurement is; with
+//! The estimates are exact from sample 20 after the start on where the measurement is; with
 //!       noise or sensor_step given, or observer_eps, the gains of the observer are then held
 //!       below deadbeat.
 //! u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
@@ -53,7 +53,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

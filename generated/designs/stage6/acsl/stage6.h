@@ -2,8 +2,8 @@
  * Prescribed-time controller stage6: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
- * Version 0.1.0, design 634a64923afb.
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-5.3 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
+ * Version 0.1.0, design 6c8ba09a0bea.
  *
  * Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_744EB42E_H
-#define STAGE6_744EB42E_H
+#ifndef STAGE6_4434CBE4_H
+#define STAGE6_4434CBE4_H
 
 #include <stdint.h>
 
@@ -59,9 +59,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0, /* tracking */
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -115,7 +114,6 @@ ptc_status stage6_init(stage6 *self, const stage6_params *params);
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
- * Estimates too large to compute with begin anew.
  */
 /*@ requires self == \null || \valid(self);
     requires self == \null || stage6_set(self);
@@ -127,7 +125,7 @@ ptc_status stage6_arm(stage6 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed. u must not overlap y.
+ * On a negative status u is 0 and nothing has changed.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 1));

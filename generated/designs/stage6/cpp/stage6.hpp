@@ -2,8 +2,8 @@
  * Prescribed-time controller stage6: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
- * Version 0.1.0, design 634a64923afb.
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-5.3 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
+ * Version 0.1.0, design 6c8ba09a0bea.
  *
  * Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_4F48D7D5_HPP
-#define STAGE6_4F48D7D5_HPP
+#ifndef STAGE6_ECDD9216_HPP
+#define STAGE6_ECDD9216_HPP
 
 #include <array>
 #include <cfloat>
@@ -78,9 +78,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -166,15 +165,10 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept. Estimates too large to compute with begin anew.
+    /// kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x2_hat_) + absolute(x3_hat_) <= 1e150)) {
-            seen_ = 0U;
-            x2_hat_ = 0.0;
-            x3_hat_ = 0.0;
-        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
@@ -270,11 +264,6 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    static constexpr double absolute(double v) noexcept
-    {
-        return (v > 0.0) ? v : (0.0 - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

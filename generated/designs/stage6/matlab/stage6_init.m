@@ -14,8 +14,8 @@ function self = stage6_init(params) %#codegen
 % Prescribed-time controller stage6: order n = 3, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
-% Version 0.1.0, design 634a64923afb.
+%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-5.3 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
+% Version 0.1.0, design 6c8ba09a0bea.
 %
 % Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

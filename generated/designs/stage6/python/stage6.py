@@ -2,8 +2,8 @@
 Prescribed-time controller stage6: order n = 3, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
-Version 0.1.0, design 634a64923afb.
+  ptc-codegen emit --lang python --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-5.3 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
+Version 0.1.0, design 6c8ba09a0bea.
 
 Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -68,7 +68,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
-//! Version 0.1.0, design 634a64923afb.
+//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-5.3 --eps=0 --f="1/2" --g="2" --sample-time=2e-3
+//! Version 0.1.0, design 6c8ba09a0bea.
 //!
 //! Plant: x1' = x2, ..., x3' = f + g u; u held from sample to sample.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -52,7 +52,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

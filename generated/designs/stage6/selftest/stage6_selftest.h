@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage6, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-53/10 --eps=0 --f="1/2" --g="2" --sample-time=2e-3 --selftest
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=0.7)" --name stage6 --clock samples --measured=x1,x2 --observer-poles=-4,-5.3 --eps=0 --f="1/2" --g="2" --sample-time=2e-3 --selftest
  * Version 0.1.0.
  *
  * 6 sets of parameters with 56 calls, 27 sets that init must refuse. The expected values were

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage7: order n = 1, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
- * Version 0.1.0, design 7a85fff93aef.
+ *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+ * Version 0.1.0, design e64cf42bb44d.
  *
  * Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_3B2E17E0_HPP
-#define STAGE7_3B2E17E0_HPP
+#ifndef STAGE7_7CE9B4DC_HPP
+#define STAGE7_7CE9B4DC_HPP
 
 #include <array>
 #include <cfloat>
@@ -75,9 +75,8 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
-    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -153,15 +152,10 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept. Estimates too large to compute with begin anew.
+    /// kept.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_hat_) + absolute(d_hat_) <= 1e18f)) {
-            seen_ = 0U;
-            x1_hat_ = 0.0f;
-            d_hat_ = 0.0f;
-        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
@@ -256,11 +250,6 @@ private:
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
-    }
-
-    static constexpr float absolute(float v) noexcept
-    {
-        return (v > 0.0f) ? v : (0.0f - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

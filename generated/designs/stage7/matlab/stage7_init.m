@@ -13,8 +13,8 @@ function self = stage7_init(params) %#codegen
 % Prescribed-time controller stage7: order n = 1, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
-% Version 0.1.0, design 7a85fff93aef.
+%   ptc-codegen emit --lang matlab --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+% Version 0.1.0, design e64cf42bb44d.
 %
 % Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any

@@ -2,8 +2,8 @@
 Prescribed-time controller stage7: order n = 1, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
-Version 0.1.0, design 7a85fff93aef.
+  ptc-codegen emit --lang python --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+Version 0.1.0, design e64cf42bb44d.
 
 Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -64,7 +64,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4

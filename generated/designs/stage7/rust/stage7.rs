@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
-//! Version 0.1.0, design 7a85fff93aef.
+//!   ptc-codegen emit --lang rust --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+//! Version 0.1.0, design e64cf42bb44d.
 //!
 //! Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
@@ -49,7 +49,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,

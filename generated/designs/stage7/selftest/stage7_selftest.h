@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage7, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3 --selftest
+ *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3 --selftest
  * Version 0.1.0.
  *
  * 4 sets of parameters with 42 calls, 17 sets that init must refuse. The expected values were

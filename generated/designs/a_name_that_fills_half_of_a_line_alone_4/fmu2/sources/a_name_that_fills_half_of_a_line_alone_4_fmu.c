@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{c7ab807f-8240-b44b-834e-4a568229d428}"
+#define TOKEN "{86a30233-851d-da0b-b1c1-893b453d0f5c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

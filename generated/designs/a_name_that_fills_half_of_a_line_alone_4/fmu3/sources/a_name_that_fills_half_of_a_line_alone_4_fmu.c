@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{25168c43-48a8-fe3f-1ab6-91770ddc2785}"
+#define TOKEN "{0eb7fbc8-41e8-af93-d631-9e8bc1c04211}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

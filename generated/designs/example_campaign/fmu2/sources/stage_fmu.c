@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d9af377a-efde-966a-767c-3d9a55d24bcb}"
+#define TOKEN "{2f35189a-c6b0-005c-1422-ddd5c04990e7}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6578491a-19bf-5236-d820-5aa511faec5d}"
+#define TOKEN "{7a1a0ad0-ef95-71f8-c686-85d881cfe0ff}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

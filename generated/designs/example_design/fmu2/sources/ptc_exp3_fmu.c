@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{de2cc559-6f8a-3819-0c65-0866c7d932b7}"
+#define TOKEN "{06d5a5ae-24cf-c04d-cd72-6d7ba9975703}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

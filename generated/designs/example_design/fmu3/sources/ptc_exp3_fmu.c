@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{8e318997-5d26-b875-3713-15bfc809daa3}"
+#define TOKEN "{4c8305c0-c04a-6166-d3f5-43b0627ce2dd}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ef8f6899-5c7b-ffa0-81b6-d57045fb218a}"
+#define TOKEN "{4da2b09b-60f2-4fea-3320-6edd7fd9ba9c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9008f2e8-0683-3d83-f039-cedd31f1812f}"
+#define TOKEN "{a25d25e8-df92-b6e9-8108-70d0fc7e68eb}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{73873e13-5af1-6081-5adf-02743368483f}"
+#define TOKEN "{b15decb8-60ef-b8c6-5aa5-a094ceddb37a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

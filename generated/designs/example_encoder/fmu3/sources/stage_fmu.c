@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9d95229a-ed54-fb87-6a19-463fc78b9d53}"
+#define TOKEN "{67aecd97-e766-a0b3-1b26-c5de79c88ab4}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{032b02c5-3ade-6057-7261-7342eb39cfea}"
+#define TOKEN "{5d84a134-89d9-8187-33f7-8124f1d4dfce}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{15080fd0-ab29-a7a1-943f-c68372717b67}"
+#define TOKEN "{fcbe8fa3-0f35-aa0e-3ee8-c984a3582f51}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{8ac64358-6cf0-79ae-a2c1-b7e2bd0802cf}"
+#define TOKEN "{be474914-dde5-9680-1140-61cb7dfbba7b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9704c203-9b5a-f48a-a7d8-cf1b21fe376a}"
+#define TOKEN "{152b963a-201f-3b6d-84e4-ff05642a4d0c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{c96b6056-be7e-d48c-308a-05539b6cd8bb}"
+#define TOKEN "{5bbc6778-2f67-7513-ba5a-3d542de7f387}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{653e7f45-b002-205c-a8ea-edf3af632b85}"
+#define TOKEN "{a96280c8-1236-5c9a-a31e-67d7de508241}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

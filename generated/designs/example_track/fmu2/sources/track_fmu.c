@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2be28a19-068a-4740-00fa-38a8a717099c}"
+#define TOKEN "{ec682adc-b271-48c5-0870-21582d086218}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{1a7ad3fa-1546-7c50-c7c9-147211cb79e7}"
+#define TOKEN "{4171716e-12c7-c321-12c1-5c3499d819c3}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

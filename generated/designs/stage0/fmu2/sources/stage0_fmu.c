@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ecf48645-a89b-ce24-0077-be757b35f3b7}"
+#define TOKEN "{59084d1e-6bef-75f7-49f0-f30183218813}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{5a304485-9dd0-b597-b361-3ecc9e434792}"
+#define TOKEN "{50558878-092c-01e1-c232-ad82e80546c0}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{8a8bf01e-41c4-f540-e0d1-8a8165505a5b}"
+#define TOKEN "{15f137f6-1422-5991-5845-904affbecb3f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

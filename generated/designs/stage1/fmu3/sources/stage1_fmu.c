@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{b50e59e5-71cc-e0b9-18e4-40128a5a9d3b}"
+#define TOKEN "{b47c20fd-2b51-3b69-c883-f842a747391f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{409e6af2-bd89-c642-776b-c02a3f49986f}"
+#define TOKEN "{b429ea72-98ba-4d82-978a-9e57271e0a0b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

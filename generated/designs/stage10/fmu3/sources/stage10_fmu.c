@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d32f8de1-9bbd-84e4-98fe-f196d0c312eb}"
+#define TOKEN "{344b6bc4-83f3-fe11-2264-4a01d09c675f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6af94b33-878a-241d-ed70-77fa66804e2c}"
+#define TOKEN "{6f6dc378-066b-349a-2938-c831111efdf0}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

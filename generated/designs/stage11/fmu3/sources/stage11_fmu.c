@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{3fde5c38-9c20-a0b2-dc96-1195569b6f29}"
+#define TOKEN "{f3167361-d30c-0ccd-4409-7544c4587c6d}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

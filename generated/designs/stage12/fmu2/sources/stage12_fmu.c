@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{064496f7-4547-7f64-4a2f-dfaaad817545}"
+#define TOKEN "{30cb92fe-8376-be16-f50c-f57efc2103ff}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

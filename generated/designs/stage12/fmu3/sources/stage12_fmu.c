@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{26d842d6-1bc0-8c49-473c-5856128109b6}"
+#define TOKEN "{9b515490-8d08-a45d-999a-a52db5d9ecd0}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{90322c8a-79e8-7e6e-0d87-64e73f099740}"
+#define TOKEN "{96169796-7cb8-90cc-b591-27a43bcd3c2a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4716bf28-2b62-c965-8707-2359ef650922}"
+#define TOKEN "{f96aab5c-3576-d123-314d-63a783f1efd4}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ba3f2ecf-130b-81e6-909c-5e161bd7f651}"
+#define TOKEN "{3c4c84d2-62e8-0e51-571c-cc079861d090}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{5af626da-444e-6ec0-37bc-9eea758cd31a}"
+#define TOKEN "{717527d0-9d92-c9e2-b167-1aaa6c9315f5}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{dc0049b6-8a2e-d95c-44c0-f2fb98790a1f}"
+#define TOKEN "{0d402d01-c7cd-1c7d-c7be-18a83590e3c5}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

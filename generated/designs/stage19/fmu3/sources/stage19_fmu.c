@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{963b3663-091e-9cf1-f9e6-c93f58ecab01}"
+#define TOKEN "{899f010a-998c-9f0c-1f01-d167df42e93f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{87d5c055-4937-73ba-7f64-06b9ccad0bc8}"
+#define TOKEN "{a228bb28-63b2-abd8-cd9b-4fbf0f1482fe}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{569f6628-b117-b0df-366f-a1341c3e3851}"
+#define TOKEN "{7c137f29-694c-e3cc-7b8e-0b56884b894b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

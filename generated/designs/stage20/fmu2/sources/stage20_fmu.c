@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{8ebe0726-db4a-89e8-18f8-832f188a774d}"
+#define TOKEN "{9721aceb-b999-1ccf-8235-6a9d55f187a3}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

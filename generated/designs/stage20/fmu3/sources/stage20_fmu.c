@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{33e43943-5f63-d90c-db97-f2ea88890a78}"
+#define TOKEN "{d250ee02-cbdb-04d1-6525-354bf3a6e4fa}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

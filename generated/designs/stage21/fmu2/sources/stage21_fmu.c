@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{b1325273-9831-bfc8-ebc8-99d943c89806}"
+#define TOKEN "{795cbe3a-a5a6-4ecc-792b-10edb125f7f4}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

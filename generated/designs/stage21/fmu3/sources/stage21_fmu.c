@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f86e5c90-3560-d153-6323-ce9c2f8c4cbd}"
+#define TOKEN "{5eb7774a-8e20-383e-5761-fe9b07016e51}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d14a0e2f-18c0-2d8f-cc82-0ec424cb27b2}"
+#define TOKEN "{c3c50019-4433-a928-8649-64e912c53ad4}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

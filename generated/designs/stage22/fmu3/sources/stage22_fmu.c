@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{da977ae5-b5fc-456a-bce7-ed34be586caa}"
+#define TOKEN "{a854d7ba-5f0d-61e8-f80b-ad4d87f4c730}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6518ebe4-8a4a-9ee5-f70d-bbd26599eef1}"
+#define TOKEN "{7551d170-d272-237a-151c-dc11179993bb}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

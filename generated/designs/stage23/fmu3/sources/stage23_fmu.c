@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9c095dd3-dc65-c5a9-3d0e-6304855fcf2e}"
+#define TOKEN "{dfe4f834-40f8-f5b5-f054-a13164abaeea}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6f5e8d0b-7c9d-f65a-9f01-d04822d451ff}"
+#define TOKEN "{ae8bd12c-4b5e-7eeb-7726-afcf0cc348fc}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{25ab077a-5eef-df2a-d62c-98c84fcad2a9}"
+#define TOKEN "{a91b2114-93c4-f4fd-f0d6-014f6f0d3aec}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{176333ee-8761-2ff3-359b-cf2e8efdf511}"
+#define TOKEN "{d45c4554-48aa-9eff-f77c-afbb23e2909a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

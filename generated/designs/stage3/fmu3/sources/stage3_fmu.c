@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ee1cd5ef-c476-420a-b129-319a0cb7c103}"
+#define TOKEN "{eee8bc25-fd2e-c8ac-3486-e4ef8f6724fa}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{dbe67a14-ac25-0efd-1449-7a29256f400c}"
+#define TOKEN "{4396d5d1-a534-d648-ced8-649e4639d2af}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

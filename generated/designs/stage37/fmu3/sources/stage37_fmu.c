@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f0f8c6c8-c0ac-a75f-ee43-76ff730d7e20}"
+#define TOKEN "{e19bd351-a512-e3b3-96b7-283f126ffb05}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

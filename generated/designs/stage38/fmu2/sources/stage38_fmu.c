@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7aa112e7-1941-7b53-9e25-d3d0f0cde88c}"
+#define TOKEN "{5f9c775c-87f3-10bf-a33e-a9d9adb47bd2}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

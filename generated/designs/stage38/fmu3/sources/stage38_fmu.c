@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{fbc80834-cad7-248c-1277-f3242750b189}"
+#define TOKEN "{e5cf3d07-59c6-140c-bbe9-7a121a5fb38f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

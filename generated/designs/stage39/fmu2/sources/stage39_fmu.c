@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d345c0fa-876d-86b4-cf2c-01aa585ef437}"
+#define TOKEN "{4fb25615-331e-365a-dd1d-e577fc6273b0}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{096f35ee-5cef-0a4b-12f4-80fd599496f5}"
+#define TOKEN "{6a9d2a70-4e2f-e02e-bd32-4b8fc193151c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{1f45e4c5-e2eb-6c02-490e-32922e83eb92}"
+#define TOKEN "{e623fe13-3781-c534-1164-692673808a84}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{66c1eee6-7298-9f36-64a1-279a1acb850f}"
+#define TOKEN "{68013f52-b27f-9c45-160b-d6c7d13b0039}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

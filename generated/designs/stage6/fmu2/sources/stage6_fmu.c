@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{89a5e202-fcc8-bb16-3099-9e12d1481a80}"
+#define TOKEN "{be832c12-b280-2b97-f2ce-e53efe49badf}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{0057e8ed-3048-d42d-5db0-a97ccbb6f513}"
+#define TOKEN "{79982465-3ffc-bc15-228f-ce6690334488}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

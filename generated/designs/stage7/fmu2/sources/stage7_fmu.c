@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7d9b7c08-bdc1-063f-3391-1bbd001dc65c}"
+#define TOKEN "{0c89bad4-1fad-5c40-9524-72854ea2d3c1}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

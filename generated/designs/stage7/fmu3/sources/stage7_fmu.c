@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{96101b57-0f16-abfc-ceb4-54593dcc8390}"
+#define TOKEN "{04a98eaa-3ad3-bb81-c91a-c54a63acbf09}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

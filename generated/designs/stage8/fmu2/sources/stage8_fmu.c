@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{0e424773-8aeb-6583-baa6-c866410e4894}"
+#define TOKEN "{8f7d5110-cdca-7d83-6ef9-3d971cfa3448}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{3ed260b5-4656-51f1-7669-c87a7b4b2d72}"
+#define TOKEN "{86703a13-2251-e82f-a961-eb2a826ae0e6}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

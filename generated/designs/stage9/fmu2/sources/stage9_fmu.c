@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{91b29108-f675-edbc-1daa-1dfe3d0e53a2}"
+#define TOKEN "{dd0600f9-9e6c-d2af-5791-4cb721841da0}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

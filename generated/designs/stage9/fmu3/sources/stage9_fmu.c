@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{8c791203-7db2-78d0-3cf9-8da1634e5c18}"
+#define TOKEN "{85a39660-c7ae-0029-7c2e-6bbeae4b5f3c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
