@@ -63,8 +63,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_ALGEBRAIC1_278B9766_H
-#define PTC_ALGEBRAIC1_278B9766_H
+#ifndef PTC_ALGEBRAIC1_250F88D7_H
+#define PTC_ALGEBRAIC1_250F88D7_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -78,6 +78,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -125,7 +126,7 @@ ptc_status ptc_algebraic1_arm(ptc_algebraic1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const double x[1], double *u);
 
@@ -138,7 +139,7 @@ ptc_status ptc_algebraic1_tick(const ptc_algebraic1 *self, double t, ptc_algebra
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_algebraic1_axis(const ptc_algebraic1_gains *gains, const double x[1], double *u);
 

@@ -100,8 +100,8 @@
  * Operations of one step, without input checks and clipping: 25 additions or comparisons, 52
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP12_AXES2_9AD31EB4_H
-#define PTC_EXP12_AXES2_9AD31EB4_H
+#ifndef PTC_EXP12_AXES2_68862F41_H
+#define PTC_EXP12_AXES2_68862F41_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -115,6 +115,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -181,13 +182,14 @@ ptc_status ptc_exp12_axes2_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp12_axes2_axis(const ptc_exp12_axes2_gains *gains, const double x[12], double *u);
 
 /*
  * u of 2 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of the
- * first axis that fails, and then every u is 0; else SATURATED where an axis is.
+ * first axis that fails, and then every u is 0; else SATURATED where an axis is. u and axes must
+ * not overlap x.
  */
 ptc_status ptc_exp12_axes2_step(
     const ptc_exp12_axes2 *self,

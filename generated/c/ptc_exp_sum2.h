@@ -67,8 +67,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_25187C9B_H
-#define PTC_EXP_SUM2_25187C9B_H
+#ifndef PTC_EXP_SUM2_7E21340F_H
+#define PTC_EXP_SUM2_7E21340F_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -82,6 +82,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -139,7 +140,7 @@ ptc_status ptc_exp_sum2_arm(ptc_exp_sum2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[2], double *u);
 
@@ -152,7 +153,7 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_exp_sum2_axis(const ptc_exp_sum2_gains *gains, const double x[2], double *u);
 

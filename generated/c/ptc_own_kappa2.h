@@ -57,8 +57,8 @@
  * Operations of one step, without input checks and clipping: 10 additions or comparisons, 11
  *       multiplications, 3 divisions.
  */
-#ifndef PTC_OWN_KAPPA2_0F57352C_H
-#define PTC_OWN_KAPPA2_0F57352C_H
+#ifndef PTC_OWN_KAPPA2_5CCFF97C_H
+#define PTC_OWN_KAPPA2_5CCFF97C_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -72,6 +72,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -112,7 +113,7 @@ ptc_status ptc_own_kappa2_arm(ptc_own_kappa2 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const double x[2], double *u);
 

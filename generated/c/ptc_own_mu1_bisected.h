@@ -58,8 +58,8 @@
  *       multiplications, 7 divisions, 2 square roots, 2 function calls. One round of the
  *       iteration is counted; it takes at most 100.
  */
-#ifndef PTC_OWN_MU1_BISECTED_06D311E8_H
-#define PTC_OWN_MU1_BISECTED_06D311E8_H
+#ifndef PTC_OWN_MU1_BISECTED_0CA1EAB0_H
+#define PTC_OWN_MU1_BISECTED_0CA1EAB0_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -73,6 +73,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -120,7 +121,7 @@ ptc_status ptc_own_mu1_bisected_arm(ptc_own_mu1_bisected *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_own_mu1_bisected_step(
     const ptc_own_mu1_bisected *self,
@@ -140,7 +141,7 @@ ptc_status ptc_own_mu1_bisected_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_own_mu1_bisected_axis(
     const ptc_own_mu1_bisected_gains *gains,

@@ -59,8 +59,8 @@
  *       multiplications, 12 divisions, 3 function calls. One round of the iteration is
  *       counted; it takes at most 100.
  */
-#ifndef PTC_OWN_MU2_ITERATED_B54645EB_H
-#define PTC_OWN_MU2_ITERATED_B54645EB_H
+#ifndef PTC_OWN_MU2_ITERATED_6502D114_H
+#define PTC_OWN_MU2_ITERATED_6502D114_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -74,6 +74,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -125,7 +126,7 @@ ptc_status ptc_own_mu2_iterated_arm(ptc_own_mu2_iterated *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_own_mu2_iterated_step(
     const ptc_own_mu2_iterated *self,
@@ -145,7 +146,7 @@ ptc_status ptc_own_mu2_iterated_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_own_mu2_iterated_axis(
     const ptc_own_mu2_iterated_gains *gains,

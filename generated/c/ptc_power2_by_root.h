@@ -68,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 10
  *       multiplications, 1 division, 1 square root.
  */
-#ifndef PTC_POWER2_BY_ROOT_E21F2697_H
-#define PTC_POWER2_BY_ROOT_E21F2697_H
+#ifndef PTC_POWER2_BY_ROOT_A7A1C029_H
+#define PTC_POWER2_BY_ROOT_A7A1C029_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -83,6 +83,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -134,7 +135,7 @@ ptc_status ptc_power2_by_root_arm(ptc_power2_by_root *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power2_by_root_step(
     const ptc_power2_by_root *self,
@@ -154,7 +155,7 @@ ptc_status ptc_power2_by_root_tick(
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power2_by_root_axis(
     const ptc_power2_by_root_gains *gains,

@@ -92,8 +92,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 25
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PTC_POWER5_83DE759A_H
-#define PTC_POWER5_83DE759A_H
+#ifndef PTC_POWER5_68CD8CD9_H
+#define PTC_POWER5_68CD8CD9_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -107,6 +107,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -171,7 +172,7 @@ ptc_status ptc_power5_arm(ptc_power5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], double *u);
 
@@ -184,7 +185,7 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_power5_axis(const ptc_power5_gains *gains, const double x[5], double *u);
 

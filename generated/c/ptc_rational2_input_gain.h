@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 7
  *       multiplications, 2 divisions.
  */
-#ifndef PTC_RATIONAL2_INPUT_GAIN_4FBAAE48_H
-#define PTC_RATIONAL2_INPUT_GAIN_4FBAAE48_H
+#ifndef PTC_RATIONAL2_INPUT_GAIN_2F1C80E6_H
+#define PTC_RATIONAL2_INPUT_GAIN_2F1C80E6_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -81,6 +81,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -123,7 +124,7 @@ ptc_status ptc_rational2_input_gain_arm(ptc_rational2_input_gain *self, double t
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_rational2_input_gain_step(
     const ptc_rational2_input_gain *self,

@@ -75,8 +75,8 @@
  * Operations of one step, without input checks and clipping: 28 additions or comparisons, 35
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN3_E6A02D4A_H
-#define PTC_TAN3_E6A02D4A_H
+#ifndef PTC_TAN3_09875061_H
+#define PTC_TAN3_09875061_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -90,6 +90,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -146,7 +147,7 @@ ptc_status ptc_tan3_arm(ptc_tan3 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tan3_step(const ptc_tan3 *self, double t, const double x[3], double *u);
 
@@ -159,7 +160,7 @@ ptc_status ptc_tan3_tick(const ptc_tan3 *self, double t, ptc_tan3_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tan3_axis(const ptc_tan3_gains *gains, const double x[3], double *u);
 

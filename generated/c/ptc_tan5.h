@@ -98,8 +98,8 @@
  * Operations of one step, without input checks and clipping: 44 additions or comparisons, 52
  *       multiplications, 1 division.
  */
-#ifndef PTC_TAN5_594DC36B_H
-#define PTC_TAN5_594DC36B_H
+#ifndef PTC_TAN5_A21CDAD2_H
+#define PTC_TAN5_A21CDAD2_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -113,6 +113,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -185,7 +186,7 @@ ptc_status ptc_tan5_arm(ptc_tan5 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], double *u);
 
@@ -198,7 +199,7 @@ ptc_status ptc_tan5_tick(const ptc_tan5 *self, double t, ptc_tan5_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tan5_axis(const ptc_tan5_gains *gains, const double x[5], double *u);
 

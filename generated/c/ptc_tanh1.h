@@ -62,8 +62,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_TANH1_69ADDF9B_H
-#define PTC_TANH1_69ADDF9B_H
+#ifndef PTC_TANH1_CEC5F478_H
+#define PTC_TANH1_CEC5F478_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -77,6 +77,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -125,7 +126,7 @@ ptc_status ptc_tanh1_arm(ptc_tanh1 *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], double *u);
 
@@ -138,7 +139,7 @@ ptc_status ptc_tanh1_tick(const ptc_tanh1 *self, double t, ptc_tanh1_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh1_axis(const ptc_tanh1_gains *gains, const double x[1], double *u);
 

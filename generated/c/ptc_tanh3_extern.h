@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_F292AE1D_H
-#define PTC_TANH3_EXTERN_F292AE1D_H
+#ifndef PTC_TANH3_EXTERN_D20BE4EB_H
+#define PTC_TANH3_EXTERN_D20BE4EB_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -82,6 +82,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -130,7 +131,7 @@ ptc_status ptc_tanh3_extern_arm(ptc_tanh3_extern *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). context is passed on unchanged. On a negative
- * status u is 0 and nothing has changed.
+ * status u is 0 and nothing has changed. u must not overlap x.
  */
 ptc_status ptc_tanh3_extern_step(
     const ptc_tanh3_extern *self,

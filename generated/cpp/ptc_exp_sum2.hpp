@@ -66,8 +66,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_0E9D7A52_HPP
-#define PTC_EXP_SUM2_0E9D7A52_HPP
+#ifndef PTC_EXP_SUM2_4399DF48_HPP
+#define PTC_EXP_SUM2_4399DF48_HPP
 
 #include <array>
 #include <cfloat>
@@ -104,6 +104,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -151,10 +152,12 @@ struct [[nodiscard]] PtcExpSum2Gains {
         if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (u_max < v) {
-                return {u_max, Status::Saturated};
-            } else if (v < -u_max) {
-                return {-u_max, Status::Saturated};
+            if (finite(v)) {
+                if (u_max < v) {
+                    return {u_max, Status::Saturated};
+                } else {
+                    return {-u_max, Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -355,12 +358,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_63F341AE_HPP
-#define PTC_TANH3_EXTERN_63F341AE_HPP
+#ifndef PTC_TANH3_EXTERN_45DC98B7_HPP
+#define PTC_TANH3_EXTERN_45DC98B7_HPP
 
 #include <array>
 #include <cfloat>
@@ -103,6 +103,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -244,12 +245,12 @@ public:
             applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
         }
         const double v = applied;
-        if (u_max_ < v) {
-            return {u_max_, Status::Saturated};
-        } else if (v < -u_max_) {
-            return {-u_max_, Status::Saturated};
-        } else if (finite(v)) {
-            if (late < hold_from_) {
+        if (finite(v)) {
+            if (u_max_ < v) {
+                return {u_max_, Status::Saturated};
+            } else if (v < -u_max_) {
+                return {-u_max_, Status::Saturated};
+            } else if (late < hold_from_) {
                 return {v, Status::Ok};
             } else if (0.0 <= past) {
                 return {v, Status::After};

@@ -124,7 +124,8 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_arm(
 
     if (self != NULL) {
         self->start = k;
-        if (!(fabsf(self->x1_hat) + fabsf(self->x2_hat) + fabsf(self->d_hat) <= 1e18f)) {
+        const float size = fabsf(self->x1_hat) + fabsf(self->x2_hat) + fabsf(self->d_hat);
+        if (!(size <= 1e18f)) {
             self->seen = 0U;
             self->x1_hat = 0.0f;
             self->x2_hat = 0.0f;

@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_A18653AC_H
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_A18653AC_H
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_FBD669B0_H
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_FBD669B0_H
 
 #include <stdint.h>
 
@@ -60,6 +60,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -134,6 +135,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
+ * Estimates too large to compute with begin anew.
  */
 /*@ requires self == \null || \valid(self);
     requires self == \null || a_name_that_fills_half_of_a_line_alone_4_set(self);
@@ -147,7 +149,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_arm(
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 /*@ requires self == \null || \valid(self);
     requires y == \null || \valid_read(y + (0 .. 0));

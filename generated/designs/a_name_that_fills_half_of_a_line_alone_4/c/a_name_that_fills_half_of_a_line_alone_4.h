@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_D60FA8F3_H
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_D60FA8F3_H
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_CF8A415A_H
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_CF8A415A_H
 
 #include <stdint.h>
 
@@ -60,6 +60,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -110,6 +111,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
+ * Estimates too large to compute with begin anew.
  */
 ptc_status a_name_that_fills_half_of_a_line_alone_4_arm(
     a_name_that_fills_half_of_a_line_alone_4 *self,
@@ -117,7 +119,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_arm(
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
- * On a negative status u is 0 and nothing has changed.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status a_name_that_fills_half_of_a_line_alone_4_step(
     a_name_that_fills_half_of_a_line_alone_4 *self,

@@ -89,8 +89,8 @@
  * Operations of one step, without input checks and clipping: 29 additions or comparisons, 52
  *       multiplications, 5 divisions, 4 function calls.
  */
-#ifndef BARRIER_ARM_03A46D5D_HPP
-#define BARRIER_ARM_03A46D5D_HPP
+#ifndef BARRIER_ARM_58D3AE9D_HPP
+#define BARRIER_ARM_58D3AE9D_HPP
 
 #include <array>
 #include <cfloat>
@@ -127,6 +127,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

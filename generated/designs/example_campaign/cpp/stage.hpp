@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_C55B6418_HPP
-#define STAGE_C55B6418_HPP
+#ifndef STAGE_94E6BA05_HPP
+#define STAGE_94E6BA05_HPP
 
 #include <array>
 #include <cfloat>
@@ -108,6 +108,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -154,10 +155,12 @@ struct [[nodiscard]] StageGains {
         if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max < v) {
-                return {u_max, Status::Saturated};
-            } else if (v < -u_max) {
-                return {-u_max, Status::Saturated};
+            if (finite(v)) {
+                if (u_max < v) {
+                    return {u_max, Status::Saturated};
+                } else {
+                    return {-u_max, Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -256,12 +259,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

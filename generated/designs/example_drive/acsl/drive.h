@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_A04F1A7E_H
-#define DRIVE_A04F1A7E_H
+#ifndef DRIVE_40AA344A_H
+#define DRIVE_40AA344A_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -99,6 +99,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -153,7 +154,10 @@ ptc_status drive_init(drive *self, const drive_params *params);
  */
 ptc_status drive_arm(drive *self, double t0);
 
-/* u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. u
+ * must not overlap x.
+ */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 2));
     requires u == \null || \valid(u);

@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_CE4062B4_H
-#define DRIVE_CE4062B4_H
+#ifndef DRIVE_34C48736_H
+#define DRIVE_34C48736_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -99,6 +99,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -129,7 +130,10 @@ ptc_status drive_init(drive *self, const drive_params *params);
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status drive_arm(drive *self, double t0);
 
-/* u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w, i). On a negative status u is 0 and nothing has changed. u
+ * must not overlap x.
+ */
 ptc_status drive_step(const drive *self, double t, const double x[3], double *u);
 
 #ifdef __cplusplus

@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_EBACB051_HPP
-#define DRIVE_EBACB051_HPP
+#ifndef DRIVE_11F7C571_HPP
+#define DRIVE_11F7C571_HPP
 
 #include <array>
 #include <cfloat>
@@ -119,6 +119,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -212,12 +213,14 @@ public:
         if (finite(v) && (absolute(v) <= 24.0) && (late < hold_from_)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (24.0 < v) {
-                return {24.0, Status::Saturated};
-            } else if (v < -24.0) {
-                return {-24.0, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (24.0 < v) {
+                    return {24.0, Status::Saturated};
+                } else if (v < -24.0) {
+                    return {-24.0, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

@@ -165,7 +165,8 @@ impl Stage {
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
-        if !((self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs() <= 1e150) {
+        let size = (self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs();
+        if !(size <= 1e150) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x2_hat = 0.0;

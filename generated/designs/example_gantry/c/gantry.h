@@ -2,8 +2,8 @@
  * Prescribed-time controller gantry: order n = 2, mapping exp.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name gantry --tau=1.5 --t0=0 --eps=1.20e-2 --limits=900,400,150 --poles="[[-4,-5],[-4,-5],[-6,-7]]" --g="[1/m1, 1/m2, 1/m3]" --param m1=120 --param m2=45 --param m3=12 --sample-time=1e-3
- * Version 0.1.0, design 0cb419fd96c4.
+ *   ptc-codegen emit --lang c --n 2 --axes 3 --mu "exp(a=1)" --name gantry --tau=1.5 --t0=0 --eps=1.59e-2 --limits=900,400,150 --poles="[[-4,-5],[-4,-5],[-6,-7]]" --g="[1/m1, 1/m2, 1/m3]" --param m1=120 --param m2=45 --param m3=12 --sample-time=1e-3
+ * Version 0.1.0, design 9ac95d6ea129.
  *
  * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
  * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
@@ -19,7 +19,7 @@
  * Parameters:
  *   tau = 1.5 [s], fixed: prescribed settling time
  *   t0 = 0 [s], fixed: start time
- *   eps = 1.20e-2 [s], fixed: time-to-go at which the gains are held
+ *   eps = 1.59e-2 [s], fixed: time-to-go at which the gains are held
  *   a = 1 [1/s], fixed: rate of stretched time
  *   m1 = 120, fixed: parameter of g
  *   m2 = 45, fixed: parameter of g
@@ -59,7 +59,8 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: x and u go to 0 at the deadline.
- *   sampling: sound: axis 1: eps = 0.012 s is 3 times the minimum for a period of 0.001 s.
+ *   sampling: sound: axis 1: eps = 0.0159 s is 3.975 times the minimum for a period of 0.001
+ *       s.
  *   deadline: not checked: `error` is not given.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: `x_max` is not given.
@@ -67,8 +68,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_ED1D258D_H
-#define GANTRY_ED1D258D_H
+#ifndef GANTRY_FCB21031_H
+#define GANTRY_FCB21031_H
 
 #include <stdint.h>
 
@@ -84,6 +85,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -127,13 +129,14 @@ ptc_status gantry_tick(const gantry *self, double t, gantry_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status gantry_axis(const gantry_gains *gains, uint32_t axis, const double x[2], double *u);
 
 /*
  * u of 3 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of the
- * first axis that fails, and then every u is 0; else SATURATED where an axis is.
+ * first axis that fails, and then every u is 0; else SATURATED where an axis is. u and axes must
+ * not overlap x.
  */
 ptc_status gantry_step(
     const gantry *self,

@@ -2,8 +2,8 @@
  * Prescribed-time controller gantry: order n = 2, mapping exp.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --axes 3 --mu "exp(a=1)" --name gantry --tau=1.5 --t0=0 --eps=1.20e-2 --limits=900,400,150 --poles="[[-4,-5],[-4,-5],[-6,-7]]" --g="[1/m1, 1/m2, 1/m3]" --param m1=120 --param m2=45 --param m3=12 --sample-time=1e-3
- * Version 0.1.0, design 0cb419fd96c4.
+ *   ptc-codegen emit --lang cpp --n 2 --axes 3 --mu "exp(a=1)" --name gantry --tau=1.5 --t0=0 --eps=1.59e-2 --limits=900,400,150 --poles="[[-4,-5],[-4,-5],[-6,-7]]" --g="[1/m1, 1/m2, 1/m3]" --param m1=120 --param m2=45 --param m3=12 --sample-time=1e-3
+ * Version 0.1.0, design 9ac95d6ea129.
  *
  * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
  * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
@@ -19,7 +19,7 @@
  * Parameters:
  *   tau = 1.5 [s], fixed: prescribed settling time
  *   t0 = 0 [s], fixed: start time
- *   eps = 1.20e-2 [s], fixed: time-to-go at which the gains are held
+ *   eps = 1.59e-2 [s], fixed: time-to-go at which the gains are held
  *   a = 1 [1/s], fixed: rate of stretched time
  *   m1 = 120, fixed: parameter of g
  *   m2 = 45, fixed: parameter of g
@@ -58,7 +58,8 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: x and u go to 0 at the deadline.
- *   sampling: sound: axis 1: eps = 0.012 s is 3 times the minimum for a period of 0.001 s.
+ *   sampling: sound: axis 1: eps = 0.0159 s is 3.975 times the minimum for a period of 0.001
+ *       s.
  *   deadline: not checked: `error` is not given.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: `x_max` is not given.
@@ -66,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_6FBC0EE5_HPP
-#define GANTRY_6FBC0EE5_HPP
+#ifndef GANTRY_D058239E_HPP
+#define GANTRY_D058239E_HPP
 
 #include <array>
 #include <cfloat>
@@ -104,6 +105,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -163,10 +165,12 @@ struct [[nodiscard]] GantryGains {
         if (finite(v) && (absolute(v) <= u_max[axis])) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (u_max[axis] < v) {
-                return {u_max[axis], Status::Saturated};
-            } else if (v < -u_max[axis]) {
-                return {-u_max[axis], Status::Saturated};
+            if (finite(v)) {
+                if (u_max[axis] < v) {
+                    return {u_max[axis], Status::Saturated};
+                } else {
+                    return {-u_max[axis], Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -236,7 +240,7 @@ public:
             return {};
         }
         const double past = (t - deadline_) - correction_;
-        const double late = (past < -0.012) ? past : -0.012;
+        const double late = (past < -0.0159) ? past : -0.0159;
         const double inv_T = (-1.0) / late;
         const double v1 = (-20.0) * inv_T * inv_T;
         const double v2 = (-8.0) * inv_T;
@@ -253,7 +257,7 @@ public:
         gains.u_max[0] = 900.0;
         gains.u_max[1] = 400.0;
         gains.u_max[2] = 150.0;
-        if (late < -0.012) {
+        if (late < -0.0159) {
             gains.status = Status::Ok;
         } else {
             gains.status = Status::Hold;
@@ -270,7 +274,7 @@ public:
             return {{}, {{Status::Input, Status::Input, Status::Input}}, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
-        const double late = (past < -0.012) ? past : -0.012;
+        const double late = (past < -0.0159) ? past : -0.0159;
         const double inv_T = (-1.0) / late;
         const double v1 = (-20.0) * inv_T * inv_T;
         const double v2 = (-8.0) * inv_T;
@@ -289,7 +293,7 @@ public:
         u_max[0] = 900.0;
         u_max[1] = 400.0;
         u_max[2] = 150.0;
-        if (late < -0.012) {
+        if (late < -0.0159) {
             all.status = Status::Ok;
         } else {
             all.status = Status::Hold;
@@ -319,12 +323,14 @@ public:
                 const double v = wanted[axis];
                 if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
                     if (finite(x[axis][0]) && finite(x[axis][1])) {
-                        if (u_max[axis] < v) {
-                            all.u[axis] = u_max[axis];
-                            all.axes[axis] = Status::Saturated;
-                        } else if (v < -u_max[axis]) {
-                            all.u[axis] = -u_max[axis];
-                            all.axes[axis] = Status::Saturated;
+                        if (finite(v)) {
+                            if (u_max[axis] < v) {
+                                all.u[axis] = u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            } else {
+                                all.u[axis] = -u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            }
                         } else {
                             all.axes[axis] = Status::Range;
                         }

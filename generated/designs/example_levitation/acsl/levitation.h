@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_1A506F91_H
-#define LEVITATION_1A506F91_H
+#ifndef LEVITATION_A63F4EEE_H
+#define LEVITATION_A63F4EEE_H
 
 #ifdef L
 #error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
@@ -108,6 +108,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -186,7 +187,10 @@ ptc_status levitation_init(levitation *self, const levitation_params *params);
  */
 ptc_status levitation_arm(levitation *self, double t0);
 
-/* u at time t [s] and state x = (z, v, i). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (z, v, i). On a negative status u is 0 and nothing has changed. u
+ * must not overlap x.
+ */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 2));
     requires u == \null || \valid(u);

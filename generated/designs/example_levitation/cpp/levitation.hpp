@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_3813D8EE_HPP
-#define LEVITATION_3813D8EE_HPP
+#ifndef LEVITATION_0BA784FB_HPP
+#define LEVITATION_0BA784FB_HPP
 
 #ifdef L
 #error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
@@ -128,6 +128,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -271,12 +272,14 @@ public:
         if (finite(v) && (absolute(v) <= u_max_) && (late < -0.001)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
-            if (u_max_ < v) {
-                return {u_max_, Status::Saturated};
-            } else if (v < -u_max_) {
-                return {-u_max_, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (u_max_ < v) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

@@ -74,8 +74,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_A425C03C_H
-#define PENDULUM_A425C03C_H
+#ifndef PENDULUM_82F55B59_H
+#define PENDULUM_82F55B59_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -89,6 +89,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -137,7 +138,10 @@ ptc_status pendulum_init(pendulum *self, const pendulum_params *params);
  */
 ptc_status pendulum_arm(pendulum *self, double t0);
 
-/* u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. u must
+ * not overlap x.
+ */
 /*@ requires self == \null || \valid_read(self);
     requires x == \null || \valid_read(x + (0 .. 1));
     requires u == \null || \valid(u);

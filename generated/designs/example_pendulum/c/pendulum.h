@@ -74,8 +74,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_CA037586_H
-#define PENDULUM_CA037586_H
+#ifndef PENDULUM_BCB25F49_H
+#define PENDULUM_BCB25F49_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -89,6 +89,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -116,7 +117,10 @@ ptc_status pendulum_init(pendulum *self, const pendulum_params *params);
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status pendulum_arm(pendulum *self, double t0);
 
-/* u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. */
+/*
+ * u at time t [s] and state x = (q, w). On a negative status u is 0 and nothing has changed. u must
+ * not overlap x.
+ */
 ptc_status pendulum_step(const pendulum *self, double t, const double x[2], double *u);
 
 #ifdef __cplusplus

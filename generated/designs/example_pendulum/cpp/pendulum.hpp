@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_4BA2ACEB_HPP
-#define PENDULUM_4BA2ACEB_HPP
+#ifndef PENDULUM_B5FC07E0_HPP
+#define PENDULUM_B5FC07E0_HPP
 
 #include <array>
 #include <cfloat>
@@ -110,6 +110,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -195,12 +196,14 @@ public:
         if (finite(v) && (absolute(v) <= 25.0) && (late < -0.006)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[1])) {
-            if (25.0 < v) {
-                return {25.0, Status::Saturated};
-            } else if (v < -25.0) {
-                return {-25.0, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (25.0 < v) {
+                    return {25.0, Status::Saturated};
+                } else if (v < -25.0) {
+                    return {-25.0, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

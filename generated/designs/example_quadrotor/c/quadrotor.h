@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_17E3C8C0_H
-#define QUADROTOR_17E3C8C0_H
+#ifndef QUADROTOR_B229C37B_H
+#define QUADROTOR_B229C37B_H
 
 #include <stdint.h>
 
@@ -89,6 +89,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -132,7 +133,7 @@ ptc_status quadrotor_tick(const quadrotor *self, double t, quadrotor_gains *gain
 
 /*
  * u of one axis from its state x = (x1, x1', ...), its reference r = (r, r', ...) and the gains. On
- * a negative status u is 0 and nothing has changed.
+ * a negative status u is 0 and nothing has changed. u must not overlap x or r.
  */
 ptc_status quadrotor_axis(
     const quadrotor_gains *gains,
@@ -144,7 +145,7 @@ ptc_status quadrotor_axis(
 /*
  * u of 4 axes at time t [s], from the state x = (x1, x1', ...) and the reference r = (r, r', ...)
  * of each. Its status is that of the first axis that fails, and then every u is 0; else SATURATED
- * where an axis is.
+ * where an axis is. u and axes must not overlap x or r.
  */
 ptc_status quadrotor_step(
     const quadrotor *self,

@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_14905B34_HPP
-#define QUADROTOR_14905B34_HPP
+#ifndef QUADROTOR_67FF6D35_HPP
+#define QUADROTOR_67FF6D35_HPP
 
 #include <array>
 #include <cfloat>
@@ -109,6 +109,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -175,10 +176,12 @@ struct [[nodiscard]] QuadrotorGains {
             && finite(r[0])
             && finite(r[1])
             && finite(r[2])) {
-            if (u_max[axis] < v) {
-                return {u_max[axis], Status::Saturated};
-            } else if (v < -u_max[axis]) {
-                return {-u_max[axis], Status::Saturated};
+            if (finite(v)) {
+                if (u_max[axis] < v) {
+                    return {u_max[axis], Status::Saturated};
+                } else {
+                    return {-u_max[axis], Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -351,12 +354,14 @@ public:
                         && finite(r[axis][0])
                         && finite(r[axis][1])
                         && finite(r[axis][2])) {
-                        if (u_max[axis] < v) {
-                            all.u[axis] = u_max[axis];
-                            all.axes[axis] = Status::Saturated;
-                        } else if (v < -u_max[axis]) {
-                            all.u[axis] = -u_max[axis];
-                            all.axes[axis] = Status::Saturated;
+                        if (finite(v)) {
+                            if (u_max[axis] < v) {
+                                all.u[axis] = u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            } else {
+                                all.u[axis] = -u_max[axis];
+                                all.axes[axis] = Status::Saturated;
+                            }
                         } else {
                             all.axes[axis] = Status::Range;
                         }

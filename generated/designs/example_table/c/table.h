@@ -2,8 +2,8 @@
  * Prescribed-time controller table: order n = 2, mapping exp.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=3.61e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5
- * Version 0.1.0, design 9e6bcdad29d9.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=4.93e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5
+ * Version 0.1.0, design a83bf3b80b92.
  *
  * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
  * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
@@ -13,7 +13,7 @@
  *
  * Parameters:
  *   tau = 1 [s], fixed: prescribed settling time
- *   eps = 3.61e-2 [s], fixed: time-to-go at which the gains are held
+ *   eps = 4.93e-2 [s], fixed: time-to-go at which the gains are held
  *   u_max = 0.5 [unit of u], fixed: bound of |u|
  *   a = 1 [1/s], fixed: rate of stretched time
  *   k_1 = 20 [1/s^2], fixed: gain of xi_1
@@ -55,17 +55,17 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: x and u go to 0 at the deadline.
- *   sampling: sound: eps = 0.0361 s is 1.805 times the minimum for a period of 0.005 s.
- *   deadline: not checked: `loop` decides; without noise and for short periods |x| <= 0.001
- *       for every eps <= 0.03613 s.
- *   loop: sound: at the deadline |x| <= 1.869e-7, 2.19e-5.
+ *   sampling: sound: eps = 0.0493 s is 2.465 times the minimum for a period of 0.005 s.
+ *   deadline: not checked: `loop` decides; without noise and for short periods eps = 0.0493 s
+ *       is too early to stop: |x| <= 0.001 from 0.03613 s on.
+ *   loop: sound: at the deadline |x| <= 4.179e-7, 4.094e-5.
  *   envelope: not checked: `x_max` is not given.
  *
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_0C4269C4_H
-#define TABLE_0C4269C4_H
+#ifndef TABLE_3CFA6BC3_H
+#define TABLE_3CFA6BC3_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -79,6 +79,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -114,7 +115,7 @@ ptc_status table_arm(table *self, double t0);
 
 /*
  * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status table_step(const table *self, double t, const double x[2], double *u);
 
@@ -127,7 +128,7 @@ ptc_status table_tick(const table *self, double t, table_gains *gains);
 
 /*
  * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
- * nothing has changed.
+ * nothing has changed. u must not overlap x.
  */
 ptc_status table_axis(const table_gains *gains, const double x[2], double *u);
 

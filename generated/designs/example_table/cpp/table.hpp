@@ -2,8 +2,8 @@
  * Prescribed-time controller table: order n = 2, mapping exp.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=3.61e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5
- * Version 0.1.0, design 9e6bcdad29d9.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name table --tau=1 --eps=4.93e-2 --u-max=0.5 --poles=-4,-5 --g="50" --sample-time=5e-3 --error=1e-3,1e-2 --x0-max=1,0.5
+ * Version 0.1.0, design a83bf3b80b92.
  *
  * Plant: x1' = x2, x2' = f + g u. Time in s, x1 in any unit U, x2 in U/s, g u in U/s^2.
  * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
@@ -13,7 +13,7 @@
  *
  * Parameters:
  *   tau = 1 [s], fixed: prescribed settling time
- *   eps = 3.61e-2 [s], fixed: time-to-go at which the gains are held
+ *   eps = 4.93e-2 [s], fixed: time-to-go at which the gains are held
  *   u_max = 0.5 [unit of u], fixed: bound of |u|
  *   a = 1 [1/s], fixed: rate of stretched time
  *   k_1 = 20 [1/s^2], fixed: gain of xi_1
@@ -54,17 +54,17 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: x and u go to 0 at the deadline.
- *   sampling: sound: eps = 0.0361 s is 1.805 times the minimum for a period of 0.005 s.
- *   deadline: not checked: `loop` decides; without noise and for short periods |x| <= 0.001
- *       for every eps <= 0.03613 s.
- *   loop: sound: at the deadline |x| <= 1.869e-7, 2.19e-5.
+ *   sampling: sound: eps = 0.0493 s is 2.465 times the minimum for a period of 0.005 s.
+ *   deadline: not checked: `loop` decides; without noise and for short periods eps = 0.0493 s
+ *       is too early to stop: |x| <= 0.001 from 0.03613 s on.
+ *   loop: sound: at the deadline |x| <= 4.179e-7, 4.094e-5.
  *   envelope: not checked: `x_max` is not given.
  *
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_B52AA775_HPP
-#define TABLE_B52AA775_HPP
+#ifndef TABLE_EAF03F6D_HPP
+#define TABLE_EAF03F6D_HPP
 
 #include <array>
 #include <cfloat>
@@ -99,6 +99,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -140,10 +141,12 @@ struct [[nodiscard]] TableGains {
         if (finite(v) && (absolute(v) <= 0.5)) {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (0.5 < v) {
-                return {0.5, Status::Saturated};
-            } else if (v < -0.5) {
-                return {-0.5, Status::Saturated};
+            if (finite(v)) {
+                if (0.5 < v) {
+                    return {0.5, Status::Saturated};
+                } else {
+                    return {-0.5, Status::Saturated};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -218,18 +221,20 @@ public:
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
-        const double late = (past < -0.0361) ? past : -0.0361;
+        const double late = (past < -0.0493) ? past : -0.0493;
         const double inv_T = (-1.0) / late;
         const double v = (((-20.0) * x[0] * inv_T) + ((-8.0) * x[1])) * inv_T * 0.02;
-        if (finite(v) && (absolute(v) <= 0.5) && (late < -0.0361)) {
+        if (finite(v) && (absolute(v) <= 0.5) && (late < -0.0493)) {
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
-            if (0.5 < v) {
-                return {0.5, Status::Saturated};
-            } else if (v < -0.5) {
-                return {-0.5, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (0.5 < v) {
+                    return {0.5, Status::Saturated};
+                } else if (v < -0.5) {
+                    return {-0.5, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }
@@ -246,12 +251,12 @@ public:
             return {};
         }
         const double past = (t - deadline_) - correction_;
-        const double late = (past < -0.0361) ? past : -0.0361;
+        const double late = (past < -0.0493) ? past : -0.0493;
         const double inv_T = (-1.0) / late;
         Gains gains{};
         gains.gain[0] = (-20.0) * inv_T * inv_T;
         gains.gain[1] = (-8.0) * inv_T;
-        if (late < -0.0361) {
+        if (late < -0.0493) {
             gains.status = Status::Ok;
         } else {
             gains.status = Status::Hold;

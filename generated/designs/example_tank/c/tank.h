@@ -81,8 +81,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_6BBB74F4_H
-#define TANK_6BBB74F4_H
+#ifndef TANK_B2AE500C_H
+#define TANK_B2AE500C_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -96,6 +96,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -126,7 +127,7 @@ ptc_status tank_arm(tank *self, double t0);
 /*
  * u = (q, p) at time t [s] and state x = (h, c, e). Where one of them is not finite, as at a state
  * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
- * one was clipped.
+ * one was clipped. u and axes must not overlap x.
  */
 ptc_status tank_step(
     const tank *self,

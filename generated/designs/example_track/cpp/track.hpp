@@ -69,8 +69,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_DBD44025_HPP
-#define TRACK_DBD44025_HPP
+#ifndef TRACK_8AF82219_HPP
+#define TRACK_8AF82219_HPP
 
 #include <array>
 #include <cfloat>
@@ -106,6 +106,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -191,12 +192,14 @@ public:
         if (finite(v) && (absolute(v) <= 50.0) && (late < -0.0442)) {
             return {v, Status::Ok};
         } else if (finite(x[0]) && finite(x[1])) {
-            if (50.0 < v) {
-                return {50.0, Status::Saturated};
-            } else if (v < -50.0) {
-                return {-50.0, Status::Saturated};
-            } else if (finite(v)) {
-                return {v, Status::Hold};
+            if (finite(v)) {
+                if (50.0 < v) {
+                    return {50.0, Status::Saturated};
+                } else if (v < -50.0) {
+                    return {-50.0, Status::Saturated};
+                } else {
+                    return {v, Status::Hold};
+                }
             } else {
                 return {0.0, Status::Range};
             }

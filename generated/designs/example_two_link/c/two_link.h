@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_CF26AE2C_H
-#define TWO_LINK_CF26AE2C_H
+#ifndef TWO_LINK_6E0B6F4D_H
+#define TWO_LINK_6E0B6F4D_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -100,6 +100,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -130,7 +131,7 @@ ptc_status two_link_arm(two_link *self, double t0);
 /*
  * u = (M1, M2) at time t [s] and state x = (q1, q2, w1, w2). Where one of them is not finite, as at
  * a state at which the inputs do not decouple the outputs, every u is 0; else the status is
- * SATURATED where one was clipped.
+ * SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status two_link_step(
     const two_link *self,

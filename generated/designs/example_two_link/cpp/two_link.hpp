@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_2E8B0A2F_HPP
-#define TWO_LINK_2E8B0A2F_HPP
+#ifndef TWO_LINK_F7BC7DC2_HPP
+#define TWO_LINK_F7BC7DC2_HPP
 
 #include <array>
 #include <cfloat>
@@ -122,6 +122,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

@@ -86,8 +86,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_7E976BC2_H
-#define MIX_7E976BC2_H
+#ifndef MIX_9BF017F4_H
+#define MIX_9BF017F4_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -101,6 +101,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -138,7 +139,7 @@ ptc_status mix_arm(mix *self, double t0);
 /*
  * u = (a, b) at time t [s] and state x = (p, v, h). Where one of them is not finite, as at a state
  * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
- * one was clipped.
+ * one was clipped. u and axes must not overlap x.
  */
 ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], ptc_status axes[2]);
 

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_FIXED_25A022FA_H
-#define MIX_FIXED_25A022FA_H
+#ifndef MIX_FIXED_93C26CE7_H
+#define MIX_FIXED_93C26CE7_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -100,6 +100,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -129,7 +130,7 @@ ptc_status mix_fixed_arm(mix_fixed *self, double t0);
 /*
  * u = (a, b) at time t [s] and state x = (p, v, h). Where one of them is not finite, as at a state
  * at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where
- * one was clipped.
+ * one was clipped. u and axes must not overlap x.
  */
 ptc_status mix_fixed_step(
     const mix_fixed *self,

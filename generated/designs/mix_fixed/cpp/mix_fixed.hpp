@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_FIXED_D0BE33AD_HPP
-#define MIX_FIXED_D0BE33AD_HPP
+#ifndef MIX_FIXED_7B3D6C36_HPP
+#define MIX_FIXED_7B3D6C36_HPP
 
 #include <array>
 #include <cfloat>
@@ -123,6 +123,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

@@ -78,8 +78,8 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_9D1470E2_H
-#define PTC_RATIONAL_INPUTS4_9D1470E2_H
+#ifndef PTC_RATIONAL_INPUTS4_AD2466A8_H
+#define PTC_RATIONAL_INPUTS4_AD2466A8_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -93,6 +93,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -137,7 +138,7 @@ ptc_status ptc_rational_inputs4_arm(ptc_rational_inputs4 *self, double t0);
 /*
  * u = (a, b, c, d) at time t [s] and state x = (p, q, r, s). Where one of them is not finite, as at
  * a state at which the inputs do not decouple the outputs, every u is 0; else the status is
- * SATURATED where one was clipped.
+ * SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status ptc_rational_inputs4_step(
     const ptc_rational_inputs4 *self,

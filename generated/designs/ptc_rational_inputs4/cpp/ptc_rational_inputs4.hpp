@@ -77,8 +77,8 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_39C21CAC_HPP
-#define PTC_RATIONAL_INPUTS4_39C21CAC_HPP
+#ifndef PTC_RATIONAL_INPUTS4_C3403FD3_HPP
+#define PTC_RATIONAL_INPUTS4_C3403FD3_HPP
 
 #include <array>
 #include <cfloat>
@@ -115,6 +115,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

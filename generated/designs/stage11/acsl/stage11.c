@@ -109,7 +109,9 @@ ptc_status stage11_arm(stage11 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
-        if (!(fabsf(self->x1_hat) + fabsf(self->x2_hat) + fabsf(self->x3_hat) + fabsf(self->x4_hat) + fabsf(self->d_hat) <= 1e18f)) {
+        const float s1 = fabsf(self->x1_hat) + fabsf(self->x2_hat) + fabsf(self->x3_hat);
+        const float size = s1 + fabsf(self->x4_hat) + fabsf(self->d_hat);
+        if (!(size <= 1e18f)) {
             self->seen = 0U;
             self->x1_hat = 0.0f;
             self->x2_hat = 0.0f;

@@ -197,7 +197,9 @@ class Stage11:
         """
         k = k.__index__() & _WRAP
         self._start = k
-        if not (np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._x3_hat) + np.abs(self._x4_hat) + np.abs(self._d_hat) <= _R(9.999999843067494e17)):
+        s1 = np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._x3_hat)
+        size = s1 + np.abs(self._x4_hat) + np.abs(self._d_hat)
+        if not (size <= _R(9.999999843067494e17)):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x2_hat = _R(0.0)

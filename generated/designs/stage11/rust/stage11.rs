@@ -264,7 +264,9 @@ impl Stage11 {
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
-        if !((self.x1_hat).abs() + (self.x2_hat).abs() + (self.x3_hat).abs() + (self.x4_hat).abs() + (self.d_hat).abs() <= 1e18) {
+        let s1 = (self.x1_hat).abs() + (self.x2_hat).abs() + (self.x3_hat).abs();
+        let size = s1 + (self.x4_hat).abs() + (self.d_hat).abs();
+        if !(size <= 1e18) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x2_hat = 0.0;

@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_C1DAFDD3_H
-#define STAGE12_C1DAFDD3_H
+#ifndef STAGE12_8517A120_H
+#define STAGE12_8517A120_H
 
 #include <stdint.h>
 
@@ -62,6 +62,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -110,12 +111,13 @@ ptc_status stage12_init(stage12 *self, const stage12_params *params);
 
 /*
  * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
+ * Estimates too large to compute with begin anew.
  */
 ptc_status stage12_arm(stage12 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick. On a
- * negative status u is 0 and nothing has changed.
+ * negative status u is 0 and nothing has changed. u must not overlap y.
  */
 ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u);
 

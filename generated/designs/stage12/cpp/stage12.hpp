@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_E743BF3F_HPP
-#define STAGE12_E743BF3F_HPP
+#ifndef STAGE12_FF042B5A_HPP
+#define STAGE12_FF042B5A_HPP
 
 #include <array>
 #include <cfloat>
@@ -81,6 +81,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -188,10 +189,23 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept.
+    /// kept. Estimates too large to compute with begin anew.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
+        const double s1 = absolute(x1_next_) + absolute(x2_next_);
+        const double size = s1 + absolute(x3_next_) + absolute(d_next_);
+        if (!(size <= 1e150)) {
+            seen_ = 0U;
+            x1_hat_ = 0.0;
+            x1_next_ = 0.0;
+            x2_hat_ = 0.0;
+            x2_next_ = 0.0;
+            x3_hat_ = 0.0;
+            x3_next_ = 0.0;
+            d_hat_ = 0.0;
+            d_next_ = 0.0;
+        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = C x. Call it once for each tick.
@@ -303,7 +317,7 @@ public:
             const double s11 = 2.5314283505021953 * (u1_ + d);
             v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
         }
-        if (!finite(v)) {
+        if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on) && finite(d_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
@@ -351,6 +365,11 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

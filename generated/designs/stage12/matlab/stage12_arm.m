@@ -11,7 +11,9 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
-if ~(abs(self.x1_next) + abs(self.x2_next) + abs(self.x3_next) + abs(self.d_next) <= 1e150)
+s1 = abs(self.x1_next) + abs(self.x2_next);
+size = s1 + abs(self.x3_next) + abs(self.d_next);
+if ~(size <= 1e150)
     self.seen = uint32(0);
     self.x1_hat = 0.0;
     self.x1_next = 0.0;

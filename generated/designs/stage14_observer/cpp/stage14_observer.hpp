@@ -35,8 +35,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE14_OBSERVER_9789B5BB_HPP
-#define STAGE14_OBSERVER_9789B5BB_HPP
+#ifndef STAGE14_OBSERVER_57558246_HPP
+#define STAGE14_OBSERVER_57558246_HPP
 
 #include <array>
 #include <cfloat>
@@ -72,6 +72,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -155,10 +156,18 @@ public:
         return Status::Ok;
     }
 
-    /// Starts a round of 12 samples at tick `k`. The estimates are kept.
+    /// Starts a round of 12 samples at tick `k`. The estimates are kept. Estimates too large to
+    /// compute with begin anew.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
+        const double size = absolute(x1_hat_) + absolute(x2_hat_) + absolute(x3_hat_);
+        if (!(size <= 1e150)) {
+            seen_ = 0U;
+            x1_hat_ = 0.0;
+            x2_hat_ = 0.0;
+            x3_hat_ = 0.0;
+        }
     }
 
     /// The estimates of tick `k`, which may wrap, from what is measured, y = (x1, ...) at that tick
@@ -243,6 +252,11 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

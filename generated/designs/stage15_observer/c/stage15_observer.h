@@ -38,8 +38,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE15_OBSERVER_70C13157_H
-#define STAGE15_OBSERVER_70C13157_H
+#ifndef STAGE15_OBSERVER_7777F125_H
+#define STAGE15_OBSERVER_7777F125_H
 
 #include <stdint.h>
 
@@ -55,6 +55,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -90,7 +91,10 @@ typedef struct stage15_observer {
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status stage15_observer_init(stage15_observer *self, const stage15_observer_params *params);
 
-/* Starts a round of 9 samples at tick `k`. Estimates and inputs under way are kept. */
+/*
+ * Starts a round of 9 samples at tick `k`. Estimates and inputs under way are kept. Estimates too
+ * large to compute with begin anew.
+ */
 ptc_status stage15_observer_arm(stage15_observer *self, uint32_t k);
 
 /*

@@ -146,7 +146,8 @@ class Stage15Observer:
         """
         k = k.__index__() & _WRAP
         self._start = k
-        if not (np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._d_hat) <= _R(9.999999843067494e17)):
+        size = np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._d_hat)
+        if not (size <= _R(9.999999843067494e17)):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x2_hat = _R(0.0)

@@ -37,8 +37,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE16_OBSERVER_33007774_H
-#define STAGE16_OBSERVER_33007774_H
+#ifndef STAGE16_OBSERVER_F29022DA_H
+#define STAGE16_OBSERVER_F29022DA_H
 
 #include <stdint.h>
 
@@ -54,6 +54,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -92,7 +93,10 @@ typedef struct stage16_observer {
  */
 ptc_status stage16_observer_init(stage16_observer *self, const stage16_observer_params *params);
 
-/* Starts a round of 20 samples at tick `k`. Estimates and inputs under way are kept. */
+/*
+ * Starts a round of 20 samples at tick `k`. Estimates and inputs under way are kept. Estimates too
+ * large to compute with begin anew.
+ */
 /*@ requires self == \null || \valid(self);
     requires self == \null || stage16_observer_set(self);
     assigns *self;

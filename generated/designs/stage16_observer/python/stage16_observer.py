@@ -108,7 +108,9 @@ class Stage16Observer:
         """
         k = k.__index__() & _WRAP
         self._start = k
-        if not (np.abs(self._x1_next) + np.abs(self._x2_next) + np.abs(self._x3_next) + np.abs(self._d_next) <= 1e150):
+        s1 = np.abs(self._x1_next) + np.abs(self._x2_next)
+        size = s1 + np.abs(self._x3_next) + np.abs(self._d_next)
+        if not (size <= 1e150):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x1_next = _R(0.0)

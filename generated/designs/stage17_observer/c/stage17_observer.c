@@ -67,7 +67,8 @@ ptc_status stage17_observer_arm(stage17_observer *self, uint32_t k)
     ptc_status status = PTC_OK;
 
     self->start = k;
-    if (!(fabs(self->x2_hat) + fabs(self->d_hat) <= 1e150)) {
+    const double size = fabs(self->x2_hat) + fabs(self->d_hat);
+    if (!(size <= 1e150)) {
         self->seen = 0U;
         self->x2_hat = 0.0;
         self->d_hat = 0.0;

@@ -36,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE17_OBSERVER_9451F585_H
-#define STAGE17_OBSERVER_9451F585_H
+#ifndef STAGE17_OBSERVER_2645C070_H
+#define STAGE17_OBSERVER_2645C070_H
 
 #include <stdint.h>
 
@@ -53,6 +53,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -79,7 +80,10 @@ typedef struct stage17_observer {
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status stage17_observer_init(stage17_observer *self, const stage17_observer_params *params);
 
-/* Starts a round of 8 samples at tick `k`. The estimates are kept. */
+/*
+ * Starts a round of 8 samples at tick `k`. The estimates are kept. Estimates too large to compute
+ * with begin anew.
+ */
 ptc_status stage17_observer_arm(stage17_observer *self, uint32_t k);
 
 /*

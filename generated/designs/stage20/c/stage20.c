@@ -160,7 +160,8 @@ ptc_status stage20_arm(stage20 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
-        if (!(fabs(self->x1_hat) + fabs(self->x2_hat) + fabs(self->d_hat) <= 1e150)) {
+        const double size = fabs(self->x1_hat) + fabs(self->x2_hat) + fabs(self->d_hat);
+        if (!(size <= 1e150)) {
             self->seen = 0U;
             self->x1_hat = 0.0;
             self->x2_hat = 0.0;

@@ -49,8 +49,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE22_99443810_H
-#define STAGE22_99443810_H
+#ifndef STAGE22_74AF3F96_H
+#define STAGE22_74AF3F96_H
 
 #include <stdint.h>
 
@@ -66,6 +66,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -93,7 +94,7 @@ ptc_status stage22_arm(stage22 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x of the model, and the reference. On a negative
- * status u is 0 and nothing has changed.
+ * status u is 0 and nothing has changed. u must not overlap x or r.
  */
 ptc_status stage22_step(
     const stage22 *self,

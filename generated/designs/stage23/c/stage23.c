@@ -64,7 +64,9 @@ ptc_status stage23_arm(stage23 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
-        if (!(fabs(self->x1_next) + fabs(self->x2_next) + fabs(self->x3_next) <= 1e150)) {
+        const double s1 = fabs(self->x1_next) + fabs(self->x2_next);
+        const double size = s1 + fabs(self->x3_next);
+        if (!(size <= 1e150)) {
             self->seen = 0U;
             self->x1_hat = 0.0;
             self->x1_next = 0.0;

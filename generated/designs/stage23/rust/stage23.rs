@@ -199,7 +199,9 @@ impl Stage23 {
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
-        if !((self.x1_next).abs() + (self.x2_next).abs() + (self.x3_next).abs() <= 1e150) {
+        let s1 = (self.x1_next).abs() + (self.x2_next).abs();
+        let size = s1 + (self.x3_next).abs();
+        if !(size <= 1e150) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x1_next = 0.0;

@@ -51,8 +51,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_0D96D81A_H
-#define STAGE24_0D96D81A_H
+#ifndef STAGE24_78D2A3BD_H
+#define STAGE24_78D2A3BD_H
 
 #include <stdint.h>
 
@@ -68,6 +68,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -99,7 +100,7 @@ ptc_status stage24_arm(stage24 *self, uint32_t k);
 
 /*
  * u from tick `k`, which may wrap, and the state x. On a negative status u is 0 and nothing has
- * changed.
+ * changed. u must not overlap x.
  */
 ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float *u);
 

@@ -66,8 +66,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_A797CF3B_H
-#define STAGE27_A797CF3B_H
+#ifndef STAGE27_D32FA9C6_H
+#define STAGE27_D32FA9C6_H
 
 #include <stdint.h>
 
@@ -83,6 +83,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -121,7 +122,7 @@ ptc_status stage27_arm(stage27 *self, uint32_t k);
 /*
  * u = (A, B, C, D) from tick `k`, which may wrap, and state x = (a, b, b1, c, d, d1). Where one of
  * them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0;
- * else the status is SATURATED where one was clipped.
+ * else the status is SATURATED where one was clipped. u and axes must not overlap x.
  */
 ptc_status stage27_step(
     const stage27 *self,

@@ -55,8 +55,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_84175E28_HPP
-#define STAGE28_84175E28_HPP
+#ifndef STAGE28_39AAF8F2_HPP
+#define STAGE28_39AAF8F2_HPP
 
 #include <array>
 #include <cfloat>
@@ -93,6 +93,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite

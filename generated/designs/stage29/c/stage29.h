@@ -41,8 +41,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE29_F8302EDB_H
-#define STAGE29_F8302EDB_H
+#ifndef STAGE29_12700CE7_H
+#define STAGE29_12700CE7_H
 
 #include <stdint.h>
 
@@ -58,6 +58,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -82,7 +83,8 @@ ptc_status stage29_arm(stage29 *self, uint32_t k);
 
 /*
  * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) of each. Where one
- * of them is not finite, every u is 0; else the status is SATURATED where one was clipped.
+ * of them is not finite, every u is 0; else the status is SATURATED where one was clipped. u and
+ * axes must not overlap x.
  */
 ptc_status stage29_step(
     const stage29 *self,

@@ -63,8 +63,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_2F2DFE0D_H
-#define STAGE31_2F2DFE0D_H
+#ifndef STAGE31_882C532B_H
+#define STAGE31_882C532B_H
 
 #include <stdint.h>
 
@@ -80,6 +80,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -114,7 +115,8 @@ ptc_status stage31_arm(stage31 *self, uint32_t k);
 /*
  * u = (q, p) from tick `k`, which may wrap, state x = (h, c, e) and the reference r of each output.
  * Where one of them is not finite, as at a state at which the inputs do not decouple the outputs,
- * every u is 0; else the status is SATURATED where one was clipped.
+ * every u is 0; else the status is SATURATED where one was clipped. u and axes must not overlap x
+ * or r.
  */
 ptc_status stage31_step(
     const stage31 *self,

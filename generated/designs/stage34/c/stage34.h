@@ -49,8 +49,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE34_E59556FC_H
-#define STAGE34_E59556FC_H
+#ifndef STAGE34_74390412_H
+#define STAGE34_74390412_H
 
 #include <stdint.h>
 
@@ -66,6 +66,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3 /* u not finite */
@@ -108,7 +109,7 @@ ptc_status stage34_arm(stage34 *self, uint32_t k);
 /*
  * u of each axis from tick `k`, which may wrap, and the state x = (x1, x1', ...) and the reference
  * r of each. Where one of them is not finite, every u is 0; else the status is SATURATED where one
- * was clipped.
+ * was clipped. u and axes must not overlap x or r.
  */
 ptc_status stage34_step(
     const stage34 *self,

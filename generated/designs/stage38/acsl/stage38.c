@@ -57,7 +57,8 @@ ptc_status stage38_arm(stage38 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
-        if (!(fabsf(self->x1_hat) + fabsf(self->x2_hat) + fabsf(self->d_hat) <= 1e18f)) {
+        const float size = fabsf(self->x1_hat) + fabsf(self->x2_hat) + fabsf(self->d_hat);
+        if (!(size <= 1e18f)) {
             self->seen = 0U;
             self->x1_hat = 0.0f;
             self->x2_hat = 0.0f;

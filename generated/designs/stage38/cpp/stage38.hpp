@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_F9428D11_HPP
-#define STAGE38_F9428D11_HPP
+#ifndef STAGE38_BADA5464_HPP
+#define STAGE38_BADA5464_HPP
 
 #include <array>
 #include <cfloat>
@@ -81,6 +81,7 @@ enum class Status : int {
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3 ///< u not finite
@@ -124,10 +125,17 @@ public:
     }
 
     /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
-    /// kept.
+    /// kept. Estimates too large to compute with begin anew.
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
+        const float size = absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_);
+        if (!(size <= 1e18f)) {
+            seen_ = 0U;
+            x1_hat_ = 0.0f;
+            x2_hat_ = 0.0f;
+            d_hat_ = 0.0f;
+        }
     }
 
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
@@ -246,6 +254,11 @@ private:
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
+    }
+
+    static constexpr float absolute(float v) noexcept
+    {
+        return (v > 0.0f) ? v : (0.0f - v);
     }
 
     std::uint32_t start_{}; // tick at which it was armed

@@ -11,7 +11,8 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
-if ~(abs(self.x1_hat) + abs(self.x2_hat) + abs(self.d_hat) <= single(9.999999843067494e17))
+size = abs(self.x1_hat) + abs(self.x2_hat) + abs(self.d_hat);
+if ~(size <= single(9.999999843067494e17))
     self.seen = uint32(0);
     self.x1_hat = single(0.0);
     self.x2_hat = single(0.0);

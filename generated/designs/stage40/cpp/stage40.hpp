@@ -2,8 +2,8 @@
  * Prescribed-time controller stage40: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
- * Version 0.1.0, design 1f938d622e88.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage40 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+ * Version 0.1.0, design 3dd5d56bbb66.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE40_C7AA4FF7_HPP
-#define STAGE40_C7AA4FF7_HPP
+#ifndef STAGE40_4AEA41A0_HPP
+#define STAGE40_4AEA41A0_HPP
 
 #include <array>
 #include <cfloat>
@@ -90,7 +90,7 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
@@ -143,8 +143,8 @@ public:
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!((1U < trust_)
-                && (absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_) <= 1e150))) {
+        const double size = absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_);
+        if (!((1U < trust_) && (size <= 1e150))) {
             seen_ = 0U;
             x1_hat_ = 0.0;
             x2_hat_ = 0.0;

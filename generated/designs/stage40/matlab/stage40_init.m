@@ -8,8 +8,8 @@ function self = stage40_init(~) %#codegen
 % Prescribed-time controller stage40: order n = 2, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
-% Version 0.1.0, design 1f938d622e88.
+%   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name stage40 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+% Version 0.1.0, design 3dd5d56bbb66.
 %
 % Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
 %       sample late.

@@ -8,7 +8,7 @@ function [u, status, self] = stage40_step(self, k, y, r) %#codegen
 %   status (int32); on a negative one what is given is 0, and self is as it was:
 %      0  tracking
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
-%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      2  saturated: u clipped to its limits; wins over 1 and 3
 %      3  after: the deadline is over, u is 0 or that of the user-defined law
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole

@@ -2,8 +2,8 @@
 Prescribed-time controller stage40: order n = 2, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
-Version 0.1.0, design 1f938d622e88.
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage40 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+Version 0.1.0, design 3dd5d56bbb66.
 
 Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
       sample late.
@@ -79,7 +79,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4
@@ -135,10 +135,8 @@ class Stage40:
         """
         k = k.__index__() & _WRAP
         self._start = k
-        if not (
-            (1 < self._trust)
-            and (np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._d_hat) <= 1e150)
-        ):
+        size = np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._d_hat)
+        if not ((1 < self._trust) and (size <= 1e150)):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x2_hat = _R(0.0)

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
-//! Version 0.1.0, design 1f938d622e88.
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage40 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+//! Version 0.1.0, design 3dd5d56bbb66.
 //!
 //! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
 //!       sample late.
@@ -64,7 +64,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
@@ -184,9 +184,8 @@ impl Stage40 {
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
-        if !((1 < self.trust)
-            && ((self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs() <= 1e150))
-        {
+        let size = (self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs();
+        if !((1 < self.trust) && (size <= 1e150)) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x2_hat = 0.0;

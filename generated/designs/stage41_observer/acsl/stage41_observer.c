@@ -59,8 +59,9 @@ ptc_status stage41_observer_arm(stage41_observer *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
-        if (!((1U < self->trust)
-            && (fabsf(self->x1_next) + fabsf(self->x2_next) + fabsf(self->x3_next) <= 1e18f))) {
+        const float s1 = fabsf(self->x1_next) + fabsf(self->x2_next);
+        const float size = s1 + fabsf(self->x3_next);
+        if (!((1U < self->trust) && (size <= 1e18f))) {
             self->seen = 0U;
             self->x1_hat = 0.0f;
             self->x1_next = 0.0f;

@@ -39,8 +39,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE41_OBSERVER_6C1F032B_HPP
-#define STAGE41_OBSERVER_6C1F032B_HPP
+#ifndef STAGE41_OBSERVER_2CD9EEBE_HPP
+#define STAGE41_OBSERVER_2CD9EEBE_HPP
 
 #include <array>
 #include <cfloat>
@@ -74,7 +74,7 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
@@ -126,8 +126,9 @@ public:
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!((1U < trust_)
-                && (absolute(x1_next_) + absolute(x2_next_) + absolute(x3_next_) <= 1e18f))) {
+        const float s1 = absolute(x1_next_) + absolute(x2_next_);
+        const float size = s1 + absolute(x3_next_);
+        if (!((1U < trust_) && (size <= 1e18f))) {
             seen_ = 0U;
             x1_hat_ = 0.0f;
             x1_next_ = 0.0f;

@@ -12,8 +12,9 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
-if ~((uint32(1) < self.trust) ...
-    && (abs(self.x1_next) + abs(self.x2_next) + abs(self.x3_next) <= single(9.999999843067494e17)))
+s1 = abs(self.x1_next) + abs(self.x2_next);
+size = s1 + abs(self.x3_next);
+if ~((uint32(1) < self.trust) && (size <= single(9.999999843067494e17)))
     self.seen = uint32(0);
     self.x1_hat = single(0.0);
     self.x1_next = single(0.0);

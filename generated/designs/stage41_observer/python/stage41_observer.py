@@ -62,7 +62,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4
@@ -109,10 +109,9 @@ class Stage41Observer:
         """
         k = k.__index__() & _WRAP
         self._start = k
-        if not (
-            (1 < self._trust)
-            and (np.abs(self._x1_next) + np.abs(self._x2_next) + np.abs(self._x3_next) <= _R(9.999999843067494e17))
-        ):
+        s1 = np.abs(self._x1_next) + np.abs(self._x2_next)
+        size = s1 + np.abs(self._x3_next)
+        if not ((1 < self._trust) and (size <= _R(9.999999843067494e17))):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x1_next = _R(0.0)

@@ -48,7 +48,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
@@ -167,9 +167,9 @@ impl Stage41Observer {
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
-        if !((1 < self.trust)
-            && ((self.x1_next).abs() + (self.x2_next).abs() + (self.x3_next).abs() <= 1e18))
-        {
+        let s1 = (self.x1_next).abs() + (self.x2_next).abs();
+        let size = s1 + (self.x3_next).abs();
+        if !((1 < self.trust) && (size <= 1e18)) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x1_next = 0.0;

@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE42_3C3D6B4D_HPP
-#define STAGE42_3C3D6B4D_HPP
+#ifndef STAGE42_0745206C_HPP
+#define STAGE42_0745206C_HPP
 
 #include <array>
 #include <cfloat>
@@ -78,7 +78,7 @@ namespace ptc {
 enum class Status : int {
     Ok = 0, ///< tracking
     Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
-    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
@@ -183,7 +183,8 @@ public:
     constexpr void arm(std::uint32_t k) noexcept
     {
         start_ = k;
-        if (!(absolute(x1_hat_) + absolute(x2_hat_) <= 1e150)) {
+        const double size = absolute(x1_hat_) + absolute(x2_hat_);
+        if (!(size <= 1e150)) {
             seen_ = 0U;
             x1_hat_ = 0.0;
             x2_hat_ = 0.0;

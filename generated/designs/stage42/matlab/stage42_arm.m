@@ -11,7 +11,8 @@ if ~(isfinite(k) && (k == floor(k)))
 end
 k = uint32(mod(k, 4294967296));
 self.start = k;
-if ~(abs(self.x1_hat) + abs(self.x2_hat) <= 1e150)
+size = abs(self.x1_hat) + abs(self.x2_hat);
+if ~(size <= 1e150)
     self.seen = uint32(0);
     self.x1_hat = 0.0;
     self.x2_hat = 0.0;

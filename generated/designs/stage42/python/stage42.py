@@ -68,7 +68,7 @@ class Status(IntEnum):
     HOLD = 1
     """Time-to-go is held at eps: the deadline is near or over, u is valid."""
     SATURATED = 2
-    """u was clipped to u_max; wins over HOLD and AFTER."""
+    """u was clipped to its limits; wins over HOLD and AFTER."""
     AFTER = 3
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4
@@ -192,7 +192,8 @@ class Stage42:
         """
         k = k.__index__() & _WRAP
         self._start = k
-        if not (np.abs(self._x1_hat) + np.abs(self._x2_hat) <= 1e150):
+        size = np.abs(self._x1_hat) + np.abs(self._x2_hat)
+        if not (size <= 1e150):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x2_hat = _R(0.0)

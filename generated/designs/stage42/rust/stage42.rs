@@ -52,7 +52,7 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    /// u was clipped to its limits; wins over `Hold` and `After`.
     Saturated,
     /// The deadline is over: u is 0 or that of the user-defined law.
     After,
@@ -254,7 +254,8 @@ impl Stage42 {
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
-        if !((self.x1_hat).abs() + (self.x2_hat).abs() <= 1e150) {
+        let size = (self.x1_hat).abs() + (self.x2_hat).abs();
+        if !(size <= 1e150) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x2_hat = 0.0;

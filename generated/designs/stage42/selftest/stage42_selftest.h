@@ -24,7 +24,7 @@
  *     it.
  *   PTC_FINITE_F64(b_2): held with each of 3048 sets of parameters that passed the tests before
  *     it.
- *   fabs(self->x1_hat) + fabs(self->x2_hat) <= 1e150: never false in 2702 calls.
+ *   size <= 1e150: never false in 2702 calls.
  *   PTC_FINITE_F64(v): never false in 2702 calls.
  */
 #ifndef STAGE42_SELFTEST_H

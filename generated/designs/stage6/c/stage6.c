@@ -92,7 +92,8 @@ ptc_status stage6_arm(stage6 *self, uint32_t k)
 
     if (self != NULL) {
         self->start = k;
-        if (!(fabs(self->x2_hat) + fabs(self->x3_hat) <= 1e150)) {
+        const double size = fabs(self->x2_hat) + fabs(self->x3_hat);
+        if (!(size <= 1e150)) {
             self->seen = 0U;
             self->x2_hat = 0.0;
             self->x3_hat = 0.0;

@@ -232,7 +232,8 @@ impl Stage6 {
     #[inline]
     pub fn arm(&mut self, k: u32) {
         self.start = k;
-        if !((self.x2_hat).abs() + (self.x3_hat).abs() <= 1e150) {
+        let size = (self.x2_hat).abs() + (self.x3_hat).abs();
+        if !(size <= 1e150) {
             self.seen = 0;
             self.x2_hat = 0.0;
             self.x3_hat = 0.0;

@@ -81,7 +81,8 @@ ptc_status stage7_arm(stage7 *self, uint32_t k)
     ptc_status status = PTC_OK;
 
     self->start = k;
-    if (!(fabsf(self->x1_hat) + fabsf(self->d_hat) <= 1e18f)) {
+    const float size = fabsf(self->x1_hat) + fabsf(self->d_hat);
+    if (!(size <= 1e18f)) {
         self->seen = 0U;
         self->x1_hat = 0.0f;
         self->d_hat = 0.0f;

@@ -214,7 +214,8 @@ class Stage9:
         """
         k = k.__index__() & _WRAP
         self._start = k
-        if not (np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._x3_hat) <= 1e150):
+        size = np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._x3_hat)
+        if not (size <= 1e150):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x2_hat = _R(0.0)

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{73bacac9-7a8c-f58d-0710-5515e964af1f}"
+#define TOKEN "{10271a79-7650-3022-f0fd-e101df7b49c3}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a5be8d0c-7915-e5f0-5667-a07ad1f9028e}"
+#define TOKEN "{a51d378b-2d0c-4759-802f-dbbd7103b420}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

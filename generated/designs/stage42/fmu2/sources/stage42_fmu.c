@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{331cd000-e8aa-0ba6-fee8-3be3aed543fa}"
+#define TOKEN "{11e094cf-d950-382b-5a8a-1073eef2756e}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{1341e6b7-0268-2a89-065f-6a0d268684b0}"
+#define TOKEN "{bdccd8d1-9f77-eade-7724-2b9c95b1f42e}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
