@@ -36,7 +36,7 @@
 #if defined(isnan) && !defined(__MINGW32__)
 #define PTC_NAN_F64(x) (isnan(x) != 0)
 #else
-#define PTC_NAN_F64(x) (!((x) <= (x)))
+#define PTC_NAN_F64(x) (!(fabs(x) >= 0.0))
 #endif
 #endif
 

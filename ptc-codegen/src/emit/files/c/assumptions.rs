@@ -45,12 +45,12 @@ pub(in crate::emit) fn assumptions(precision: Precision) -> String {
 /// Macros for the tests on numbers. They are those of `math.h`, except that MinGW's convert to a
 /// shorter integer, which warns, and that some compilers have none.
 pub(super) fn classification(precision: Precision, body: &str) -> String {
-    let (suffix, abs, most) = match precision {
-        Precision::F64 => ("F64", "fabs", "DBL_MAX"),
-        Precision::F32 => ("F32", "fabsf", "FLT_MAX"),
+    let (suffix, abs, most, zero) = match precision {
+        Precision::F64 => ("F64", "fabs", "DBL_MAX", "0.0"),
+        Precision::F32 => ("F32", "fabsf", "FLT_MAX", "0.0f"),
     };
     let finite = (format!("PTC_FINITE_{suffix}"), "isfinite", format!("({abs}(x) <= {most})"));
-    let not_number = (format!("PTC_NAN_{suffix}"), "isnan", "(!((x) <= (x)))".to_owned());
+    let not_number = (format!("PTC_NAN_{suffix}"), "isnan", format!("(!({abs}(x) >= {zero}))"));
     let mut text = String::new();
     for (name, standard, own) in [finite, not_number] {
         if body.contains(&format!("{name}(")) {
