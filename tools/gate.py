@@ -1,8 +1,9 @@
 """One wild reading at sample 400 of examples/encoder.toml, without and with a gate of its observer.
 
-    python3 tools/gate.py COMMAND
+    python3 tools/gate.py COMMAND [INNOVATION_MAX]
 
-COMMAND is the path of ptc-codegen. Needs a C compiler called cc. The loop starts at rest at 0.1 m, against a force of 0.3 N.
+COMMAND is the path of ptc-codegen; the gate is 1e-4 m if no other is given. Needs a C compiler called cc. The loop starts
+at rest at 0.1 m, against a force of 0.3 N.
 """
 
 import ctypes
@@ -12,7 +13,6 @@ import tempfile
 from pathlib import Path
 
 DESIGN = Path(__file__).parent.parent / "examples" / "encoder.toml"
-GATE = ["--innovation-max", "1e-4", "--coast", "5"]
 END, WILD = 800, 400
 STEP, PERIOD, MASS, FORCE = 1e-6, 1e-3, 1.5, 0.3
 SATURATED, GATED = 2, 4
@@ -47,13 +47,15 @@ def motion(controller, wild):
 
 
 def main():
+    command, bound = (sys.argv[1:] + ["1e-4"])[:2]
+    gated = ["--innovation-max", bound, "--coast", "5"]
     readings = [("none", None), ("2^31 counts", 2**31 * STEP), ("1e100", 1e100), ("NaN", float("nan"))]
     print("| reading | gate | abs(x1) at 0.8 s [m] | at 2.8 s [m] | saturated | gated | refused |")
     print("| --- | --- | --- | --- | --- | --- | --- |")
     for name, wild in readings:
-        for gate in ([], GATE):
+        for gate in ([], gated):
             with tempfile.TemporaryDirectory() as folder:
-                at, counts = motion(emitted(sys.argv[1], folder, gate), wild)
+                at, counts = motion(emitted(command, folder, gate), wild)
             sizes = " | ".join(f"{size:.1e}" for size in at)
             numbers = " | ".join(map(str, counts))
             print(f"| {name} | {'yes' if gate else 'no'} | {sizes} | {numbers} |")

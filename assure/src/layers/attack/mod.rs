@@ -9,6 +9,7 @@ mod memory;
 mod outputs;
 mod owners;
 mod power;
+mod readings;
 mod streams;
 mod world;
 
@@ -24,7 +25,7 @@ pub(super) const LAYER: Layer = Layer {
             one run, and so does one whose rows under way a power cut left torn or zero; one process at a \
             time has it; every flipped bit of its files is reported; and a full disk, a read-only folder, devices, links and colliding outputs lose no file. Every \
             input ends in 4 s and 500 MB, with output or a message and a documented exit code; long runs fit \
-            into 500 MB, and threads that cannot be had and full outputs end no work silently. No text of \
+            into 500 MB, and threads that cannot be had and full outputs end no work silently. A reading that is wild or lost leads no observer with a gate astray. No text of \
             a design is read as code in an emitted file, or as an element in a report.",
     tools: &[],
     run,
@@ -44,6 +45,7 @@ const ATTACKS: &[(&str, Attack)] = &[
     ("outputs", outputs::attack),
     ("streams", streams::attack),
     ("memory", memory::attack),
+    ("readings", readings::attack),
     ("inputs", inputs::attack),
 ];
 
