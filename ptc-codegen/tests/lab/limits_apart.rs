@@ -11,8 +11,8 @@ const PERIOD: f64 = 0.01;
 
 const CHAINS: [&str; 3] = [
     "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nx0_max = [0.5, 0.25]\neps = 0.05\n",
-    "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nx0_max = [0.5, 0.25]\nclock = \"samples\"\n",
-    "n = 3\nmu = \"exp(a=1)\"\npoles = [-4, -5, -6, -7]\nx0_max = [0.5, 0.25, 1]\nclock = \"samples\"\ndelay = 1\n",
+    "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nx0_max = [0.5, 0.25]\nclock = \"samples\"\neps = 0\n",
+    "n = 3\nmu = \"exp(a=1)\"\npoles = [-4, -5, -6, -7]\nx0_max = [0.5, 0.25, 1]\nclock = \"samples\"\ndelay = 1\neps = 0\n",
 ];
 
 fn text(chain: &str, limits: &str) -> String {

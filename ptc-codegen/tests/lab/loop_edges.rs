@@ -56,7 +56,7 @@ fn jitter_of_a_loop_that_comes_to_rest_is_bounded_closely() {
         let h = 1.0 / f64::from(samples);
         let text = format!(
             "n = 1\nmu = \"exp(a=1)\"\npoles = [-{pole}]\nclock = \"samples\"\nsample_time = {h}\njitter = {}\n\
-             x0_max = 1\nerror = 1\n[params]\ntau = 1\nu_max = inf\n",
+             x0_max = 1\nerror = 1\neps = 0\n[params]\ntau = 1\nu_max = inf\n",
             part * h
         );
         let found = bound("loop_jitter", &text);
@@ -87,7 +87,7 @@ fn a_known_reference_is_bounded_by_what_it_does() {
             let truth = of_start.abs() + of_reference.abs();
             let design = format!(
                 "n = 1\nmu = \"exp(a=1)\"\npoles = [-{pole}]\nclock = \"samples\"\nsample_time = {h}\n\
-                 reference = \"{text}\"\nx0_max = 1e-3\nerror = 1\n[params]\ntau = 1\nu_max = inf\n"
+                 reference = \"{text}\"\nx0_max = 1e-3\nerror = 1\neps = 0\n[params]\ntau = 1\nu_max = inf\n"
             );
             let found = bound("loop_reference", &design);
             assert!(found >= truth * (1.0 - 1e-9), "{text} {pole} {samples}: {found} {truth}");

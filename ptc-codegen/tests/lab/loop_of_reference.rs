@@ -19,19 +19,19 @@ struct Case {
 
 const CASES: [Case; 8] = [
     Case {
-        keys: "n = 1\npoles = [-3]\nreference = \"sin(9*t)\"",
+        keys: "n = 1\npoles = [-3]\nreference = \"sin(9*t)\"\neps = 0",
         model: "",
         start: &[0.0],
         near: 0.25,
     },
     Case {
-        keys: "n = 2\npoles = [-4, -5]\ng = 2\nreference = \"0.3*t^3\"",
+        keys: "n = 2\npoles = [-4, -5]\ng = 2\nreference = \"0.3*t^3\"\neps = 0",
         model: "",
         start: &[0.0, 0.0],
         near: 0.9,
     },
     Case {
-        keys: "n = 3\npoles = [-5, -6, -7, -8]\ndelay = 1\nreference = \"sin(2*t)\"\nmeasured = [\"x1\"]\nobserver_poles = [-4, -5, -6]",
+        keys: "n = 3\npoles = [-5, -6, -7, -8]\ndelay = 1\nreference = \"sin(2*t)\"\nmeasured = [\"x1\"]\nobserver_poles = [-4, -5, -6]\neps = 0",
         model: "",
         start: &[0.0, 2.0, 0.0],
         near: 0.1,
@@ -49,13 +49,13 @@ const CASES: [Case; 8] = [
         near: 0.0,
     },
     Case {
-        keys: "poles = [-3, -4]\nx_max = [2, 8]\nreference = \"0.4*sin(2*t)\"",
+        keys: "poles = [-3, -4]\nx_max = [2, 8]\nreference = \"0.4*sin(2*t)\"\neps = 0",
         model: "[model]\nstates = [\"q\", \"w\"]\ninput = \"M\"\noutput = \"q\"\ndynamics = { q = \"w\", w = \"4*M - 0.08*w - 19.62*sin(q)\" }\n",
         start: &[0.0, 0.8],
         near: 0.0,
     },
     Case {
-        keys: "poles = [-4, -5, -6]\nmeasured = [\"q\", \"w\", \"i\"]\nreference = \"0.5*sin(3*t)\"",
+        keys: "poles = [-4, -5, -6]\nmeasured = [\"q\", \"w\", \"i\"]\nreference = \"0.5*sin(3*t)\"\neps = 0",
         model: MOTOR,
         start: &[0.0, 1.5, 0.15],
         near: 0.7,

@@ -17,9 +17,8 @@ fn home() -> PathBuf {
 fn simulate(arguments: &[&str]) -> String {
     let mut command = support::command(&["simulate"]);
     let (code, stdout, stderr) = support::told(command.args(arguments).current_dir(home()));
-    // What was chosen is noted.
-    let noted = stderr.lines().all(|line| line.starts_with("note: design "));
-    assert!(code == Some(0) && noted, "{arguments:?}: {stderr}");
+    let others = support::without_design(&stderr);
+    assert!(code == Some(0) && others.is_empty(), "{arguments:?}: {stderr}");
     stdout
 }
 
