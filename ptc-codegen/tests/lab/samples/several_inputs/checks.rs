@@ -96,8 +96,7 @@ fn the_checks_say_what_they_do_not_know() {
 /// Of axes `loop` is that of each by itself.
 #[test]
 fn the_loop_of_axes_is_that_of_each() {
-    let keys =
-        "n = 2\nclock = \"samples\"\nmu = \"exp(a=1)\"\nsample_time = 0.01\nx0_max = [0.5, 0.5]\n";
+    let keys = "n = 2\nclock = \"samples\"\nmu = \"exp(a=1)\"\nsample_time = 0.01\neps = 0\nx0_max = [0.5, 0.5]\n";
     let params = "[params]\ntau = 1\nu_max = 50\n";
     let of = |own: &str| -> Outcome {
         let text = format!("{keys}error = [1e-6, 5e-5]\n{own}\n{params}");
