@@ -27,7 +27,7 @@ fn worst_with_jitter(samples: usize, pole: f64, jitter: f64) -> f64 {
     let mut worst: f64 = 0.0;
     for start in 0..3 {
         let first = |k: usize| match start {
-            0 if k % 2 == 0 => -jitter,
+            0 if k.is_multiple_of(2) => -jitter,
             _ if start == 2 => -jitter,
             _ => jitter,
         };
@@ -66,10 +66,13 @@ fn jitter_of_a_loop_that_comes_to_rest_is_bounded_closely() {
     }
 }
 
+/// A signal or its rate.
+type OfTime = fn(f64) -> f64;
+
 /// What a reference that is known leaves of e has one sign at each sample, and cancels.
 #[test]
 fn a_known_reference_is_bounded_by_what_it_does() {
-    let signals: [(&str, fn(f64) -> f64, fn(f64) -> f64); 3] = [
+    let signals: [(&str, OfTime, OfTime); 3] = [
         ("0.3*sin(9*t)", |t| 0.3 * (9.0 * t).sin(), |t| 2.7 * (9.0 * t).cos()),
         ("cos(4*t) - t^2", |t| (4.0 * t).cos() - t * t, |t| -4.0 * (4.0 * t).sin() - 2.0 * t),
         ("exp(-t)", |t| (-t).exp(), |t| -(-t).exp()),

@@ -182,7 +182,7 @@ fn what_follows_from_a_design_is_listed() {
         ("eps = 0.05\n", &ends[1..], ["[20, 9]", "not used", held]),
         ("eps = 0.01\n", &ends[1..], ["[20, 9]", "1.5", held]),
     ] {
-        let folder = folder_with("follows", "d.toml", &design(eps));
+        let folder = folder_with("follows", "d.toml", design(eps));
         let (_, json, stderr) = run_in(&folder, &["check", "d.toml", "--format", "json"]);
         let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
         let told: Vec<_> = found["chosen"].as_array().expect("a list").iter().collect();

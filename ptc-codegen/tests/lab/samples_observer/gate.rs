@@ -57,7 +57,7 @@ fn stage(gate: &str) -> Code {
 fn after_a_wild_reading(code: &Code) -> (f64, usize) {
     let mut stage = Stage::new(code, 0.1);
     stage.until(400);
-    let wild = stage.step(|_| 2147.483_648);
+    let wild = stage.step(|_| 2_147.483_648);
     let saturated = stage.until(END);
     let saturated = saturated.iter().chain([&wild.0]).filter(|s| **s == Status::Saturated).count();
     (stage.x[0].abs(), saturated)
