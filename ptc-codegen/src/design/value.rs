@@ -16,7 +16,7 @@ use crate::syntax::{Argument, Node, Value, number, parse};
 const MATRICES: [&str; 7] = ["A", "C", "error", "gains", "inertia", "poles", "x0_max"];
 
 /// The keys whose value may be a table in braces.
-const TABLES: [&str; 2] = ["dynamics", "plant.dynamics"];
+const TABLES: [&str; 4] = ["dynamics", "plant.dynamics", "plant.added", "plant.resonance"];
 
 /// A value as TOML knows it.
 pub(super) struct Toml<'a> {
@@ -73,7 +73,7 @@ impl Reader<'_> {
         let mut arguments = Vec::with_capacity(pairs.len());
         for (name, value) in pairs {
             let place = (self.place)(name.range);
-            match self.item(&format!("{key}.{}", name.text), value) {
+            match self.list(&format!("{key}.{}", name.text), value, false) {
                 Some(value) => {
                     arguments.push(Argument { name: Some((name.text.into_owned(), place)), value });
                 }

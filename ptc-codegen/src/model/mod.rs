@@ -62,7 +62,7 @@ pub fn own_names(states: &[Name]) -> Vec<(Name, Variable)> {
 
 /// The same expression with the names of a plant in place of its states and its input; where there are
 /// several inputs, their names stand behind those of the states.
-fn named(states: &[Name], input: Option<Name>, expression: &Expression) -> Expression {
+pub(crate) fn named(states: &[Name], input: Option<Name>, expression: &Expression) -> Expression {
     let of = |name: Name| Some(Parameter::Named(name).into());
     expression.substitute(&|e| match e.variable()? {
         Variable::State(j) => states.get(j - 1).copied().and_then(of),

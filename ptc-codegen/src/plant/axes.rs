@@ -5,9 +5,10 @@ use crate::expression::{Expression, Node, Variable};
 use crate::request::Spec;
 
 /// A design and its plant for what runs them: several axes are one plant, whose states are those of the
-/// chains, one after the other.
+/// chains, one after the other; the states of a larger plant are its own.
 pub fn as_one(spec: Spec, plant: Option<Plant>) -> (Spec, Option<Plant>) {
-    let spec = spec.as_one_plant();
+    let larger = plant.as_ref().and_then(|plant| plant.larger.as_ref());
+    let spec = spec.as_one_plant().with_larger(larger);
     let on_each = |plant: Plant| match spec.joins_axes() && plant.is_chain() {
         true => on_each(plant, &spec),
         false => plant,

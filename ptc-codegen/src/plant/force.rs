@@ -57,7 +57,12 @@ pub(crate) fn force(
 impl Plant {
     /// What the sampled loop of `spec` knows of the plant; `entries` hold the table `[disturbance]`.
     pub(super) fn bounds(&self, spec: &Spec, entries: &[Entry]) -> PlantBounds {
-        if !self.is_chain() {
+        if self.larger.is_some() && self.resonance.is_none() {
+            let why = "the plant has states that the law does not know, and proofs are of the plant of the law";
+            return PlantBounds::Unknown(why.to_owned());
+        }
+        // A resonance is beside the chain, and known apart from it.
+        if !self.is_chain() && self.resonance.is_none() {
             return PlantBounds::Unknown(
                 "the plant is a model, and proofs are of chains of integrators".to_owned(),
             );

@@ -14,13 +14,19 @@
 //! With a model the plant is the model, of which `[plant]` may give other rates under `dynamics`, and
 //! other numbers for its parameters; of a mechanical one another `inertia` and `bias`.
 //!
+//! A plant with other states than the law names them under `states`, with their rates and the outputs that the law is
+//! given, or is the chain with one `resonance`.
+//!
 //! Of several axes f and g are those of each, or `dynamics` gives the rates of `x{i}_{j}`, state i of axis j,
 //! with the inputs `u{j}`.
 
 mod axes;
 mod force;
+mod larger;
 mod model;
 mod read;
+mod resonance;
+mod spring;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,7 +40,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::model::Inverse;
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::request::{self, Entry, Spec};
+use crate::request::{self, Entry, LargerPlant, Side, Spec};
 
 /// The table of a design file that holds the plant.
 pub const TABLE: &str = "plant";
@@ -74,6 +80,7 @@ pub(crate) fn promised(
         return found.finish(None);
     }
     spec.promises.plant = plant.map(|plant| plant.bounds(spec, entries));
+    spec.promises.resonance = plant.and_then(Plant::promised_resonance);
     Ok(())
 }
 
@@ -88,6 +95,10 @@ pub struct Plant {
     pub dynamics: Vec<Expression>,
     /// The equations of motion of a mechanical plant, in place of `dynamics`.
     pub mechanics: Option<Mechanics>,
+    /// The states that `dynamics` is of, where they are not those of the law.
+    pub larger: Option<LargerPlant>,
+    /// The side that is measured of a plant with a resonance.
+    pub resonance: Option<Side>,
     /// Symbols with a value.
     pub fixed: BTreeMap<Parameter, Fixed>,
     /// Symbols that are uncertain, with least and greatest value.
@@ -114,7 +125,16 @@ impl Default for Plant {
     fn default() -> Self {
         let (fixed, bounds) = (BTreeMap::new(), BTreeMap::new());
         let f = Expression::integer(0);
-        Self { f, g: None, dynamics: Vec::new(), mechanics: None, fixed, bounds }
+        Self {
+            f,
+            g: None,
+            dynamics: Vec::new(),
+            mechanics: None,
+            larger: None,
+            resonance: None,
+            fixed,
+            bounds,
+        }
     }
 }
 
@@ -167,7 +187,9 @@ impl Plant {
         let bias = self.mechanics.iter().flat_map(|own| &own.bias);
         let mechanics =
             inertia.map(|e| ("plant.inertia", e)).chain(bias.map(|e| ("plant.bias", e)));
-        listed(of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics))
+        let larger = self.larger.iter().flat_map(|larger| &larger.outputs);
+        let outputs = larger.map(|output| ("plant.outputs", output));
+        listed(of_chain.filter(move |_| chain).chain(dynamics).chain(mechanics).chain(outputs))
     }
 
     /// The same with `to` in place of the leaves for which it gives something.
@@ -182,6 +204,11 @@ impl Plant {
             mechanics: self.mechanics.as_ref().map(|mechanics| Mechanics {
                 inertia: mechanics.inertia.iter().map(each).collect(),
                 bias: each(&mechanics.bias),
+            }),
+            larger: self.larger.as_ref().map(|larger| LargerPlant {
+                outputs: each(&larger.outputs),
+                coordinates: each(&larger.coordinates),
+                ..larger.clone()
             }),
             ..self.clone()
         }
@@ -200,6 +227,16 @@ impl Plant {
 
     /// What moves it, a line each.
     pub fn lines(&self, spec: &Spec) -> Vec<String> {
+        if let Some(larger) = &self.larger {
+            let rates = larger.states.iter().zip(&self.dynamics);
+            let rates = rates.map(|(name, rate)| format!("{name}' = {}", larger.text(rate)));
+            let law = spec.clone().apart().state_names();
+            let outputs = law.into_iter().zip(&larger.outputs);
+            let outputs = outputs.map(|(name, output)| (name, larger.text(output)));
+            let shown = outputs.filter(|(name, output)| name != output);
+            let shown = shown.map(|(name, output)| format!("{name} = {output}"));
+            return rates.chain(shown).collect();
+        }
         if let Some(model) = &spec.model {
             let rate =
                 |(name, rate): (&Name, &Expression)| format!("{name}' = {}", model.text(rate));

@@ -1,15 +1,15 @@
 //! From the entries of the table `[plant]` to a plant: all mistakes at once.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Plant, TABLE};
+use super::{Plant, TABLE, resonance};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::expression::constant::real;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, resolve};
-use crate::keys::{KeyInfo, PLANT_KEYS};
+use crate::keys::PLANT_KEYS;
 use crate::parameter::Parameter;
-use crate::request::{Entry, Spec, known};
+use crate::request::{Entry, Spec, has_own_states, known};
 use crate::syntax::{Node, Value};
 
 /// The value of a key, and where the key is.
@@ -40,35 +40,52 @@ pub fn read_partly(entries: &[Entry], spec: &Spec) -> (Option<Plant>, Vec<Diagno
             found.push("repeated-key", entry.key.as_str(), Some(entry.place), message, help);
         }
     }
-    // A, B and C are the controller's own.
-    given.retain(|name, _| KeyInfo::find(name).and_then(KeyInfo::table) != Some(TABLE));
-    if spec.sampled().is_some_and(|sampled| sampled.linear.is_some()) {
-        for (name, (place, _)) in &given {
-            let message = format!("`{name}` beside `A`");
-            let help = "the plant is either x' = A x + B u, or a chain with f and g";
-            found.push("conflict", format!("{TABLE}.{name}"), Some(*place), message, help);
-        }
-        return (None, found.finish(None::<()>).err().unwrap_or_default());
+    let own_states = has_own_states(entries);
+    if spec.sampled().is_some_and(|sampled| sampled.linear.is_some()) && !own_states {
+        return (
+            linear(&given, spec, &mut found),
+            found.finish(None::<()>).err().unwrap_or_default(),
+        );
     }
-    let plant = (!given.is_empty()).then(|| plant(&given, spec, &mut found));
+    let plant = match own_states {
+        true => Some(super::larger::read(&given, entries, spec, &mut found)),
+        false => (!given.is_empty()).then(|| plant(&given, spec, &mut found)),
+    };
     (plant, found.finish(None::<()>).err().unwrap_or_default())
 }
 
+/// The plant of a controller that knows A, B and C: the same, or with a resonance.
+fn linear(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Option<Plant> {
+    let of_resonance =
+        |name: &str| name == resonance::KEY || resonance::keys().iter().any(|key| key == name);
+    for (name, (place, _)) in given.iter().filter(|(name, _)| !of_resonance(name)) {
+        let message = format!("`{name}` beside `A`");
+        let help = "the plant is either x' = A x + B u, or a chain with f and g";
+        found.push("conflict", format!("{TABLE}.{name}"), Some(*place), message, help);
+    }
+    let mut plant = Plant::default();
+    resonance::put(&mut plant, given, spec, found);
+    plant.larger.is_some().then_some(plant)
+}
+
 fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
-    match spec.has_model() {
+    let mut plant = match spec.has_model() {
         true => super::model::read(given, spec, found),
         false if spec.axes.is_some() && given.contains_key("dynamics") => {
             super::model::read(given, &spec.clone().as_one_plant(), found)
         }
         false => chain(given, spec, found),
-    }
+    };
+    resonance::put(&mut plant, given, spec, found);
+    plant
 }
 
 fn chain(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
-    if let Some((place, _)) = given.get("dynamics") {
-        let message = "`dynamics` of the plant without a model";
-        let help = "a chain is moved by f and g; the states of a plant have their names in [model]";
-        found.push("conflict", "plant.dynamics", Some(*place), message, help);
+    for key in ["dynamics", "outputs", "added"] {
+        let Some((place, _)) = given.get(key) else { continue };
+        let message = format!("`{key}` of the plant without `states`");
+        let help = "a chain is moved by f and g; a plant with other states names them, `states` under [plant], or has a model, [model]";
+        found.push("conflict", format!("{TABLE}.{key}"), Some(*place), message, help);
     }
     let known = known(spec.time_mapping.parameters());
     let mut whole = true;
@@ -88,27 +105,80 @@ fn chain(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
         found.push("bad-value", "plant.g", place, message, "g(x, t) is not 0");
     }
     let mut plant = Plant { f, g, ..Plant::default() };
-    let symbols: Vec<_> = plant.symbols(spec).into_iter().collect();
-    let unvalued: Vec<_> = symbols
-        .iter()
-        .filter(|symbol| !given.contains_key(symbol.spelling().as_str()))
-        .map(|symbol| symbol.spelling())
-        .collect();
-    for (name, (place, node)) in given {
-        if PLANT_KEYS.iter().any(|info| info.key == *name) {
-            continue;
-        }
-        match symbols.iter().find(|symbol| symbol.spelling() == *name) {
-            Some(symbol) => value(&mut plant, name, *symbol, node, found),
-            // What could not be read may use it.
-            None if whole => match near_miss(name, unvalued.iter().map(String::as_str)) {
-                Some(meant) => misspelt(&plant, (name, meant), given, found),
-                None => unused(name, *place, spec, &symbols, found),
-            },
-            None => {}
+    let keys = PLANT_KEYS.each_ref().map(|info| info.key);
+    Symbols { own: plant.symbols(spec), keys: &keys, whole }.read(&mut plant, given, spec, found);
+    plant
+}
+
+/// The symbols of a plant, which have their values among its keys.
+pub(super) struct Symbols<'a> {
+    /// Those of its expressions.
+    pub(super) own: BTreeSet<Parameter>,
+    /// The keys that are no symbols.
+    pub(super) keys: &'a [&'a str],
+    /// Whether all expressions could be read.
+    pub(super) whole: bool,
+}
+
+impl Symbols<'_> {
+    /// Gives the plant the values of its symbols.
+    pub(super) fn read(
+        &self,
+        plant: &mut Plant,
+        given: &Given<'_>,
+        spec: &Spec,
+        found: &mut Diagnostics,
+    ) {
+        let unvalued: Vec<_> = self
+            .own
+            .iter()
+            .filter(|symbol| !given.contains_key(symbol.spelling().as_str()))
+            .map(|symbol| symbol.spelling())
+            .collect();
+        let of_resonance = resonance::keys();
+        let is_key = |name: &str| {
+            let of_resonance =
+                given.contains_key(resonance::KEY) && of_resonance.iter().any(|key| key == name);
+            of_resonance || self.keys.contains(&name)
+        };
+        for (name, (place, node)) in given.iter().filter(|(name, _)| !is_key(name)) {
+            match self.own.iter().find(|symbol| symbol.spelling() == *name) {
+                Some(symbol) => value(plant, name, *symbol, node, found),
+                // What could not be read may use it.
+                None if self.whole => match near_miss(name, unvalued.iter().map(String::as_str)) {
+                    Some(meant) => misspelt(plant, (name, meant), given, found),
+                    None => self.unused(name, *place, spec, found),
+                },
+                None => {}
+            }
         }
     }
-    plant
+
+    /// A key that is neither one of the plant nor the name of a symbol.
+    fn unused(&self, name: &str, place: Place, spec: &Spec, found: &mut Diagnostics) {
+        let key = format!("plant.{name}");
+        if spec.parameters().iter().any(|parameter| parameter.spelling() == name) {
+            let message = format!("`{name}` is a parameter of the controller");
+            let help = format!(
+                "give it under [params]; the plant's own needs another name, such as true_{name}"
+            );
+            found.push("conflict", key, Some(place), message, help);
+            return;
+        }
+        let keys = self.keys.iter().map(|key| (*key).to_owned());
+        let names: Vec<_> = keys.chain(self.own.iter().map(|s| s.spelling())).collect();
+        let meant = near_miss(name, names.iter().map(String::as_str));
+        let meant = meant.map(|meant| format!("did you mean `{meant}`? ")).unwrap_or_default();
+        let all = names.join(", ");
+        let help = format!("{meant}[plant] holds f, g and the symbols that they use; here {all}");
+        found.push(
+            "unknown-key",
+            key,
+            Some(place),
+            format!("nothing of the plant is called `{}`", shorten(name)),
+            help,
+        );
+    }
 }
 
 /// A number, or `[lower, upper]`, for a symbol.
@@ -157,42 +227,13 @@ pub(super) fn value(
 /// A key that nothing uses, where f or g uses nearly the same name, which has no value.
 fn misspelt(plant: &Plant, (name, used): (&str, &str), given: &Given<'_>, found: &mut Diagnostics) {
     let uses = |e: &Expression| e.parameters().iter().any(|own| own.spelling() == used);
-    let key = if uses(&plant.f) { "f" } else { "g" };
+    let key = plant.keyed().find(|(_, e)| uses(e)).map_or("g", |(key, _)| &key[TABLE.len() + 1..]);
     let place = given.get(key).map(|(_, node)| node.place);
     let message = format!("{key} uses `{used}`, which has no value, and nothing uses `{name}`");
     let help = format!(
         "write one name in both places: `{name}` in {key}, or `{used} = ...` under [plant]"
     );
     found.push("unknown-symbol", format!("{TABLE}.{key}"), place, message, help);
-}
-
-/// A key that is neither f nor g nor the name of a symbol of these.
-fn unused(name: &str, place: Place, spec: &Spec, symbols: &[Parameter], found: &mut Diagnostics) {
-    let key = format!("plant.{name}");
-    if spec.parameters().iter().any(|parameter| parameter.spelling() == name) {
-        let message = format!("`{name}` is a parameter of the controller");
-        let help = format!(
-            "give it under [params]; the plant's own needs another name, such as true_{name}"
-        );
-        found.push("conflict", key, Some(place), message, help);
-        return;
-    }
-    let names: Vec<_> = PLANT_KEYS
-        .iter()
-        .map(|info| info.key.to_owned())
-        .chain(symbols.iter().map(|s| s.spelling()))
-        .collect();
-    let meant = near_miss(name, names.iter().map(String::as_str));
-    let meant = meant.map(|meant| format!("did you mean `{meant}`? ")).unwrap_or_default();
-    let all = names.join(", ");
-    let help = format!("{meant}[plant] holds f, g and the symbols that they use; here {all}");
-    found.push(
-        "unknown-key",
-        key,
-        Some(place),
-        format!("nothing of the plant is called `{}`", shorten(name)),
-        help,
-    );
 }
 
 #[cfg(test)]

@@ -63,9 +63,10 @@ impl Spec {
         self
     }
 
-    /// The design that [`Self::as_one_plant`] was made of, for what emits it.
+    /// The design that [`Self::as_one_plant`] or [`Self::with_larger`] was made of, for what emits it.
     #[must_use]
     pub fn apart(mut self) -> Self {
+        self.larger = None;
         if self.joins_axes() {
             self.coupled = None;
         }

@@ -7,6 +7,9 @@ use crate::expression::{Expression, Variable};
 impl Spec {
     /// The length of the state that a call is given: that of the plant, or of the infinite-time system.
     pub fn states(&self) -> usize {
+        if let Some(larger) = &self.larger {
+            return larger.states.len();
+        }
         if let Some(coupled) = &self.coupled {
             return coupled.states.len();
         }
@@ -16,7 +19,7 @@ impl Spec {
 
     /// Whether the plant is a model, whose states and inputs have names of their own.
     pub fn has_model(&self) -> bool {
-        self.model.is_some() || self.coupled.is_some()
+        self.model.is_some() || self.coupled.is_some() || self.larger.is_some()
     }
 
     /// How many variables the expressions of the plant have: its states, and behind them its inputs
@@ -27,6 +30,9 @@ impl Spec {
 
     /// The names of the states that a call is given: those of the model, else x1..xn.
     pub fn state_names(&self) -> Vec<String> {
+        if let Some(larger) = &self.larger {
+            return larger.states.iter().map(ToString::to_string).collect();
+        }
         match (&self.model, &self.coupled) {
             (Some(model), _) => model.states.iter().map(ToString::to_string).collect(),
             (None, Some(coupled)) => coupled.states.iter().map(ToString::to_string).collect(),
@@ -54,9 +60,11 @@ impl Spec {
     /// The coordinates of the chains that the outputs of a model and their derivatives are, one output
     /// after the other, as functions of its states.
     pub fn coordinates(&self) -> impl Iterator<Item = &Expression> {
+        let larger = self.larger.iter().flat_map(|larger| &larger.coordinates);
         let coupled = self.coupled.iter().flat_map(|coupled| &coupled.outputs);
-        let own = self.model.iter().flat_map(|model| &model.coordinates);
-        listed(own.chain(coupled.flat_map(|output| &output.coordinates)))
+        let own = self.model.iter().filter(|_| self.larger.is_none());
+        let own = own.flat_map(|model| &model.coordinates);
+        listed(larger.chain(own).chain(coupled.flat_map(|output| &output.coordinates)))
     }
 
     /// The tracking error of each chain, its coordinates less the reference and its derivatives, one output

@@ -43,6 +43,30 @@ pub struct Promises {
     /// What is known of the plant's f and g, from the table `[plant]`; `None` for a chain with f = 0
     /// and the controller's own g.
     pub plant: Option<PlantBounds>,
+    /// A resonance of the plant that the law does not know, from the table `[plant]`.
+    pub resonance: Option<Resonance>,
+}
+
+/// Two inertias joined by a spring with a damper: what is known of them, least and greatest value each.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Resonance {
+    /// Frequency of the free resonance, Hz.
+    pub frequency: [BigRational; 2],
+    /// Damping ratio.
+    pub damping: [BigRational; 2],
+    /// Inertia of the load over that of the motor.
+    pub inertia_ratio: [BigRational; 2],
+    /// The side that is measured.
+    pub measured: Side,
+}
+
+/// A side of the spring: u acts on the motor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Where u acts.
+    Motor,
+    /// The other one.
+    Load,
 }
 
 /// Number `j`, from 0, of a list that holds one for all, or one each; of several axes one for each

@@ -136,7 +136,8 @@ impl Spec {
 
     /// Returns the number of measurements that a call is given: y1..y_m.
     pub fn measurements(&self) -> usize {
-        self.sampled().map_or_else(|| self.states(), |own| own.measured)
+        let all = || if self.larger.is_some() { self.n } else { self.states() };
+        self.sampled().map_or_else(all, |own| own.measured)
     }
 
     /// What a controller in samples knows; `None` if the clock is time.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{After, Axes, Clock, Feedback, Guard, Promises, Reference, What};
+use super::{After, Axes, Clock, Feedback, Guard, LargerPlant, Promises, Reference, What};
 use crate::algebra::BigRational;
 use crate::collect::listed;
 use crate::expression::{Expression, Variable};
@@ -48,6 +48,8 @@ pub struct Spec {
     pub model: Option<Box<Model>>,
     /// The plant with several inputs and outputs, each of which is an axis.
     pub coupled: Option<Box<Coupled>>,
+    /// A plant with other states than the law, where the design is seen with it; none for what emits.
+    pub larger: Option<Box<LargerPlant>>,
     /// What follows the deadline.
     pub after: After,
     /// Parameters fixed at generation; all others are run-time parameters.
@@ -94,6 +96,7 @@ impl Spec {
             axes: None,
             model: None,
             coupled: None,
+            larger: None,
             after: After::Hold,
             fixed: BTreeMap::new(),
             bounds: BTreeMap::new(),

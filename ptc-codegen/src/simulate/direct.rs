@@ -2,10 +2,11 @@
 
 use super::lanes::DirectLanes;
 use super::method::State;
+use super::outputs::Outputs;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
 use super::{Controller, Failure, Sample, Values};
-use crate::parameter::Precision;
+use crate::parameter::{Parameter, Precision};
 use crate::plant::Plant;
 use crate::request::Spec;
 
@@ -19,6 +20,8 @@ pub struct Direct {
     /// The program that is emitted in f32: integrated in f64, it has to accept every instant that is looked at.
     emitted: Option<Controller>,
     motion: Motion,
+    /// What the controller is given of a plant with other states than the law.
+    outputs: Option<Outputs>,
 }
 
 impl Direct {
@@ -30,19 +33,31 @@ impl Direct {
         // No run comes near a limit that is infinite.
         let mut spec = spec.clone();
         spec.close_limits();
+        let (motion, outputs) = (Motion::new(&spec, plant), Outputs::new(&spec));
+        if outputs.is_some() {
+            spec = spec.apart();
+        }
         let emitted = (spec.precision == Precision::F32).then(|| Controller::new(&spec));
         let emitted = emitted.transpose()?;
         spec.precision = Precision::F64;
         let controller = Controller::new(&spec)?;
-        Ok(Run::of(Self { controller, emitted, motion: Motion::new(&spec, plant) }))
+        Ok(Run::of(Self { controller, emitted, motion, outputs }))
+    }
+}
+
+/// What the controller is given in a state of the plant.
+fn given<'a>(outputs: &'a mut Option<Outputs>, t: f64, x: &'a [f64]) -> &'a [f64] {
+    match outputs {
+        Some(outputs) => outputs.at(t, x),
+        None => x,
     }
 }
 
 impl Run<Direct> {
     /// The same for many scenarios at once, where the loop is smooth and u within its bound.
     pub fn in_lanes(&self) -> Option<DirectLanes> {
-        let Direct { controller, motion, emitted } = self.side();
-        if emitted.is_some() {
+        let Direct { controller, motion, emitted, outputs } = self.side();
+        if emitted.is_some() || outputs.is_some() {
             return None;
         }
         DirectLanes::of(controller, controller.program(), motion.program())
@@ -51,9 +66,13 @@ impl Run<Direct> {
 
 impl Side for Direct {
     fn start(&mut self, values: &Values, x0: &[f64]) -> Result<State, Failure> {
-        self.controller.init(values, x0)?;
+        if let Some(outputs) = &mut self.outputs {
+            outputs.init(values, x0)?;
+        }
+        let y = given(&mut self.outputs, values.get(Parameter::StartTime), x0);
+        self.controller.init(values, y)?;
         if let Some(emitted) = &mut self.emitted {
-            emitted.init(values, x0)?;
+            emitted.init(values, y)?;
         }
         self.motion.init(values, x0)?;
         let mut start = State::zeros();
@@ -62,6 +81,9 @@ impl Side for Direct {
     }
 
     fn give(&mut self, values: &Values) -> Result<(), Failure> {
+        if let Some(outputs) = &mut self.outputs {
+            outputs.give(values)?;
+        }
         self.motion.give(values)
     }
 
@@ -76,7 +98,7 @@ impl Side for Direct {
 
     fn rates(&mut self, At { t, time_to_go }: At, x: &State, rates: &mut State) {
         let x = &x.as_slice()[..self.order()];
-        let u = self.controller.held(t, x);
+        let u = self.controller.held(t, given(&mut self.outputs, t, x));
         self.motion.rates((t, time_to_go), x, u, rates);
     }
 
@@ -90,10 +112,11 @@ impl Side for Direct {
 
     fn tell(&mut self, At { t, time_to_go }: At, x: &State, visit: &mut dyn FnMut(Sample<'_>)) {
         let x = &x.as_slice()[..self.order()];
-        let (_, status) = self.emitted.as_mut().unwrap_or(&mut self.controller).step(t, x);
-        let u = self.controller.held(t, x);
+        let measured = given(&mut self.outputs, t, x);
+        let (_, status) = self.emitted.as_mut().unwrap_or(&mut self.controller).step(t, measured);
+        let u = self.controller.held(t, measured);
         let (stretched, integrals) = (f64::NAN, &[][..]);
-        visit(Sample { t, time_to_go, stretched, x, measured: x, u, integrals, status });
+        visit(Sample { t, time_to_go, stretched, x, measured, u, integrals, status });
     }
 
     fn kinks(&self) -> usize {
@@ -102,7 +125,8 @@ impl Side for Direct {
 
     fn distances(&mut self, At { t, .. }: At, x: &State, into: &mut Vec<f64>) {
         let x = &x.as_slice()[..self.order()];
-        self.motion.at(t, x, self.controller.held(t, x));
+        let u = self.controller.held(t, given(&mut self.outputs, t, x));
+        self.motion.at(t, x, u);
         self.controller.distances(into);
         self.motion.distances(into);
     }

@@ -27,6 +27,7 @@ mod linear;
 mod mechanics;
 mod method;
 mod mode;
+mod outputs;
 mod pass;
 mod pieces;
 mod plant;

@@ -19,6 +19,10 @@ pub(super) struct Slide {
     pub(super) beyond: Vec<bool>,
     /// A kink of the jump.
     pub(super) kink: usize,
+    /// The component whose rates on both sides differ most in what they do to the distance.
+    pub(super) pivot: usize,
+    /// Whether another rate jumps too.
+    pub(super) several: bool,
 }
 
 /// A function that is not defined where the state is.
@@ -53,7 +57,7 @@ pub(super) fn field(
 /// The motion along a jump at a point.
 pub(super) struct Tangent {
     rates: State,
-    /// How far it is from the last rate of the mode to that beyond the jump: 0 to 1.
+    /// How far it is from the rates of the mode to those beyond the jump: 0 to 1.
     pub(super) part: f64,
 }
 
@@ -65,19 +69,26 @@ impl Tangent {
         s: f64,
         state: &State,
     ) -> Self {
-        let last = system.order() - 1;
+        let (pivot, order) = (slide.pivot, system.order());
         let (mut rates, mut beyond) = (State::zeros(), State::zeros());
         of_side(system, &slide.beyond, (s, state), &mut beyond);
         of_side(system, &mode.above, (s, state), &mut rates);
         system.choose(&mode.above);
-        let (along, across, distance) = tangent(system, slide.kink, (s, state), (&rates, &beyond));
+        let kink = (slide.kink, pivot);
+        let (along, across, distance) = tangent(system, kink, (s, state), (&rates, &beyond));
+        let integrals = order..order + system.integrals();
         // What is left of the distance decays.
-        let kept = -(along + distance) / across;
-        let part = (kept - rates[last]) / (beyond[last] - rates[last]);
-        rates[last] = kept;
-        for i in last + 1..=last + system.integrals() {
-            rates[i] += part * (beyond[i] - rates[i]);
+        if !slide.several {
+            let kept = -(along + distance) / across;
+            let part = (kept - rates[pivot]) / (beyond[pivot] - rates[pivot]);
+            rates[pivot] = kept;
+            integrals.for_each(|i| rates[i] += part * (beyond[i] - rates[i]));
+            return Self { rates, part };
         }
+        let (there, ..) = tangent(system, kink, (s, state), (&beyond, &rates));
+        let here = along + across * rates[pivot];
+        let part = (here + distance) / (here - there - across * beyond[pivot]);
+        (0..integrals.end).for_each(|i| rates[i] += part * (beyond[i] - rates[i]));
         Self { rates, part }
     }
 }
@@ -172,7 +183,7 @@ pub(super) fn next(
                 beyond[kink] = !flipped[kink];
             }
         }
-        let other = Mode { above: flipped, slide: Some(Slide { beyond, kink: slide.kink }) };
+        let other = Mode { above: flipped, slide: Some(Slide { beyond, ..slide.clone() }) };
         let mut rates = State::zeros();
         field(system, &other, s, state, &mut rates);
         if surface.speed(&rates) * side(mode.above[which]) > surface.noise(&rates) {
@@ -207,7 +218,7 @@ fn meet(
     if before >= 0.0 {
         return Ok(Mode { above: from.to_vec(), slide: None });
     }
-    slide(system, (s, state), from.to_vec(), (to, which))
+    Ok(slide(system, (s, state), from.to_vec(), (to, which, surface)))
 }
 
 /// Whether rate `i` of two sides of a kink differs.
@@ -216,26 +227,23 @@ fn jumps(here: &State, there: &State, i: usize) -> bool {
     !within
 }
 
-/// The slide along a jump, which is followed where the last rate alone jumps.
+/// The slide along a jump.
 fn slide(
     system: &mut dyn Piecewise,
     (s, state): (f64, &State),
     above: Vec<bool>,
-    (beyond, kink): (Vec<bool>, usize),
-) -> Result<Mode, Failure> {
+    (beyond, kink, surface): (Vec<bool>, usize, &Surface),
+) -> Mode {
     let [here, there] = [&above, &beyond].map(|sides| {
         let mut rates = State::zeros();
         system.choose(sides);
         system.rates(s, state, &mut rates);
         rates
     });
-    if (0..system.order() - 1).any(|i| jumps(&here, &there, i)) {
-        return Err(Failure::unfinished(
-            "the state slides along a jump of another rate than the last one",
-            "such a motion is not followed: smooth the jump, for example tanh(w/v) for sign(w), or write the state whose rate jumps as the last one of the model",
-        ));
-    }
-    Ok(Mode { above, slide: Some(Slide { beyond, kink }) })
+    let order = system.order();
+    let pivot = surface.pivot([&here, &there], order);
+    let several = (0..order).any(|i| i != pivot && jumps(&here, &there, i));
+    Mode { above, slide: Some(Slide { beyond, kink, pivot, several }) }
 }
 
 /// The mode in which a state begins.
@@ -286,7 +294,7 @@ pub(super) fn begin(system: &mut dyn Piecewise, s: f64, state: &State) -> Result
                 {
                     *kept = *other;
                 }
-                let slide = Some(Slide { beyond, kink: slide.kink });
+                let slide = Some(Slide { beyond, ..slide.clone() });
                 mode = Mode { above, slide };
             }
             continue;
@@ -302,7 +310,9 @@ pub(super) fn begin(system: &mut dyn Piecewise, s: f64, state: &State) -> Result
             return Err(no_value());
         }
         mode = match () {
-            () if rising < 0.0 && falling > 0.0 => slide(system, (s, state), up, (down, which))?,
+            () if rising < 0.0 && falling > 0.0 => {
+                slide(system, (s, state), up, (down, which, &surface))
+            }
             () if rising >= 0.0 && falling >= 0.0 => Mode { above: up, slide: None },
             () if rising <= 0.0 && falling <= 0.0 => Mode { above: down, slide: None },
             () => {

@@ -3,7 +3,7 @@
 #![allow(clippy::result_large_err)]
 
 use super::Failure;
-use super::crossing::{NODES, Step, look};
+use super::crossing::{NODES, PART, Step, look};
 use super::method::{Method, State};
 use super::mode::no_value;
 use super::solver::finite;
@@ -47,6 +47,8 @@ pub(super) struct Pass<'a> {
     pub(super) longest: f64,
     /// Whether the steps stay too small to come to an end.
     pub(super) stalled: bool,
+    /// Whether the last two functions of the monitor are the parts of a slide.
+    pub(super) slides: bool,
 }
 
 /// Steps after which it is asked whether they lead on.
@@ -159,7 +161,7 @@ impl Pass<'_> {
             }
             table.push(values.clone());
         }
-        match look(&table) {
+        match look(&table, self.slides) {
             Step::Clear => {
                 self.longest *= 1.5;
                 Ok(None)
@@ -202,7 +204,9 @@ impl Pass<'_> {
                         return Ok(Some(which));
                     }
                     self.land(method, (at, state), goal)?;
-                    let off = distance(method, monitor, which).map_err(wrong)?;
+                    let of_slide = self.slides && which + 2 >= before.len();
+                    let least = if of_slide { PART } else { 0.0 };
+                    let off = distance(method, monitor, (which, least)).map_err(wrong)?;
                     if off.abs() <= 1e-13 * goal.abs().max(1.0) {
                         return Ok(Some(which));
                     }
@@ -246,8 +250,13 @@ impl Pass<'_> {
     }
 }
 
-/// How far the root of a function is from the end of a step, by its slope there; NaN where it rises.
-fn distance(method: &mut dyn Method, monitor: Monitor<'_>, which: usize) -> Result<f64, Failure> {
+/// How far the root of a function is from the end of a step, by its slope there; NaN where it rises. What is not above
+/// `least` counts as 0.
+fn distance(
+    method: &mut dyn Method,
+    monitor: Monitor<'_>,
+    (which, least): (usize, f64),
+) -> Result<f64, Failure> {
     let mut values = Vec::new();
     let (to, before) = (method.t(), method.t_prev());
     monitor(to, &method.y(), &mut values);
@@ -257,7 +266,7 @@ fn distance(method: &mut dyn Method, monitor: Monitor<'_>, which: usize) -> Resu
     values.clear();
     monitor(near, &y, &mut values);
     let slope = (here - values[which]) / (to - near);
-    if here == 0.0 {
+    if here.abs() <= least {
         Ok(0.0)
     } else if slope < 0.0 {
         Ok(-here / slope)

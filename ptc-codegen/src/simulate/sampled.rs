@@ -9,6 +9,7 @@ use super::integrals::Integrals;
 use super::lanes::RunningLanes;
 use super::linear::Linear;
 use super::method::State;
+use super::outputs::Outputs;
 use super::plant::Motion;
 use super::solver::First;
 use super::switching::Walk;
@@ -30,6 +31,8 @@ pub struct Sampled {
     measured: usize,
     controller: Kind,
     moved: Moved,
+    /// What the controller is given of a plant with other states than the law.
+    outputs: Option<Outputs>,
     integrals: Option<Integrals>,
 }
 
@@ -85,8 +88,14 @@ impl Sampled {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
+        let outputs = Outputs::new(spec);
+        // The controller knows nothing of the other states.
+        let emitted = &match &outputs {
+            Some(_) => spec.clone().apart(),
+            None => spec.clone(),
+        };
         let Some(sampled) = spec.sampled() else {
-            let controller = Kind::Time(Box::new(Controller::new(spec)?));
+            let controller = Kind::Time(Box::new(Controller::new(emitted)?));
             let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
             return Ok(Self {
                 n: spec.states(),
@@ -94,6 +103,7 @@ impl Sampled {
                 measured: spec.measurements(),
                 controller,
                 moved,
+                outputs,
                 integrals: None,
             });
         };
@@ -101,13 +111,14 @@ impl Sampled {
             let message = "an observer alone closes no loop";
             return Err(Failure::input(message, "leave `what` out: the controller is simulated"));
         }
-        let code = Arc::new(samples::controller(spec, sampled, Vec::new()));
+        let code = Arc::new(samples::controller(emitted, sampled, Vec::new()));
         let controller = Kind::Samples(code, spec.run_time_parameters().collect());
-        if let Some(plant) = &sampled.linear {
+        if let Some(plant) = sampled.linear.as_ref().filter(|_| outputs.is_none()) {
             let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
             let moved = Moved::Linear(Linear::new(plant, h));
             let measured = spec.measurements();
-            return Ok(Self { n: spec.n, inputs: 1, measured, controller, moved, integrals: None });
+            let (n, inputs) = (spec.n, 1);
+            return Ok(Self { n, inputs, measured, controller, moved, outputs, integrals: None });
         }
         // A chain has the f that the controller knows.
         let f = spec.drift.clone().unwrap_or(Expression::integer(0));
@@ -115,8 +126,8 @@ impl Sampled {
         let plant = if *plant == Plant::default() { &own } else { plant };
         let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
         let inputs = spec.input_names().len();
-        let measured = spec.measurements();
-        Ok(Self { n: spec.states(), inputs, measured, controller, moved, integrals: None })
+        let (n, measured) = (spec.states(), spec.measurements());
+        Ok(Self { n, inputs, measured, controller, moved, outputs, integrals: None })
     }
 
     /// The same with integrals over the run beside it.
@@ -129,7 +140,7 @@ impl Sampled {
     /// and for a clock in samples.
     pub fn in_lanes(&self) -> Option<RunningLanes> {
         match (&self.controller, &self.moved, &self.integrals) {
-            (Kind::Time(controller), Moved::Rates(motion), None) => {
+            (Kind::Time(controller), Moved::Rates(motion), None) if self.outputs.is_none() => {
                 RunningLanes::of(controller, motion)
             }
             _ => None,
@@ -170,11 +181,19 @@ impl Sampled {
         if let Some(integrals) = &mut self.integrals {
             integrals.start(values, x0)?;
         }
+        let begin = values.get(Parameter::StartTime);
+        let given = match &mut self.outputs {
+            Some(outputs) => {
+                outputs.init(values, x0)?;
+                outputs.at(begin, x0)
+            }
+            None => x0,
+        };
         let behind = self.n + self.integrals.as_ref().map_or(0, Integrals::count);
         let mut kind = self.controller.clone();
         let mut controller = match &mut kind {
             Kind::Time(controller) => {
-                controller.init(values, x0)?;
+                controller.init(values, given)?;
                 Running::Time(controller)
             }
             Kind::Samples(code, open) => {
@@ -198,11 +217,15 @@ impl Sampled {
             let t = t0 + since;
             if let (Moved::Rates(motion), Some(values)) = (&mut self.moved, change(since)) {
                 motion.give(values)?;
+                if let Some(outputs) = &mut self.outputs {
+                    outputs.give(values)?;
+                }
             }
             let state = &x.as_slice()[..self.n];
-            let mut measured = match &self.moved {
-                Moved::Rates(_) => state.to_vec(),
-                Moved::Linear(plant) => plant.measured(state),
+            let mut measured = match (&mut self.outputs, &self.moved) {
+                (Some(outputs), _) => outputs.at(t, state).to_vec(),
+                (None, Moved::Rates(_)) => state.to_vec(),
+                (None, Moved::Linear(plant)) => plant.measured(state),
             };
             frame.measure(&mut measured);
             // A chain's other states reach no sensor.

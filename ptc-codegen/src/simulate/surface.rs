@@ -85,12 +85,18 @@ impl Surface {
         1e-9 * (self.slope.abs() + self.slopes.abs().dot(&rates.abs()))
     }
 
-    /// Moves a state onto it, along its last component.
-    pub(super) fn project(&self, state: &mut State, last: usize) {
-        let off = self.distance / self.slopes[last];
+    /// Moves a state onto it, along a component.
+    pub(super) fn project(&self, state: &mut State, along: usize) {
+        let off = self.distance / self.slopes[along];
         if off.is_finite() {
-            state[last] -= off;
+            state[along] -= off;
         }
+    }
+
+    /// The component by which two sides are most apart in the rate of the distance.
+    pub(super) fn pivot(&self, [here, there]: [&State; 2], order: usize) -> usize {
+        let apart = |i: usize| (self.slopes[i] * (here[i] - there[i])).abs();
+        (0..order).max_by(|a, b| apart(*a).total_cmp(&apart(*b))).unwrap_or(0)
     }
 }
 
@@ -103,15 +109,14 @@ fn scale(value: f64, rate: f64) -> f64 {
     if scale > 0.0 { scale } else { 1e-3 }
 }
 
-/// Rate of the distance from a kink without the last rate, its slope by the last state, and the
-/// distance, between the last rates of two sides.
+/// Rate of the distance from a kink without the rate of a component, its slope by this component, and the
+/// distance, between the rates of two sides.
 pub(super) fn tangent(
     system: &mut dyn Piecewise,
-    kink: usize,
+    (kink, last): (usize, usize),
     (s, state): (f64, &State),
     (rates, beyond): (&State, &State),
 ) -> (f64, f64, f64) {
-    let last = system.order() - 1;
     let mut values = Vec::new();
     let mut distance = |system: &mut dyn Piecewise, s: f64, state: &State| {
         values.clear();

@@ -2,9 +2,8 @@
 //! to which both sides push, after Filippov.
 //!
 //! A kink is where its distance is 0. In a mode every kink is held on one of its sides, so that the
-//! rates are smooth, and the mode ends where a distance changes its sign. Only the last rate has
-//! kinks, as in every chain of integrators: on a surface it is what keeps the distance at 0, which is
-//! Filippov's convex combination as long as it lies between the last rates of the two sides.
+//! rates are smooth, and the mode ends where a distance changes its sign. On a surface the rates are Filippov's
+//! convex combination of those of the two sides that keeps the distance at 0, as long as there is one.
 
 use std::cell::RefCell;
 
@@ -106,6 +105,7 @@ impl Walk {
             until: f64::INFINITY,
             longest: f64::INFINITY,
             stalled: false,
+            slides: false,
         };
         let mut step = match first {
             First::Eighth if self.step > 0.0 => self.step,
@@ -117,12 +117,11 @@ impl Walk {
             system.choose(&mode.above);
             let (mut formed, length) = system.form(at, &state, mode.slide.is_some());
             if let Some(slide) = &mode.slide {
-                let last = system.order() - 1;
-                Surface::of(system, slide.kink, at, &formed).project(&mut formed, last);
+                Surface::of(system, slide.kink, at, &formed).project(&mut formed, slide.pivot);
             }
             let (floors, kinks, states) = (system.floors(), system.kinks(), system.order());
             let order = states + system.integrals();
-            pass.until = at + length;
+            (pass.until, pass.slides) = (at + length, mode.slide.is_some());
             let cell = RefCell::new(&mut *system);
             let rates = |s: f64, y: &State, rates: &mut State| {
                 let system = &mut **cell.borrow_mut();

@@ -14,6 +14,7 @@ mod examined;
 mod expanded;
 #[cfg(unix)]
 mod fmu;
+mod larger_plants;
 mod limits_apart;
 mod loop_edges;
 mod loop_of_exact;

@@ -32,6 +32,7 @@ impl<'a> Numbers<'a> {
             reference: None,
             model: None,
             coupled: None,
+            larger: None,
             after: After::Hold,
             ..spec.clone()
         };

@@ -23,7 +23,8 @@ pub(super) fn read(
 ) -> Result<(Asked, Option<Loop>), Failure> {
     let states = spec.state_names();
     let x0 = List::new("--x0", x0)?;
-    if x0.items.len() != states.len() {
+    let rest = states.len().saturating_sub(x0.items.len());
+    if x0.items.len() > states.len() || rest != 0 && rest != spec.states_at_rest() {
         let message = format!(
             "--x0 has {} for {}",
             counted(&x0.items.len(), "number"),
@@ -55,7 +56,9 @@ pub(super) fn read(
     let tau = spec.fixed.get(&Parameter::Tau).and_then(Fixed::number);
     let at = at.as_ref().map(|at| instants(at, tau)).transpose()?.unwrap_or_default();
     let whole = at.is_empty() || request.plot.is_some() || request.report.is_some();
-    Ok((Asked { x0: x0.doubles()?, at, whole }, around))
+    let mut x0 = x0.doubles()?;
+    x0.resize(states.len(), 0.0);
+    Ok((Asked { x0, at, whole }, around))
 }
 
 /// The flags of instants, as fractions of tau and in s.

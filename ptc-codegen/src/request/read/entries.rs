@@ -3,6 +3,7 @@
 use super::{Entry, Reader};
 use crate::diagnostic::{Place, near_miss, shorten};
 use crate::keys::{KEYS, KeyInfo};
+use crate::request::has_own_states;
 use crate::syntax::{Node, Value};
 
 /// Whether a name stands in a value.
@@ -53,6 +54,10 @@ impl<'a> Reader<'a> {
             Some((table, name)) => (Some(table), name),
             None => (None, entry.key.as_str()),
         };
+        // The matrices are of the plant where its states have names.
+        if KeyInfo::find(name).and_then(KeyInfo::table) == Some("plant") && has_own_states(all) {
+            return;
+        }
         // Outside a design file a key needs no table.
         let info = KeyInfo::find(name).filter(|info| table.is_none() || table == info.table());
         match (info, table) {

@@ -16,6 +16,7 @@ mod units;
 mod values;
 
 pub(crate) use entries::meant;
+pub(crate) use model::state_name;
 pub(crate) use parameters::known;
 pub(crate) use reference::derivatives;
 pub(crate) use values::items;

@@ -49,6 +49,7 @@ impl Reader<'_> {
             allow: self.allowed(),
             // Read with the table [plant].
             plant: None,
+            resonance: None,
         }
     }
 

@@ -105,6 +105,7 @@ impl<'a> Reader<'a> {
             axes: None,
             model: model.map(|read| Box::new(read.model)),
             coupled: coupled.map(Box::new),
+            larger: None,
             after: after.unwrap_or(After::Hold),
             fixed: law.gains,
             bounds: BTreeMap::new(),

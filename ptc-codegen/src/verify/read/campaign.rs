@@ -30,8 +30,10 @@ impl Reader<'_> {
                 self.unknown(&format!("verify.{name}"), *place, &legal);
             }
         }
+        // What starts at rest needs no interval.
+        let needed = states.iter().take(n - self.spec.states_at_rest());
         let missing: Vec<_> =
-            states.iter().filter(|name| !given.contains_key(name.as_str())).cloned().collect();
+            needed.filter(|name| !given.contains_key(name.as_str())).cloned().collect();
         if !missing.is_empty() {
             let message = format!("[verify] has no interval of {}", missing.join(", "));
             let all = match self.spec.has_model() {
@@ -42,8 +44,11 @@ impl Reader<'_> {
                 format!("give the box of initial states: one [lower, upper] for each of {all}");
             self.found.push("missing-key", "verify", None, message, help);
         }
-        let x0: Vec<_> =
-            states.iter().filter_map(|name| self.interval("verify", name, given)).collect();
+        let interval = |(j, name): (usize, &String)| {
+            let rests = j + self.spec.states_at_rest() >= n && !given.contains_key(name.as_str());
+            if rests { Some((0.0, 0.0)) } else { self.interval("verify", name, given) }
+        };
+        let x0: Vec<_> = states.iter().enumerate().filter_map(interval).collect();
         let fixed_tau = self.spec.fixed.get(&Parameter::Tau).and_then(to_f64);
         let tau = match (self.interval("verify", "tau", given), fixed_tau) {
             (Some((low, _)), _) if low <= 0.0 => {

@@ -81,6 +81,7 @@ pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, V
     let design = Resolved::of(&spec.clone().apart());
     let joined =
         if spec.joins_axes() { design.spec.clone().as_one_plant() } else { design.spec.clone() };
+    let joined = joined.with_larger(plant.larger.as_ref());
     let mut reader = Reader { design, spec: &joined, plant, found, integrals };
     let table = |name: &str| -> Vec<&Entry> {
         let own = |entry: &&Entry| entry.key.split_once('.').is_some_and(|(own, _)| own == name);

@@ -207,6 +207,9 @@ impl Reader<'_> {
 /// With several inputs these are variables behind the states, and coordinate i of output j, `x{i}_{j}`, is
 /// what no objective has.
 fn names(spec: &Spec) -> Vec<(Name, Variable)> {
+    if let Some(larger) = &spec.larger {
+        return (1..).zip(&larger.states).map(|(j, name)| (*name, Variable::Xi(j))).collect();
+    }
     if let Some(model) = &spec.model {
         let states = (1..).zip(&model.states).map(|(j, name)| (*name, Variable::Xi(j)));
         return states.chain([(model.input, Variable::Control)]).collect();

@@ -7,6 +7,8 @@ mod linear;
 mod names;
 mod references;
 
+pub(crate) use names::state_name;
+
 use super::Reader;
 use crate::collect::map;
 use crate::expression::constant::real;

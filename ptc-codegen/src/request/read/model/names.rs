@@ -32,7 +32,7 @@ impl Reader<'_> {
         let keyed =
             given.iter().map(|node| ("states", node)).chain(inputs.iter().map(|node| (key, node)));
         for (key, node) in keyed {
-            match word(node).filter(|word| !is_taken(word)).and_then(Name::new) {
+            match state_name(node) {
                 Some(name) if names.contains(&name) => {
                     whole = false;
                     let message = format!("the model has two names `{name}`");
@@ -122,6 +122,11 @@ pub(super) fn word(node: &Node) -> Option<&str> {
         Value::Imaginary(unit) if *unit == 1.into() => Some("i"),
         _ => None,
     }
+}
+
+/// The name of a state of a plant; `None` where the text is no name, or means something in every expression.
+pub(crate) fn state_name(node: &Node) -> Option<Name> {
+    word(node).filter(|word| !is_taken(word)).and_then(Name::new)
 }
 
 /// Whether a word means something in every expression.
