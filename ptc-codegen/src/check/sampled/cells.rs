@@ -204,7 +204,10 @@ impl Loop<'_> {
             if let Some(reach) = reach {
                 let mut bound = sampled.bound(&output, self.samples, Some(Trust::Reach(reach)));
                 bound.jitter += sampled.of_early_switch(i - 1, self.samples, reach);
-                return Some(bound);
+                return Some(match &reach.jittered {
+                    Some(jittered) => bound.with_jitter_to(jittered.in_time(self.samples)),
+                    None => bound,
+                });
             }
             let own = rests.is_none().then(|| sampled.fading(Some(&output), self.samples));
             let fading = own.as_ref().or(rests.as_ref())?.as_ref()?;

@@ -16,6 +16,7 @@ mod force;
 mod gain;
 mod gains;
 mod gating;
+mod jitter;
 mod joined;
 mod judge;
 mod lost;

@@ -1,5 +1,6 @@
 //! Where the loop is at each sample.
 
+use super::jitter::Jittered;
 use super::span::Span;
 use super::trust::Trust;
 use super::worst::{Output, Sampled};
@@ -26,6 +27,8 @@ pub(super) struct Reach {
     /// Of what is not exact in it, by how much each of the next states counts, one sample behind the other:
     /// [`Sampled::inexact`].
     pub(super) inexact: Vec<f64>,
+    /// Of the state by how late the sample is, where that is followed.
+    pub(super) jittered: Option<Jittered>,
 }
 
 impl Sampled {
@@ -33,7 +36,7 @@ impl Sampled {
     /// counts what is not exact in an earlier sample with the bounds there.
     pub(super) fn reach(&self, at: usize) -> Option<Reach> {
         (self.operations(at) <= OPERATIONS).then_some(())?;
-        let mut reach = Reach::default();
+        let mut reach = Reach { jittered: Jittered::new(self), ..Reach::default() };
         self.extend(&mut reach, at)?;
         Some(reach)
     }
@@ -53,7 +56,11 @@ impl Sampled {
                 let bound = self.bound(&self.state(i), k, Some(Trust::Reach(reach)));
                 (bound.total(), bound.span())
             };
-            let (states, spans): (Vec<_>, Vec<_>) = (1..=self.size()).map(one).unzip();
+            let (mut states, mut spans): (Vec<_>, Vec<_>) = (1..=self.size()).map(one).unzip();
+            if let Some(jittered) = &reach.jittered {
+                states[0] = states[0].min(jittered.most());
+                spans[0] = spans[0].common(Span::of_size(states[0]));
+            }
             states.iter().all(|x| x.is_finite()).then_some(())?;
             reach.states.push(states);
             reach.spans.push(spans);
@@ -69,7 +76,12 @@ impl Sampled {
                 reach.change.push(change);
             }
             let acting = reach.acting.last().copied().unwrap_or_default();
-            reach.inexact.extend(self.inexact(walk.at(k), &reach.states[k], acting));
+            let step = walk.at(k);
+            let inexact = self.inexact(step, &reach.states[k], acting);
+            if let Some(jittered) = &mut reach.jittered {
+                jittered.pass(self, step, inexact[0]);
+            }
+            reach.inexact.extend(inexact);
         }
         Some(())
     }

@@ -93,6 +93,12 @@ impl Sampled {
         self.late.as_ref().filter(|late| !late.own_times)
     }
 
+    /// What u moves x_1 by at most in a jitter, where states are at the times of the samples themselves.
+    pub(super) fn moves_in_jitter(&self) -> Option<f64> {
+        let late = self.late.as_ref().filter(|late| late.own_times)?;
+        late.moved.first().copied()
+    }
+
     /// How far each state of the plant moves from a sample of its own time until the time from which a period leads to the
     /// next one; empty without jitter. The first sample is in time.
     pub(super) fn moves(&self, states: &[f64], acting: f64, first: bool) -> Vec<f64> {

@@ -270,6 +270,7 @@ impl Sampled {
                 drift: vec![rest.drift(&rest.x0, acting); count],
                 moves: vec![rest.moves(&rest.x0, acting, false); count],
                 inexact: rest.inexact(&step, &rest.x0, acting).repeat(count),
+                ..Reach::default()
             };
             let total =
                 |output: &Output| rest.bound(output, length, Some(Trust::Reach(&reach))).total();

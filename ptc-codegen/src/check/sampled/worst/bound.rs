@@ -38,6 +38,13 @@ impl Bound {
         self.attained() + self.reference + self.gain + self.jitter + self.rounding
     }
 
+    /// The same where jitter adds no more than leads to a total of `most`.
+    pub(in crate::check::sampled) fn with_jitter_to(self, most: f64) -> Self {
+        let others = self.total() - self.jitter;
+        let jitter = (most * (1.0 + 4.0 * f64::EPSILON) - others).max(0.0);
+        Self { jitter: self.jitter.min(jitter), ..self }
+    }
+
     /// What the worst signals reach, but for rounding, with the input gain in the middle of its interval,
     /// samples in time and a reference that r^(n) of each sample follows.
     pub fn attained(&self) -> f64 {
