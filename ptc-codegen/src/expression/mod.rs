@@ -21,6 +21,7 @@ pub(crate) mod leading;
 mod names;
 mod node;
 pub(crate) mod normal;
+pub(crate) mod period;
 mod points;
 mod print;
 mod pythagoras;

@@ -48,6 +48,8 @@ fn a_reference_that_exists_is_taken() {
         "1/(2 + sin(t))",
         "ln(1/(1 + t*t))",
         "ln(2 + sin(t))",
+        "(1.5 + 2*sin(t/2)*cos(t/2))^0.3",
+        "sqrt(1.2 - cos(t)^2 + sin(3*t)*cos(t)/8)",
         "1/(1 + exp(t))",
         "sqrt(t + 1)",
         "ln(1 + t)*exp(-t)",
