@@ -171,3 +171,24 @@ fn every_chosen_eps_keeps_the_margin_or_says_why_not() {
 }
 
 const NOISY: &str = "x0_max = [1]\nnoise = 1e-4\n";
+
+/// An estimate is corrected by gains that are held if its poles are left of -(m - 1), and the report says so where not.
+#[test]
+fn poles_that_correct_no_estimate_are_named() {
+    for (poles, is_slow) in [
+        ("-2, -3, -4", true),
+        ("-5, -2.5, -6", false),
+        ("-5, -6, -1.9", true),
+        ("-2.1, -3, -4", false),
+    ] {
+        let own = report(&format!(
+            "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\npoles = [-4, -5]\nmeasured = \"x1\"\n\
+             disturbance = \"constant\"\nobserver_poles = [{poles}]\nobserver_samples = 50\nobserver_eps = 0.2\n\
+             [params]\ntau = 1\neps = 0.1\nu_max = inf\n"
+        ));
+        let growth = own.outcomes.iter().find(|outcome| outcome.name == "growth").expect("a check");
+        let told = growth.details.iter().any(|line| line.contains("not left of -2"));
+        assert_eq!(told, is_slow, "{poles}: {:?}", growth.details);
+        assert_eq!(stability(&own.spec, None).is_err(), is_slow, "{poles}");
+    }
+}

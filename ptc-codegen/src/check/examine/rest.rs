@@ -18,6 +18,7 @@ use crate::diagnostic::digits;
 use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Reference, Sampled, Spec};
+use crate::syntax::constant::text;
 
 /// What the emitted loop of `spec` does at sample N, for a design whose eps is set.
 pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
@@ -44,7 +45,26 @@ pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
         ));
         details.extend(limit.details);
     }
+    details.extend(late_estimates(spec, own));
     Outcome { name: NAME, verdict, summary, details, fix: None }
+}
+
+/// Says so if the exponents of an observer are too small for its gains alone: the error of its last estimate is the
+/// (m-1)-th difference of the T^(p), which does not fall with p <= m - 1.
+fn late_estimates(spec: &Spec, own: &Sampled) -> Option<String> {
+    let (observer, a) = (own.observer.as_ref()?, spec.fixed.get(&Parameter::A)?.number()?);
+    let mut poles = observer.poles.iter();
+    let all = [observer.poles.len()];
+    let blocks = if observer.blocks.is_empty() { &all[..] } else { &observer.blocks };
+    let late = blocks.iter().find_map(|size| {
+        let least = -a * BigRational::from_integer((*size).saturating_sub(1).into());
+        let slow = poles.by_ref().take(*size).any(|(real, _)| *real >= least);
+        slow.then_some(least)
+    })?;
+    let late = text(&late);
+    Some(format!(
+        "a pole of the observer is not left of {late}: an estimate keeps its error until deadbeat corrects it, which held gains never do; take poles left of {late}"
+    ))
 }
 
 /// Sample N by its number, where that is known.
