@@ -214,7 +214,14 @@ fn json(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
         "checks": checks,
     });
     design["stability"] = match stable {
-        Ok(stable) => json!({ "gain": stable.gain, "delay": stable.delay }),
+        Ok(stable) => json!({
+            "gain": stable.gain,
+            "delay": stable.delay,
+            "resonance": stable.resonance.as_ref().map(|found| json!({
+                "examined_hz": found.examined,
+                "unstable_hz": found.unstable,
+            })),
+        }),
         Err(_) => serde_json::Value::Null,
     };
     if let Some(margins) = margins {

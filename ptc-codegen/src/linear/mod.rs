@@ -6,7 +6,6 @@ mod complex;
 mod condition;
 mod delay;
 mod exponential;
-#[cfg(feature = "simulate")]
 mod flow;
 mod following;
 mod matrix;
@@ -23,7 +22,6 @@ pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
 #[cfg(feature = "lab")]
 pub(crate) use flow::norm;
-#[cfg(feature = "simulate")]
 pub(crate) use flow::{Rows, flow};
 pub use following::Following;
 pub(crate) use matrix::{Matrix, dot};

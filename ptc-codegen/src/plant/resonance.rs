@@ -107,15 +107,6 @@ fn hidden(f: &Expression, n: usize) -> Option<usize> {
     })
 }
 
-impl Side {
-    fn text(self) -> &'static str {
-        match self {
-            Self::Motor => "motor",
-            Self::Load => "load",
-        }
-    }
-}
-
 impl Plant {
     /// What is known of its resonance.
     pub(super) fn promised_resonance(&self) -> Option<Resonance> {

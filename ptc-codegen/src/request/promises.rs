@@ -69,6 +69,16 @@ pub enum Side {
     Load,
 }
 
+impl Side {
+    /// The side as a design spells it.
+    pub(crate) fn text(self) -> &'static str {
+        match self {
+            Self::Motor => "motor",
+            Self::Load => "load",
+        }
+    }
+}
+
 /// Number `j`, from 0, of a list that holds one for all, or one each; of several axes one for each
 /// state of an axis.
 pub fn one_or_each(values: &[Fixed], j: usize) -> Option<f64> {

@@ -30,6 +30,7 @@ mod one_design;
 mod references;
 mod report;
 mod reproductions;
+mod resonances;
 mod rest_points;
 #[cfg(unix)]
 mod sampled;

@@ -73,18 +73,24 @@ const GUIDE: &str = include_str!("../../../docs/guide/README.md");
 
 const TABLE: &str = include_str!("../../../examples/table.toml");
 
+/// A load that swings, the design of docs/guide/resonance.md.
+const ELASTIC: &str = include_str!("../../../examples/elastic.toml");
+
+const RESONANCE: &str = include_str!("../../../docs/guide/resonance.md");
+
 const AXES: &str = include_str!("../../../docs/guide/axes.md");
 
 const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 39] = [
+const PAGES: [(&str, &str); 40] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../../docs/guide/period.md")),
     ("guide/noise.md", include_str!("../../../docs/guide/noise.md")),
     ("guide/torque.md", include_str!("../../../docs/guide/torque.md")),
     ("guide/sensors.md", include_str!("../../../docs/guide/sensors.md")),
+    ("guide/resonance.md", RESONANCE),
     ("guide/axes.md", AXES),
     ("guide/python.md", include_str!("../../../docs/guide/python.md")),
     ("guide/elsewhere.md", include_str!("../../../docs/guide/elsewhere.md")),

@@ -5,9 +5,9 @@ use std::path::Path;
 use std::process::Command;
 
 use super::{
-    AXES, BARRIER, CART, DESIGN, DRIVE, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, PAGES, PENDULUM,
-    QUADROTOR, REFERENCES, ROBOT, SAMPLES, SIMULATE, TABLE, TANK, TRACK, VERIFY, blocks_of, folder,
-    shell,
+    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, PAGES,
+    PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, SAMPLES, SIMULATE, TABLE, TANK, TRACK,
+    VERIFY, blocks_of, folder, shell,
 };
 
 /// What `line` prints in `folder`; a refused design is no failure.
@@ -33,8 +33,11 @@ fn write(name: &str, line: &str, shown: &str, told: &str) {
 #[test]
 fn pages_show_what_is_printed() {
     let folder = folder("pages");
-    let [stage] = &blocks_of(SIMULATE, "toml")[..] else { panic!("one design") };
+    let [stage, carriage] = &blocks_of(SIMULATE, "toml")[..] else { panic!("designs") };
     fs::write(folder.join("stage.toml"), stage).expect("writable");
+    fs::write(folder.join("carriage.toml"), carriage).expect("writable");
+    assert_eq!(blocks_of(RESONANCE, "toml"), [ELASTIC]);
+    fs::write(folder.join("elastic.toml"), ELASTIC).expect("writable");
     let [uncertain, energy, axis, belt] = &blocks_of(VERIFY, "toml")[..] else { panic!("designs") };
     fs::write(folder.join("uncertain.toml"), uncertain).expect("writable");
     fs::write(folder.join("energy.toml"), energy).expect("writable");

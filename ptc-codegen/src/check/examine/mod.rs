@@ -15,6 +15,7 @@ mod period;
 mod plane;
 mod report;
 mod resolution;
+mod resonance;
 mod rest;
 mod unseen;
 
@@ -67,6 +68,7 @@ pub fn examine_resolved(resolved: Resolved, expanded: Option<Expanded>) -> Repor
     let mut report = judged(resolved, expanded);
     let looped = report.outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
     if let Some(looped) = looped {
+        resonance::judge(&report.spec, report.expanded.as_ref(), looped);
         looped.details.extend(unseen::slips(&report.spec));
     }
     report

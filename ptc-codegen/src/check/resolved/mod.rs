@@ -147,6 +147,7 @@ fn is_disturbed(spec: &Spec) -> bool {
     !promises.noise.is_empty()
         || !promises.sensor_step.is_empty()
         || promises.u_step.is_some()
+        || promises.resonance.is_some()
         || matches!(promises.plant, Some(PlantBounds::Bounded { .. }))
 }
 

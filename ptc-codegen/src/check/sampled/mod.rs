@@ -55,10 +55,10 @@ pub(crate) use outcome::{NAME, outcome};
 #[cfg(feature = "lab")]
 pub(crate) use proved::proved;
 pub use span::Span;
-pub use stability::Stability;
 #[cfg(feature = "files")]
 pub use stability::stability;
-pub(crate) use stability::{Tolerance, smallest_tolerant, tolerance};
+pub use stability::{Damped, Stability};
+pub(crate) use stability::{Tolerance, bands, damped, smallest_tolerant, tolerance};
 pub use sums::Sum;
 #[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};

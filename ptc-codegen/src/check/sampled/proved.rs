@@ -25,6 +25,10 @@ pub(crate) fn proved(spec: &Spec, middle: &[f64], sums: &[Sum]) -> Result<Worst,
     if spec.promises.noise_rms.iter().any(number) {
         return Err("the random noise of `noise_rms` has no bound".to_owned());
     }
+    if spec.promises.resonance.is_some() {
+        let why = "the plant has a resonance, and the proof is of the plant without it";
+        return Err(why.to_owned());
+    }
     if let Some(PlantBounds::Unknown(why)) = &spec.promises.plant {
         return Err(why.clone());
     }

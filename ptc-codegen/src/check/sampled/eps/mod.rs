@@ -196,7 +196,7 @@ impl<'a> Trial<'a> {
             true => ", with the nominal input gain and no jitter",
             false => "",
         };
-        let stays = self.stays(eps).and_then(|stays| stays.stability());
+        let stays = self.stays(eps).and_then(|stays| stays.stability(false));
         let stays = stays.map_or_else(
             || "not stable afterwards".to_owned(),
             |found| format!("stable for {found}"),

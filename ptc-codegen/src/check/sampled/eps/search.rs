@@ -102,7 +102,7 @@ impl Tried<'_> {
         let within = self.costs.iter().filter(|(_, cost)| **cost <= 1.0);
         let shares = within.map(|(bits, cost)| {
             let eps = f64::from_bits(*bits);
-            let found = self.trial.stays(eps).and_then(|stays| stays.stability());
+            let found = self.trial.stays(eps).and_then(|stays| stays.stability(false));
             (eps, found.map_or(0.0, |found| found.share(&self.wanted)), *cost)
         });
         let best = shares.max_by(|a, b| a.1.total_cmp(&b.1).then(b.2.total_cmp(&a.2)));

@@ -28,6 +28,9 @@ use gate::Closed;
 /// Why the bounds of a loop decide nothing where its u may be clipped.
 pub(super) const CLIPPED: &str = "u may reach its limit, and the bounds assume that it does not";
 
+/// Why bounds of the rigid plant are none of one with a resonance.
+const FLEXIBLE: &str = "the plant has a resonance that the law does not know; without it";
+
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
 
@@ -95,7 +98,12 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         format!("the worst |{}| at the deadline is {}", spec.state_of_loop(i), digits(x[i]))
     };
     let all = format!("at the deadline |x| <= {}", bounds(totals.iter().copied()));
+    let is_flexible = spec.promises.resonance.is_some();
     let unknown = match (&spec.promises.plant, &spec.reference) {
+        (Some(PlantBounds::Unknown(why)), _) if is_flexible => {
+            Some(format!("{why}; with f = 0, the g of the law and a rigid plant"))
+        }
+        _ if is_flexible => Some(FLEXIBLE.to_owned()),
         (Some(PlantBounds::Unknown(why)), _) => {
             Some(format!("{why}; with f = 0 and the g of the law"))
         }

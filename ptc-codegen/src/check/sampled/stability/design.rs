@@ -1,7 +1,7 @@
 //! The margins of a design.
 
-use super::wanted::{of_loop, set_eps};
-use super::{OPERATIONS, Stability, TOO_MANY, UNSTABLE};
+use super::wanted::staying;
+use super::{OPERATIONS, Stability, UNSTABLE};
 use crate::expansion::Expanded;
 use crate::request::Spec;
 
@@ -17,21 +17,17 @@ pub fn stability(spec: &Spec, expanded: Option<&Expanded>) -> Result<Stability, 
     let mut left = OPERATIONS;
     for design in spec.designs() {
         let one = of_one(&design, expanded, &mut left)?;
-        least = Some(least.map_or(one, |least| least.with(one)));
+        least = Some(match least {
+            Some(least) => least.with(one),
+            None => one,
+        });
     }
     least.ok_or_else(|| "the design has no axis".to_owned())
 }
 
 fn of_one(spec: &Spec, expanded: Option<&Expanded>, left: &mut f64) -> Result<Stability, String> {
-    let eps = set_eps(spec)?;
-    of_loop(spec, expanded, &mut |stays| {
-        let stays = stays(&eps)?;
-        *left -= stays.operations();
-        if *left < 0.0 {
-            return Err(TOO_MANY.to_owned());
-        }
-        stays.stability().ok_or_else(|| UNSTABLE.to_owned())
-    })
+    staying(spec, expanded, left, &|stays| stays.stability(true))
+        .and_then(|own| own.ok_or_else(|| UNSTABLE.to_owned()))
 }
 
 impl Stability {
@@ -40,6 +36,8 @@ impl Stability {
         Self {
             gain: [self.gain[0].max(other.gain[0]), self.gain[1].min(other.gain[1])],
             delay: self.delay.min(other.delay),
+            // A resonance is beside one chain.
+            resonance: self.resonance.or(other.resonance),
         }
     }
 }

@@ -6,10 +6,14 @@
 
 #[cfg(feature = "files")]
 mod design;
+mod plant;
+mod resonance;
 mod wanted;
 
 #[cfg(feature = "files")]
 pub use design::stability;
+pub use resonance::Damped;
+pub(crate) use resonance::{bands, damped};
 pub(super) use wanted::Wanted;
 pub(crate) use wanted::{Tolerance, smallest_tolerant, tolerance};
 
@@ -26,6 +30,8 @@ use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::diagnostic::{digits_down, digits_up};
 use crate::parameter::Fixed;
+use plant::Plant;
+use resonance::Resonances;
 
 /// Largest factor of the gain that is tried, and one over the smallest; factors for each power of 2 between them.
 const MOST: f64 = 64.0;
@@ -56,12 +62,14 @@ fn samples(count: usize) -> String {
 }
 
 /// What the loop that stays tolerates, one at a time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Stability {
     /// The least and the greatest true input gain, in parts of the known one, between which it is stable.
     pub gain: [f64; 2],
     /// Samples of delay beyond those of the design.
     pub delay: usize,
+    /// Resonances; `None` if the design has none.
+    pub resonance: Option<Damped>,
 }
 
 impl fmt::Display for Stability {
@@ -77,27 +85,33 @@ impl fmt::Display for Stability {
             digits_up(low),
             digits_down(high),
             samples(self.delay)
-        )
+        )?;
+        match &self.resonance {
+            Some(damped) => write!(f, "; with the nominal gain and delay {damped}"),
+            None => Ok(()),
+        }
     }
 }
 
 impl Stability {
-    /// By which part it tolerates what is wanted: 2 for all of it.
+    /// By which part it tolerates what is wanted: 3 for all of it.
     pub(super) fn share(&self, wanted: &Wanted) -> f64 {
         let part =
             |found: f64, asked: f64| if asked > 0.0 { (found / asked).min(1.0) } else { 1.0 };
         let [low, high] = self.gain;
         #[allow(clippy::cast_precision_loss)]
         let delay = part(self.delay as f64, wanted.delay as f64);
-        part((1.0 / low).min(high).ln(), wanted.gain.ln()) + delay
+        let resonance = self.resonance.as_ref().map_or(1.0, Damped::share);
+        part((1.0 / low).min(high).ln(), wanted.gain.ln()) + delay + resonance
     }
 }
 
 /// The sample that repeats for ever.
 pub(super) struct Stays {
     step: Step,
-    chain: Chain,
+    rigid: Plant,
     acting: Option<usize>,
+    resonances: Option<Resonances>,
 }
 
 impl Stays {
@@ -114,7 +128,7 @@ impl Stays {
             let values: Vec<_> =
                 numbers.gains(eps.to_f64()?).iter().map(|gain| gain / known).collect();
             let gains = Gains { errors: vec![0.0; values.len()], values };
-            return Some(Self::of(&Sampled::new(chain.clone(), &[gains])));
+            return Some(Self::of(closed, &Sampled::new(chain.clone(), &[gains])));
         };
         let mut held = spec.clone();
         let text = crate::syntax::constant::text(eps);
@@ -122,12 +136,16 @@ impl Stays {
         let last = closed.samples.saturating_sub(1);
         let own = held.sampled().unwrap_or(own);
         let found = emitted::samples(&held, own, chain, None, last..=last)?;
-        Some(Self::of(&found.closed(chain.clone())))
+        Some(Self::of(closed, &found.closed(chain.clone())))
     }
 
-    fn of(sampled: &Sampled) -> Self {
-        let (step, chain) = (sampled.step(usize::MAX), sampled.chain.clone());
-        Self { step, chain, acting: sampled.acting() }
+    fn of(closed: &Loop<'_>, sampled: &Sampled) -> Self {
+        Self {
+            step: sampled.step(usize::MAX),
+            rigid: Plant::rigid(&sampled.chain),
+            acting: sampled.acting(),
+            resonances: Resonances::of(closed),
+        }
     }
 
     /// Operations that its margins may take.
@@ -137,8 +155,9 @@ impl Stays {
         f64::from(SQUARINGS * TRIALS) * size.powi(3)
     }
 
-    /// What it tolerates; `None` if it is not stable as it is.
-    pub(super) fn stability(&self) -> Option<Stability> {
+    /// What it tolerates, of resonances those of the design or those `around` them too; `None` if it is not stable as
+    /// it is.
+    pub(super) fn stability(&self, around: bool) -> Option<Stability> {
         self.is_stable(1.0, 0).then_some(())?;
         let last = |end: f64| {
             let count = EACH * MOST.log2() as i32;
@@ -154,7 +173,8 @@ impl Stays {
             good
         };
         let delay = (1..=LATE).take_while(|more| self.is_stable(1.0, *more)).count();
-        Some(Stability { gain: [last(1.0 / MOST), last(MOST)], delay })
+        let resonance = self.damped(around);
+        Some(Stability { gain: [last(1.0 / MOST), last(MOST)], delay, resonance })
     }
 
     /// Whether it is stable with all of what is wanted.
@@ -165,11 +185,17 @@ impl Stays {
         let gain = |i: i32| wanted.gain.powf(f64::from(i) / f64::from(steps));
         (0..=wanted.delay).all(|more| self.is_stable(1.0, more))
             && (-steps..=steps).all(|i| self.is_stable(gain(i), 0))
+            && self.resists()
     }
 
     /// Whether the loop is stable with a true input gain of `gain` times the known one, that acts `more` samples later.
     fn is_stable(&self, gain: f64, more: usize) -> bool {
-        let (mut matrix, size) = self.matrix(gain, more);
+        self.is_stable_with(&self.rigid, gain, more)
+    }
+
+    /// The same with another plant.
+    fn is_stable_with(&self, plant: &Plant, gain: f64, more: usize) -> bool {
+        let (mut matrix, size) = self.matrix(plant, gain, more);
         for _ in 0..SQUARINGS {
             let rows =
                 matrix.chunks_exact(size).map(|row| row.iter().map(|x| x.abs()).sum::<f64>());
@@ -189,23 +215,27 @@ impl Stays {
         false
     }
 
-    /// The transition, with the inputs that are late behind the states.
-    fn matrix(&self, gain: f64, more: usize) -> (Vec<f64>, usize) {
-        let (own, n) = (self.step.matrix.size, self.chain.n);
-        let size = own + more;
+    /// The transition, with the other states of the plant and then the inputs that are late behind the states.
+    fn matrix(&self, plant: &Plant, gain: f64, more: usize) -> (Vec<f64>, usize) {
+        let (own, n) = (self.step.matrix.size, plant.n);
+        let first = own + plant.others;
+        let size = first + more;
         let mut matrix = vec![0.0; size * size];
         let acts = |j: usize| match self.acting {
             Some(kept) => f64::from(u8::from(kept == j)),
             None => self.step.u.of_state[j].0,
         };
-        for i in 0..n {
-            for j in 0..n {
-                matrix[i * size + j] = self.chain.motion.entries[i * n + j];
+        let place = |i: usize| if i < n { i } else { own + i - n };
+        let states = n + plant.others;
+        for i in 0..states {
+            let row = place(i) * size;
+            for j in 0..states {
+                matrix[row + place(j)] = plant.motion[i * states + j];
             }
-            let input = gain * self.chain.input[i].0;
+            let input = gain * plant.input[i];
             match more {
-                0 => (0..own).for_each(|j| matrix[i * size + j] += input * acts(j)),
-                _ => matrix[i * size + own] += input,
+                0 => (0..own).for_each(|j| matrix[row + j] += input * acts(j)),
+                _ => matrix[row + first] += input,
             }
         }
         for i in n..own {
@@ -216,8 +246,8 @@ impl Stays {
         // The one that acts next stands first, the one that was computed last behind all.
         for late in 0..more {
             match late + 1 < more {
-                true => matrix[(own + late) * size + own + late + 1] = 1.0,
-                false => (0..own).for_each(|j| matrix[(own + late) * size + j] = acts(j)),
+                true => matrix[(first + late) * size + first + late + 1] = 1.0,
+                false => (0..own).for_each(|j| matrix[(first + late) * size + j] = acts(j)),
             }
         }
         (matrix, size)

@@ -51,7 +51,7 @@ impl fmt::Display for Wanted {
 }
 
 /// What the final gains of a design tolerate, beside what it is to tolerate.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tolerance {
     pub(crate) wanted: Wanted,
     pub(crate) is_kept: bool,
@@ -79,7 +79,7 @@ pub(crate) fn tolerance(spec: &Spec, expanded: Option<&Expanded>) -> Result<Tole
         if stays.operations() > OPERATIONS {
             return Err(TOO_MANY.to_owned());
         }
-        Ok(Tolerance { wanted, is_kept: stays.keeps(&wanted), found: stays.stability() })
+        Ok(Tolerance { wanted, is_kept: stays.keeps(&wanted), found: stays.stability(false) })
     })
 }
 
@@ -113,6 +113,27 @@ pub(crate) fn smallest_tolerant(
 
 /// The sample that repeats for ever, of an eps.
 type OfEps<'a> = &'a dyn Fn(&BigRational) -> Result<Stays, String>;
+
+/// Looks at the loop that stays of a design whose eps is set; `left` is what that may cost yet.
+///
+/// # Errors
+/// Why it is not known.
+pub(super) fn staying<T>(
+    spec: &Spec,
+    expanded: Option<&Expanded>,
+    left: &mut f64,
+    see: &dyn Fn(&Stays) -> T,
+) -> Result<T, String> {
+    let eps = set_eps(spec)?;
+    of_loop(spec, expanded, &mut |stays| {
+        let stays = stays(&eps)?;
+        *left -= stays.operations();
+        if *left < 0.0 {
+            return Err(TOO_MANY.to_owned());
+        }
+        Ok(see(&stays))
+    })
+}
 
 /// Examines the loop of e of a design, of which a reference is no part, and neither is where it begins.
 pub(super) fn of_loop<T>(
