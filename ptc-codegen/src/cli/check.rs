@@ -139,12 +139,13 @@ fn text(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
 /// The check of the sampled loop.
 const LOOP: &str = "loop";
 
-/// The worst case of each state at the deadline, by cause, and of x and u on the way. `final` is the
-/// sum of its causes, with what a known reference makes of it; by `from_reference`, `from_g`, `from_jitter` and `from_rounding` the true one may be more.
+/// The worst case of each state at the deadline, by cause, and of x and u on the way. `total` is the bound, `final` what
+/// signals reach; by `from_reference`, `from_g`, `from_jitter` and `from_rounding` the true one may be more.
 fn worst_case(worst: &Worst) -> serde_json::Value {
     let each = |part: &dyn Fn(&Bound) -> f64| worst.states.iter().map(part).collect::<Vec<_>>();
     json!({
         "samples": worst.samples,
+        "total": each(&|bound| bound.total()),
         "final": each(&|bound| bound.attained()),
         "from_x0": each(&|bound| bound.of_start()),
         "from_noise": each(&|bound| bound.noise.iter().sum()),

@@ -11,8 +11,11 @@ fn bound(test: &str, text: &str) -> f64 {
     let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
     let checks = found["checks"].as_array().expect("checks");
     let own = checks.iter().find(|check| check["name"] == "loop").expect("the loop");
+    let part = |name: &str| own["worst"][name][0].as_f64().expect(&json);
     let parts = ["final", "from_g", "from_reference", "from_jitter", "from_rounding"];
-    parts.iter().map(|part| own["worst"][part][0].as_f64().expect(&json)).sum()
+    let sum: f64 = parts.iter().map(|name| part(name)).sum();
+    assert!((part("total") / sum - 1.0).abs() < 1e-12, "{json}");
+    part("total")
 }
 
 /// h g_k of a law of order 1 in samples, whose pole is -k: k/M of what is left, and at rest at the end.

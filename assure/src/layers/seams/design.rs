@@ -11,6 +11,9 @@ use ptc_codegen::request::Spec;
 /// The table of parameters of a design file.
 pub(super) const PARAMS: &str = "params";
 
+/// The table of the plant of a design file.
+pub(super) const PLANT: &str = "plant";
+
 /// The table of the model of a design file.
 pub(super) const MODEL: &str = "model";
 
@@ -65,6 +68,8 @@ pub(super) struct Design {
     pub(super) lines: Vec<Line>,
     /// The names of the states, as `[verify]` has them.
     pub(super) states: Vec<String>,
+    /// How many more states the plant has, which start at 0.
+    pub(super) hidden: usize,
     /// Largest |x| at the start.
     pub(super) x0_max: Vec<f64>,
     /// The state at the start of a run, within it.
@@ -75,7 +80,7 @@ impl Design {
     /// The design file.
     pub(super) fn text(&self) -> String {
         let mut text = format!("name = \"{}\"\n", self.name);
-        for table in ["", PARAMS, MODEL] {
+        for table in ["", PARAMS, MODEL, PLANT] {
             let own: Vec<_> = self.lines.iter().filter(|line| line.table == table).collect();
             if !own.is_empty() && !table.is_empty() {
                 let _ = writeln!(text, "[{table}]");
@@ -103,9 +108,9 @@ impl Design {
         self.lines.iter().find(own).map(|line| line.value.text())
     }
 
-    /// Whether the states of the plant are those that `check` speaks of: no output and no reference stands between.
+    /// Whether the states of the plant are those that `check` speaks of: no output, reference or spring stands between.
     pub(super) fn has_own_states(&self) -> bool {
-        !["states", "reference", "axes"].iter().any(|key| self.gives(key))
+        !["states", "reference", "axes", "resonance"].iter().any(|key| self.gives(key))
     }
 
     /// Whether `step` gives an input and a status for each axis or output.

@@ -1,13 +1,13 @@
 //! Random designs of every kind.
 
-use super::design::{Design, Line, MODEL, PARAMS, Value};
+use super::design::{Design, Line, MODEL, PARAMS, PLANT, Value};
 use crate::harness::random::Random;
 
 /// A kind of design: it adds its own lines to those of every design.
 type Kind = fn(&mut Draft<'_>);
 
 /// All of them, by name.
-const KINDS: [(&str, Kind); 12] = [
+const KINDS: [(&str, Kind); 13] = [
     ("clock in time", in_time),
     ("known force in time", with_force),
     ("mapping of the user's", with_mapping),
@@ -15,6 +15,7 @@ const KINDS: [(&str, Kind); 12] = [
     ("observer", observed),
     ("disturbance", disturbed),
     ("linear plant", linear),
+    ("resonance", swinging),
     ("model in time", model_in_time),
     ("model in samples", model_in_samples),
     ("axes", axes),
@@ -30,7 +31,7 @@ pub(super) fn designs(seed: u64, count: usize) -> Vec<Design> {
 fn design(seed: u64, index: usize) -> Design {
     let (kind, draw) = KINDS[index % KINDS.len()];
     let mut random = Random(seed.wrapping_mul(0x0100_0001) ^ index as u64);
-    let mut draft = Draft { lines: Vec::new(), states: Vec::new(), random: &mut random };
+    let mut draft = Draft { lines: Vec::new(), states: Vec::new(), hidden: 0, random: &mut random };
     draw(&mut draft);
     draft.finished(format!("seam{index}"), kind)
 }
@@ -39,6 +40,7 @@ fn design(seed: u64, index: usize) -> Design {
 struct Draft<'a> {
     lines: Vec<Line>,
     states: Vec<String>,
+    hidden: usize,
     random: &'a mut Random,
 }
 
@@ -138,7 +140,10 @@ impl Draft<'_> {
         let count = self.states.len();
         self.plain("sample_time", h.to_string());
         let x0_max: Vec<_> = (0..count).map(|_| self.number(0.05, 0.6)).collect();
-        if self.chance(90) {
+        let gives = |key: &str| self.lines.iter().any(|line| line.key == key);
+        // Of several outputs only a clock in samples has bounds.
+        let is_bounded = !gives("outputs") || gives("clock");
+        if is_bounded && self.chance(90) {
             let all: Vec<_> = x0_max.iter().map(f64::to_string).collect();
             let bounds = self.bounds(&all);
             self.plain("x0_max", bounds);
@@ -178,7 +183,15 @@ impl Draft<'_> {
             self.line(PARAMS, "u_min", Value::Plain(u_min.to_owned()));
         }
         let x0 = x0_max.iter().map(|most| 0.5 * most).collect();
-        Design { name, kind, lines: self.lines, states: self.states, x0_max, x0 }
+        Design {
+            name,
+            kind,
+            lines: self.lines,
+            states: self.states,
+            hidden: self.hidden,
+            x0_max,
+            x0,
+        }
     }
 }
 
@@ -298,6 +311,21 @@ fn linear(draft: &mut Draft<'_>) {
         draft.plain("C", "[[1, 0]]");
         draft.poles("observer_poles", 2);
     }
+}
+
+fn swinging(draft: &mut Draft<'_>) {
+    match draft.random.below(3) {
+        0 => in_time(draft),
+        1 => in_samples(draft),
+        _ => disturbed(draft),
+    }
+    let (frequency, damping) = (draft.number(2.0, 60.0), draft.number(0.01, 0.3));
+    let (ratio, side) = (draft.number(0.2, 6.0), draft.of(&["motor", "load"]));
+    let spring = format!(
+        "{{ frequency_hz = {frequency}, damping = {damping}, inertia_ratio = {ratio}, measured = \"{side}\" }}"
+    );
+    draft.line(PLANT, "resonance", Value::Plain(spring));
+    draft.hidden = 2;
 }
 
 /// Second-order plants: the output, and the rate of w.

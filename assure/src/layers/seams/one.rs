@@ -175,7 +175,7 @@ impl World<'_> {
         named("verify", &verified.all);
         answers.verdicts = verified.out.lines().filter_map(verdict).collect();
         let csv = fs::read_to_string(folder.join("r.csv"))?;
-        answers.run = rows(&csv, design.states.len())?;
+        answers.run = rows(&csv, design)?;
         if defect == Some(Defect::OtherConstant) {
             let file = folder.join(format!("c/{}.c", design.name));
             let text = fs::read_to_string(&file)?;
@@ -213,12 +213,7 @@ pub(super) fn worst(report: &Value) -> Option<&Value> {
 
 /// The bound of each state at the deadline, of all causes together.
 pub(super) fn totals(worst: &Value) -> Vec<f64> {
-    let numbers = |key: &str| worst[key].as_array().into_iter().flatten().filter_map(Value::as_f64);
-    let mut all: Vec<_> = numbers("final").collect();
-    for cause in ["from_reference", "from_g", "from_jitter", "from_rounding"] {
-        all.iter_mut().zip(numbers(cause)).for_each(|(bound, part)| *bound += part);
-    }
-    all
+    worst["total"].as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
 }
 
 /// By how much an objective is beside the worst case, as a part of it.
@@ -280,12 +275,14 @@ fn fingerprint(text: &str) -> Option<String> {
 }
 
 /// The samples of a table of `simulate`.
-fn rows(csv: &str, states: usize) -> Result<Vec<Row>> {
+fn rows(csv: &str, design: &Design) -> Result<Vec<Row>> {
     let mut lines = csv.lines();
     let head: Vec<_> = lines.next().context("a head")?.split(',').collect();
     let begin = head.iter().position(|name| *name == "t").context("a column t")? + 1;
-    let inputs = head[begin + states..].iter().take_while(|name| name.starts_with('u')).count();
-    let given = begin + states + inputs;
+    let states = design.states.len();
+    let first = begin + states + design.hidden;
+    let inputs = head[first..].iter().take_while(|name| name.starts_with('u')).count();
+    let given = first + inputs;
     let mut all = Vec::new();
     for line in lines {
         let cells: Vec<_> = line.split(',').collect();
@@ -298,7 +295,7 @@ fn rows(csv: &str, states: usize) -> Result<Vec<Row>> {
             t: number(&cells[begin - 1]),
             given: if measured > 0 { between(given, given + measured) } else { x.clone() },
             x,
-            u: between(begin + states, given),
+            u: between(first, given),
             status: cells.last().copied().unwrap_or_default().to_owned(),
         });
     }
