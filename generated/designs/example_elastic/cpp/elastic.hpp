@@ -1,0 +1,268 @@
+/*
+ * Prescribed-time controller elastic: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name elastic --clock samples --measured=x1 --disturbance constant --observer-poles=-5,-6,-7 --observer-samples=200 --tau=0.5 --eps=0.0965 --u-max=100 --poles=-4,-4.5,-5 --g="2/7" --sample-time=5e-4 --delay=1 --error=1e-3,0.1 --sensor-step=7.7e-6 --x0-max=0.3,1e-6
+ * Version 0.1.0, design b13fcc225118.
+ *
+ * Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
+ *       sample late.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+ *       over.
+ *
+ * Parameters:
+ *   samples = 1000 [samples], fixed: samples N from the start to rest
+ *   h = 5e-4 [s], fixed: sample period
+ *   eps = 0.0965 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 100 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 90 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 60.5 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 13.5 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample 200 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: near rest at sample 1000, not at rest: the gains are held from 193 samples
+ *       to go, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: undecided: f = -5*x2/(7/2) is not a sum of bounded symbols; with f = 0, the g of
+ *       the law and a rigid plant, at the deadline |x| <= 1.015e-4, 0.002024.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef ELASTIC_9AEFD073_HPP
+#define ELASTIC_9AEFD073_HPP
+
+#include <array>
+#include <cfloat>
+#include <cstdint>
+#include <limits>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct ElasticParams {
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Elastic {
+public:
+    using Params = ElasticParams;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        start_ = 0U;
+        u1_ = 0.0;
+        u2_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x2_hat_ = 0.0;
+        d_hat_ = 0.0;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates too large to compute with begin anew.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+        const double size = absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_);
+        if (!(size <= 1e150)) {
+            seen_ = 0U;
+            x1_hat_ = 0.0;
+            x2_hat_ = 0.0;
+            d_hat_ = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 1>& y) noexcept
+    {
+        if (!finite(y[0])) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const double s1 = x1_hat_ + (0.0005 * x2_hat_);
+        const double s2 = s1 + (3.571428571428571e-8 * d_hat_);
+        const double p1 = s2 + (3.571428571428571e-8 * u2_);
+        const double s3 = x2_hat_ + (0.00014285714285714287 * d_hat_);
+        const double p2 = s3 + (0.00014285714285714287 * u2_);
+        const double p3 = d_hat_;
+
+        // Correct by what is measured.
+        double base{};
+        double miss{};
+        if (seen_ == 0U) {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        const std::uint32_t left_o = (elapsed < 200U) ? (200U - elapsed) : 0U;
+        const double o0 = (left_o == 0U) ? 25.0 : static_cast<double>(left_o);
+        double l1{};
+        double l2{};
+        double l3{};
+        if (9.0 < o0) {
+            const double r0 = 1.0 / o0;
+            const double r1 = 1.0 / (o0 - 1.0);
+            const double r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((210.0 * r0) - 90.0) * r1) + 15.0) * r2;
+            l2 = (((-420000.0) * r0) + 120000.0) * r1 * r2;
+            l3 = 840000000.0 * r0 * r1 * r2;
+        } else if (left_o == 9U) {
+            l1 = 1.0;
+            l2 = 1166.6666666666667;
+            l3 = 2333333.3333333335;
+        } else if (left_o == 8U) {
+            l1 = 1.0;
+            l2 = 1875.0;
+            l3 = -1750000.0;
+        } else {
+            l1 = 1.0;
+            l2 = 3000.0;
+            l3 = 14000000.0;
+        }
+        const double x1 = base + (l1 * miss);
+        const double x2 = p2 + (l2 * miss);
+        const double d = p3 + (l3 * miss);
+        const std::uint32_t left = (elapsed < 1000U) ? (1000U - elapsed) : 0U;
+        const double m0 = (static_cast<double>(left) < 193.0) ? 193.0 : static_cast<double>(left);
+        double v{};
+
+        // The exact law in samples.
+        const double z1 = ((-1260000000.0) * x1) + (315000.0 * x2);
+        const double z2 = (-336000.0) * x2;
+        const double z3 = (-10.5) * (u1_ + d);
+        const double s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        v = (s4 + (u1_ + d)) - d;
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (100.0 < v) {
+            u_now = 100.0;
+        } else if (v < -100.0) {
+            u_now = -100.0;
+        } else {
+            u_now = v;
+        }
+        u2_ = u1_;
+        u1_ = u_now;
+        x1_hat_ = x1;
+        x2_hat_ = x2;
+        d_hat_ = d;
+        seen_ = 1U;
+        if ((100.0 < v) || (v < -100.0)) {
+            return {u_now, Status::Saturated};
+        } else if (static_cast<double>(left) <= 193.0) {
+            return {u_now, Status::Hold};
+        } else {
+            return {u_now, Status::Ok};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 2> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr double disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    double u1_{}; // input of the last sample
+    double u2_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x2_hat_{}; // estimate of x2
+    double d_hat_{}; // estimate of d
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,116 @@
+function [u, status, self] = elastic_step(self, k, y) %#codegen
+%ELASTIC_STEP u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for
+%each tick.
+%
+%   [u, status, self] = elastic_step(self, k, y), with self from elastic_init. Keep self: it is what
+%   the next call needs.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to its limits; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%      4  gated: a reading was not believed, u by prediction alone; wins over all above
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+y = double(y);
+if ~isfinite(y(1))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+
+% Predict.
+s1 = self.x1_hat + (0.0005 * self.x2_hat);
+s2 = s1 + (3.571428571428571e-8 * self.d_hat);
+p1 = s2 + (3.571428571428571e-8 * self.u2);
+s3 = self.x2_hat + (0.00014285714285714287 * self.d_hat);
+p2 = s3 + (0.00014285714285714287 * self.u2);
+p3 = self.d_hat;
+
+% Correct by what is measured.
+if self.seen == uint32(0)
+    base = y(1);
+    miss = 0.0;
+else
+    base = p1;
+    miss = y(1) - p1;
+end
+left_o = uint32(200) - elapsed;
+o0 = pick(left_o == uint32(0), 25.0, double(left_o));
+if 9.0 < o0
+    r0 = 1.0 / o0;
+    r1 = 1.0 / (o0 - 1.0);
+    r2 = 1.0 / (o0 - 2.0);
+    l1 = ((((210.0 * r0) - 90.0) * r1) + 15.0) * r2;
+    l2 = (((-420000.0) * r0) + 120000.0) * r1 * r2;
+    l3 = 840000000.0 * r0 * r1 * r2;
+elseif left_o == uint32(9)
+    l1 = 1.0;
+    l2 = 1166.6666666666667;
+    l3 = 2333333.3333333335;
+elseif left_o == uint32(8)
+    l1 = 1.0;
+    l2 = 1875.0;
+    l3 = -1750000.0;
+else
+    l1 = 1.0;
+    l2 = 3000.0;
+    l3 = 14000000.0;
+end
+x1 = base + (l1 * miss);
+x2 = p2 + (l2 * miss);
+d = p3 + (l3 * miss);
+left = uint32(1000) - elapsed;
+m0 = pick(double(left) < 193.0, 193.0, double(left));
+
+% The exact law in samples.
+z1 = ((-1260000000.0) * x1) + (315000.0 * x2);
+z2 = (-336000.0) * x2;
+z3 = (-10.5) * (self.u1 + d);
+s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+v = (s4 + (self.u1 + d)) - d;
+if ~isfinite(v)
+    status = int32(-3);
+    return;
+end
+if 100.0 < v
+    u_now = 100.0;
+elseif v < -100.0
+    u_now = -100.0;
+else
+    u_now = v;
+end
+self.u2 = self.u1;
+self.u1 = u_now;
+self.x1_hat = x1;
+self.x2_hat = x2;
+self.d_hat = d;
+self.seen = uint32(1);
+if (100.0 < v) || (v < -100.0)
+    u = u_now;
+    status = int32(2);
+elseif double(left) <= 193.0
+    u = u_now;
+    status = int32(1);
+else
+    u = u_now;
+    status = int32(0);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

@@ -1,0 +1,288 @@
+//! Prescribed-time controller elastic: order n = 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name elastic --clock samples --measured=x1 --disturbance constant --observer-poles=-5,-6,-7 --observer-samples=200 --tau=0.5 --eps=0.0965 --u-max=100 --poles=-4,-4.5,-5 --g="2/7" --sample-time=5e-4 --delay=1 --error=1e-3,0.1 --sensor-step=7.7e-6 --x0-max=0.3,1e-6
+//! Version 0.1.0, design b13fcc225118.
+//!
+//! Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
+//!       sample late.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
+//!       over.
+//!
+//! Parameters:
+//!   samples = 1000 [samples], fixed: samples N from the start to rest
+//!   h = 5e-4 [s], fixed: sample period
+//!   eps = 0.0965 [s], fixed: time-to-go at which the gains are held
+//!   u_max = 100 [unit of u], fixed: bound of |u|
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 90 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!   k_2 = 60.5 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!   k_3 = 13.5 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on the last gains are held (status HOLD).
+//! The estimates are exact from sample 200 after the start on where the measurement is; with
+//!       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+//!       below deadbeat.
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: near rest at sample 1000, not at rest: the gains are held from 193 samples
+//!       to go, and |u| is bounded.
+//!   sampling: not checked: the law is exact in samples, at any period.
+//!   deadline: not checked: the law is exact in samples, at any period.
+//!   loop: undecided: f = -5*x2/(7/2) is not a sum of bounded symbols; with f = 0, the g of
+//!       the law and a rigid plant, at the deadline |x| <= 1.015e-4, 0.002024.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// u was clipped to its limits; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Elastic`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct ElasticParams {}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Elastic {
+    /// tick at which it was armed.
+    start: u32,
+    /// input of the last sample.
+    u1: f64,
+    /// input of 2 samples ago.
+    u2: f64,
+    /// 1 once y has been measured.
+    seen: u32,
+    /// estimate of x1.
+    x1_hat: f64,
+    /// estimate of x2.
+    x2_hat: f64,
+    /// estimate of d.
+    d_hat: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Elastic {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: ElasticParams) -> Result<Self, Error> {
+        Ok(Self {
+            start: 0,
+            u1: 0.0,
+            u2: 0.0,
+            seen: 0,
+            x1_hat: 0.0,
+            x2_hat: 0.0,
+            d_hat: 0.0,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates too large to compute with begin anew.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+        let size = (self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs();
+        if !(size <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x2_hat = 0.0;
+            self.d_hat = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&mut self, k: u32, y: &[f64; 1]) -> Result<Control<f64>, Error> {
+        if !y[0].is_finite() {
+            return Err(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // Predict.
+        let s1 = self.x1_hat + (0.0005 * self.x2_hat);
+        let s2 = s1 + (3.571428571428571e-8 * self.d_hat);
+        let p1 = s2 + (3.571428571428571e-8 * self.u2);
+        let s3 = self.x2_hat + (0.00014285714285714287 * self.d_hat);
+        let p2 = s3 + (0.00014285714285714287 * self.u2);
+        let p3 = self.d_hat;
+
+        // Correct by what is measured.
+        let base: f64;
+        let miss: f64;
+        if self.seen == 0 {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        let left_o = 200_u32.saturating_sub(elapsed);
+        let o0 = if left_o == 0 { 25.0 } else { left_o as f64 };
+        let l1: f64;
+        let l2: f64;
+        let l3: f64;
+        if 9.0 < o0 {
+            let r0 = 1.0 / o0;
+            let r1 = 1.0 / (o0 - 1.0);
+            let r2 = 1.0 / (o0 - 2.0);
+            l1 = ((((210.0 * r0) - 90.0) * r1) + 15.0) * r2;
+            l2 = (((-420000.0) * r0) + 120000.0) * r1 * r2;
+            l3 = 840000000.0 * r0 * r1 * r2;
+        } else if left_o == 9 {
+            l1 = 1.0;
+            l2 = 1166.6666666666667;
+            l3 = 2333333.3333333335;
+        } else if left_o == 8 {
+            l1 = 1.0;
+            l2 = 1875.0;
+            l3 = -1750000.0;
+        } else {
+            l1 = 1.0;
+            l2 = 3000.0;
+            l3 = 14000000.0;
+        }
+        let x1 = base + (l1 * miss);
+        let x2 = p2 + (l2 * miss);
+        let d = p3 + (l3 * miss);
+        let left = 1000_u32.saturating_sub(elapsed);
+        let m0 = if (left as f64) < 193.0 {
+            193.0
+        } else {
+            left as f64
+        };
+        let v: f64;
+
+        // The exact law in samples.
+        let z1 = ((-1260000000.0) * x1) + (315000.0 * x2);
+        let z2 = (-336000.0) * x2;
+        let z3 = (-10.5) * (self.u1 + d);
+        let s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        v = (s4 + (self.u1 + d)) - d;
+        if !v.is_finite() {
+            return Err(Error::Range);
+        }
+        let u_now: f64;
+        if 100.0 < v {
+            u_now = 100.0;
+        } else if v < -100.0 {
+            u_now = -100.0;
+        } else {
+            u_now = v;
+        }
+        self.u2 = self.u1;
+        self.u1 = u_now;
+        self.x1_hat = x1;
+        self.x2_hat = x2;
+        self.d_hat = d;
+        self.seen = 1;
+        let status = if (100.0 < v) || (v < -100.0) {
+            Status::Saturated
+        } else if (left as f64) <= 193.0 {
+            Status::Hold
+        } else {
+            Status::Ok
+        };
+        Ok(Control { u: u_now, status })
+    }
+
+    /// The estimate of the state at the last sample.
+    #[inline]
+    pub fn estimate(&self) -> [f64; 2] {
+        [self.x1_hat, self.x2_hat]
+    }
+
+    /// The estimate of the constant that is added to u.
+    #[inline]
+    pub fn disturbance(&self) -> f64 {
+        self.d_hat
+    }
+}
