@@ -20,7 +20,7 @@ pub(crate) use between::{Between, Part, drift};
 pub use complex::Complex;
 pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
-#[cfg(feature = "lab")]
+#[cfg(feature = "simulate")]
 pub(crate) use flow::norm;
 pub(crate) use flow::{Rows, flow};
 pub use following::Following;

@@ -5,20 +5,23 @@ use num_traits::{FromPrimitive, ToPrimitive};
 use super::Failure;
 use super::method::State;
 use crate::algebra::BigRational;
-use crate::linear::{self, Delay, zero_order_hold};
+use crate::linear::{self, Delay, Rows, flow, zero_order_hold};
 
 /// Relative tolerance within which a length counts as the period.
 pub(super) const SAME: f64 = 1e-9;
+
+/// ||A s|| up to which doubles keep all digits but two.
+const MILD: f64 = 32.0;
 
 /// x' = A x + B u, y = C x.
 #[derive(Clone, Debug)]
 pub(super) struct Linear {
     plant: linear::Linear,
     /// (A, B) by rows.
-    rates: Vec<Vec<f64>>,
-    c: Vec<Vec<f64>>,
+    rates: Rows,
+    c: Rows,
     /// A length in s with the rows of (Phi, Gamma).
-    over: Option<(f64, Vec<Vec<f64>>)>,
+    over: Option<(f64, Rows)>,
 }
 
 impl Linear {
@@ -34,10 +37,23 @@ impl Linear {
         linear
     }
 
-    fn rows(&self, h: &BigRational) -> Option<Vec<Vec<f64>>> {
+    /// (Phi, Gamma) over the period.
+    fn rows(&self, h: &BigRational) -> Option<Rows> {
         let held = zero_order_hold(&self.plant, h, &Delay::default())?;
         let rows = held.phi.iter().zip(&held.older);
         Some(rows.map(|(row, gamma)| row.iter().chain([gamma]).map(double).collect()).collect())
+    }
+
+    /// The same over part of a period, of which a run has many with lengths of their own: in doubles.
+    fn part(&self, length: f64) -> Option<Rows> {
+        let is_mild = linear::norm(&self.rates) * length <= MILD;
+        let Some((whole, integral)) = flow(&self.rates, length).filter(|_| is_mild) else {
+            return self.rows(&BigRational::from_f64(length)?);
+        };
+        let n = self.order();
+        let gamma = |row: &Vec<f64>| row.iter().zip(&self.rates).map(|(f, own)| f * own[n]).sum();
+        let rows = whole.into_iter().zip(&integral);
+        Some(rows.map(|(row, of_input)| [row, vec![gamma(of_input)]].concat()).collect())
     }
 
     /// Number of states.
@@ -64,7 +80,7 @@ impl Linear {
         let known = known.filter(|(own, _)| (own - length).abs() <= SAME * length);
         let other = match known {
             Some(_) => None,
-            None => BigRational::from_f64(length).and_then(|length| self.rows(&length)),
+            None => self.part(length),
         };
         let Some(rows) = known.map(|(_, rows)| rows).or(other.as_ref()) else {
             return Err(Failure::input(
