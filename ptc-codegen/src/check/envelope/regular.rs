@@ -110,7 +110,7 @@ pub(in crate::check) fn reach(m: usize, most: f64, precision: Precision) -> f64 
     (2.0 * growth * most * relative + absolute * (2.0 * count(m) + growth * most)) * MORE
 }
 
-/// How far a right side that is at most `wanted` is from that of the system that is solved exactly.
+/// Bounds how far a right side that is at most `wanted` is from that of the system that is solved exactly.
 pub(in crate::check) fn off(m: usize, (most, wanted): (f64, f64), precision: Precision) -> f64 {
     let (growth, count) = (growth(m), count(m));
     let (relative, absolute) = (precision.epsilon(), precision.least_normal());
@@ -118,7 +118,7 @@ pub(in crate::check) fn off(m: usize, (most, wanted): (f64, f64), precision: Pre
     (2.0 * growth * wanted * relative + sides) * MORE
 }
 
-/// Whether no sum overflows on the way to a solution of this size.
+/// Returns true if no sum overflows on the way to a solution of this size.
 pub(in crate::check) fn stays_in_range(
     m: usize,
     (most, wanted): (f64, f64),
