@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What a run that ended early says of its loop.
+/// Conclusion about the loop from a run that ended early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
     /// Nothing: a value or the design is wrong.
@@ -16,13 +16,13 @@ pub enum Cause {
 /// Why a run ended early.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// What it says of the loop.
+    /// Conclusion about the loop.
     pub cause: Cause,
     /// Instant t in s that the run reached; `None` where it did not begin.
     pub at: Option<f64>,
-    /// What happened, and when.
+    /// Event and its time.
     pub message: String,
-    /// What may help.
+    /// Suggested remedy.
     pub help: String,
 }
 

@@ -5,7 +5,7 @@
 //! not see res: an estimate that a controller keeps counts less Phi^-1 (R_{k+1} - Gamma rho_k), so that its
 //! prediction is one of e, and Phi^-1 res_k, the integral against (-time gone)^(n-i)/(n-i)!, moves it.
 //!
-//! For a linear plant R are the states on the reference, rho is replaced by the input there, v, and res is the integral of
+//! For a linear plant R are the states on the reference, rho is the input there, v, and res is the integral of
 //! v - rho against exp(A (time left)) B.
 
 use num_traits::{One, Zero};

@@ -6,8 +6,8 @@
 //! in the time from k h + j to k h.
 //!
 //! If the loop comes to rest within a few samples: let the state be that at the time of the sample itself, as it is
-//! measured. Then the next sample is a period h + d later, |d| <= 2 J: the state moved by d under the input of the sample,
-//! and then by a period.
+//! measured. Then the next sample is a period h + d later, |d| <= 2 J: the state moved by d under the input of the
+//! sample, and then by a period.
 
 use num_traits::{Signed, Zero};
 
