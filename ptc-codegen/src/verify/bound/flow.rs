@@ -51,7 +51,7 @@ pub(super) fn dot<'a>(
 }
 
 impl Flow {
-    /// Of the gains k_1..k_n; none where they are no numbers of a usual size.
+    /// Returns the flow of the gains k_1..k_n; none where they are no numbers of a usual size.
     pub(super) fn new(gains: &[BigRational]) -> Option<Self> {
         let n = gains.len();
         let rate = unit_rate(gains)?;
