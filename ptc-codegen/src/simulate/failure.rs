@@ -5,11 +5,11 @@ use std::fmt;
 /// Conclusion about the loop from a run that ended early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// Nothing: a value or the design is wrong.
+    /// None: a value or the design is wrong.
     Input,
     /// The loop leaves the range of numbers.
     Range,
-    /// Nothing: the integration could not be finished, and the rest of the run is undecided.
+    /// None: the integration could not be finished, and the rest of the run is undecided.
     Unfinished,
 }
 

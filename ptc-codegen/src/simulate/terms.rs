@@ -5,7 +5,7 @@ use crate::program::Value;
 /// Dependence of a value on state, inputs and time.
 #[derive(Clone, Debug)]
 pub(super) enum Sum {
-    /// Not at all.
+    /// No dependence.
     Constant(Value),
     State(usize),
     Control,
@@ -20,7 +20,7 @@ pub(super) enum Sum {
     Fused(usize, usize, usize),
     /// The sine of what goes with time alone, and whether it is a cosine.
     Wave(usize, bool),
-    /// In another way.
+    /// Any other dependence.
     Other,
 }
 

@@ -8,9 +8,9 @@
 //! one by golden section: where poles are too slow the state is late, where they are too fast it
 //! overshoots and requires a large u, so the worst excess of the objectives falls and then rises.
 //!
-//! What is tried runs on few scenarios first. What passes is verified as `verify` does, and where that
-//! finds a counterexample, the scenario is one of those that everything else has to pass first. What
-//! holds then is proved; an objective that is not has to hold in draws of another seed, by which
+//! Candidates run on few scenarios first. Those that pass are verified as `verify` does; a counterexample
+//! that this finds is one of the scenarios that all others have to pass first. The objectives that hold
+//! then are proved; one that is not has to hold in draws of another seed, by which
 //! nothing was chosen, and to keep a part of its bound free.
 
 mod candidate;

@@ -54,7 +54,7 @@ pub struct Evidence<'a> {
 const BETA: f64 = 1e-3;
 
 /// The probability of failure that so many independent draws without one leave, ln(1/beta)/N, and
-/// beta; none where the draws are too few to say anything.
+/// beta; `None` where the draws are too few to say anything.
 pub fn confidence(draws: u64) -> Option<(f64, f64)> {
     #[allow(clippy::cast_precision_loss)]
     let most = (1.0 / BETA).ln() / draws as f64;

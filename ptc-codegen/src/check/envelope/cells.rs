@@ -70,7 +70,7 @@ pub(super) fn is_bounded(program: &Program, values: &[Value]) -> bool {
     })
 }
 
-/// A bound of `value` as it is needed; none where the cells do not show one. `work` is what may be done.
+/// A bound of `value` as it is needed; `None` where the cells do not show one. `work` is what may be done.
 pub(super) fn refined(
     program: &Program,
     input: &dyn Fn(Input) -> Computed,
@@ -148,7 +148,7 @@ fn cover(
 }
 
 /// The halves of a cell, cut in the input at whose middle least is missed, of equals where it is widest in parts of
-/// the whole; none where that is a number.
+/// the whole; `None` where that is a number.
 fn halves(
     whole: &[Computed],
     cell: &[Computed],

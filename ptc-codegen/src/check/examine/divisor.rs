@@ -56,7 +56,7 @@ fn text(spec: &Spec, expression: &Expression) -> String {
     }
 }
 
-/// The names of an expression that have a range, and those that have a value; none where one has neither.
+/// The names of an expression that have a range, and those that have a value; `None` where one has neither.
 fn inputs(spec: &Spec, expression: &Expression) -> Option<(Vec<Free>, Names)> {
     let mut names = Vec::new();
     expression.each(&mut |e| {

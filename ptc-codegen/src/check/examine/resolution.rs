@@ -7,7 +7,7 @@ use crate::diagnostic::digits;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
 
-/// Known times of a run from a t0 that is fixed.
+/// Spacing of times in a run from a fixed t0.
 pub(super) struct Resolution {
     /// The greater one of the sizes of t0 and the deadline, s.
     at: f64,

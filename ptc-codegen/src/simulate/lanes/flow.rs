@@ -34,7 +34,7 @@ pub(super) trait Chain {
     /// Returns true if the pace is the same all over a step, by the part of the step by which T falls.
     fn is_even(&self) -> bool;
 
-    /// Returns the delay, in sigma, at which the last component is computed, as times are rounded.
+    /// Returns how much later than requested, in sigma, the last component is computed, as times are rounded.
     fn late(&self, share: &Pack) -> Pack;
 }
 
@@ -91,7 +91,7 @@ impl Flow {
         (length, cut)
     }
 
-    /// Moves a lane on by a step of a length, and sets the next step, by the factor that its error allows.
+    /// Moves a lane on by an accepted step of a length, and sets the next step, by the factor that its error allows.
     pub(super) fn go_on(
         &mut self,
         lane: usize,

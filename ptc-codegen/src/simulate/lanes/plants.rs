@@ -113,7 +113,7 @@ impl Plants {
         Some(alone)
     }
 
-    /// Returns true if the rows of a lane can be looked up.
+    /// Looks up the rows of a lane; returns false if there are none.
     fn knows(&mut self, lane: usize, length: f64) -> bool {
         self.lengths.0[lane] = f64::NAN;
         let Some((own, rows)) = self.motions[lane].rows(length) else { return false };

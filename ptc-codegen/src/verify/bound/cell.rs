@@ -28,7 +28,7 @@ pub(super) struct Cell {
     /// All over the cell, with the first and the second derivative.
     pub(super) over: [Rows; 3],
     /// Contribution of f to each at the least T/tau and at the greatest, with what it may add beyond both between them;
-    /// none where f is 0.
+    /// `None` where f is 0.
     pub(super) added: Option<[Vec<Range>; 2]>,
     /// About what f adds at most.
     pub(super) about: Vec<Range>,
@@ -126,7 +126,7 @@ impl Loop {
         Some(self)
     }
 
-    /// Returns the enclosure over a cell, if one exists; none where no more cells may be looked at.
+    /// Returns the enclosure over a cell, if one exists; `None` where no more cells may be looked at.
     #[allow(clippy::option_option)]
     pub(super) fn cell(&mut self, share: &[BigRational; 2]) -> Option<Option<Rc<Cell>>> {
         if let Some(known) = self.cells.get(share) {

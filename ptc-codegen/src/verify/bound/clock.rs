@@ -36,7 +36,7 @@ pub(in crate::verify) fn scales(campaign: &Campaign) -> bool {
 }
 
 impl Clock {
-    /// The mapping of a campaign; none where it does not scale with a tau that is not known.
+    /// The mapping of a campaign; `None` where it does not scale with a tau that is not known.
     pub(super) fn new(campaign: &Campaign, order: usize, rate: &BigRational) -> Option<Self> {
         let values = values(campaign);
         let (low, high) = campaign.tau;

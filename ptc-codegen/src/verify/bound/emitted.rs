@@ -116,7 +116,7 @@ impl Emitted {
         Err("the cells at which the emitted program may be looked at are used up".to_owned())
     }
 
-    /// Bounds the error of u relative to the law over a cell; none where it is not bounded.
+    /// Bounds the error of u relative to the law over a cell; `None` where it is not bounded.
     pub(super) fn error(&self, share: &[BigRational; 2]) -> Option<f64> {
         let [low, high] = outwards(share);
         let met = self.errors.iter().filter(|([from, to], _)| *from <= high && low <= *to);

@@ -299,7 +299,7 @@ impl Prover {
         Ok(cell.and_then(|cell| bounds.holds(closed, aim, (&cell, tau), rounding)))
     }
 
-    /// Bounds x_1..x_n over a cell, and approximately in its middle; none where they are not bounded.
+    /// Bounds x_1..x_n over a cell, and approximately in its middle; `None` where they are not bounded.
     fn states(
         &mut self,
         share: &[BigRational; 2],

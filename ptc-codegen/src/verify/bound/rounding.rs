@@ -34,7 +34,7 @@ impl Rounded {
     }
 }
 
-/// A bound of |v - v*| for a value computed within `bounds` by operations that round; none where an
+/// A bound of |v - v*| for a value computed within `bounds` by operations that round; `None` where an
 /// iteration or a function of the user's is in it. `to_go` is the greatest time-to-go.
 pub(super) fn error(
     program: &Program,

@@ -48,7 +48,7 @@ enum Span {
 }
 
 impl Weight {
-    /// Encloses the weight of a mapping until a T/tau; none where it is not enclosed.
+    /// Encloses the weight of a mapping until a T/tau; `None` where it is not enclosed.
     pub(super) fn new(clock: &mut Clock, n: usize, until: &BigRational) -> Option<Self> {
         let whole = if clock.is_of_mu() {
             Span::Time([0.0, Range::from(&clock.stretched(until)?).high()])
@@ -110,7 +110,7 @@ impl Span {
         }
     }
 
-    /// The leaf of a span; none where it is not enclosed closely.
+    /// The leaf of a span; `None` where it is not enclosed closely.
     fn leaf(&self, clock: &mut Clock, n: usize) -> Option<Leaf> {
         let (from, to, holds, middle, around, share, during);
         match self {

@@ -47,7 +47,7 @@ struct Way {
     scenario: Scenario,
 }
 
-/// Scenarios in which `objective` may be worse than in `from`, at the instant that `from` names if it does; none where
+/// Scenarios in which `objective` may be worse than in `from`, at the instant that `from` names if it does; `None` where
 /// the run has no slopes.
 pub(super) fn worse(
     campaign: &Campaign,

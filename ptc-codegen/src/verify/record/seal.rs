@@ -31,7 +31,7 @@ pub(super) fn close<F: Read + Write + Seek>(file: &mut F) -> io::Result<()> {
     file.flush()
 }
 
-/// Returns true if the file has a checksum, which is that of its bytes. It is at its start then.
+/// Returns true if the file has a checksum that matches its bytes. The file is at its start then.
 pub(super) fn holds<F: Read + Seek>(file: &mut F) -> io::Result<bool> {
     let Some(at) = place(file)? else { return Ok(false) };
     let mut there = [0; OPEN.len()];

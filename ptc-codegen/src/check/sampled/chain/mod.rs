@@ -186,7 +186,7 @@ impl Chain {
         self.outputs.as_ref().map_or(self.n, Vec::len)
     }
 
-    /// Returns the contribution of `near` to each measured value, as a sum over the states.
+    /// Converts a sum over the measured values, with coefficients `near`, to one over the states.
     pub(super) fn of_states(&self, near: &[Near]) -> Vec<Near> {
         let Some(rows) = &self.outputs else {
             let one = |j: usize| near.get(j).copied().unwrap_or((0.0, 0.0));

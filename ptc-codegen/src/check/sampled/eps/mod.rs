@@ -72,7 +72,7 @@ struct Trial<'a> {
 enum Law {
     /// A law in continuous time, with the gains of each sample without a hold.
     Time { free: Arc<[Rows]> },
-    /// A program in samples, which is the same before any hold; none where it is not enclosed.
+    /// A program in samples, which is the same before any hold; `None` where it is not enclosed.
     Samples { free: Option<Arc<[Rows]>> },
 }
 

@@ -94,7 +94,7 @@ impl fmt::Display for Stability {
 }
 
 impl Stability {
-    /// Returns the part of the wanted margins that it keeps: 3 for all of them.
+    /// Returns the share of the wanted margins that it keeps, summed over gain, delay and resonance: 3 for all of them.
     pub(super) fn share(&self, wanted: &Wanted) -> f64 {
         let part =
             |found: f64, asked: f64| if asked > 0.0 { (found / asked).min(1.0) } else { 1.0 };

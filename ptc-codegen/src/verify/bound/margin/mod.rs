@@ -16,7 +16,7 @@ use crate::parameter::Parameter;
 use crate::verify::linear::Values;
 use point::{Corner, Point};
 
-/// Bounds that enter an objective beside the loop.
+/// Inputs of an objective other than the loop: the input gain, the box of initial states and the values of names.
 pub(super) struct Bounds {
     n: usize,
     gain: Range,

@@ -61,7 +61,7 @@ impl Bounds {
         point
     }
 
-    /// Bounds x_1..x_n over a cell of T/tau and one of tau, and approximately in the middle of both; none where they
+    /// Bounds x_1..x_n over a cell of T/tau and one of tau, and approximately in the middle of both; `None` where they
     /// are not bounded.
     pub(in crate::verify::bound) fn states(
         &self,
