@@ -1,4 +1,4 @@
-//! Surroundings of a sampled controller: its samples, its sensors, its actuator.
+//! Environment of a sampled controller: its samples, its sensors, its actuator.
 
 use num_traits::ToPrimitive;
 

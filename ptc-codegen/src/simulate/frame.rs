@@ -1,4 +1,4 @@
-//! Surroundings of a sampled controller along one run: the times of its samples, and the errors that its sensors draw.
+//! Environment of a sampled controller along one run: the times of its samples, and the random errors of its sensors.
 
 use num_traits::ToPrimitive;
 use rand_pcg::Pcg64Mcg;

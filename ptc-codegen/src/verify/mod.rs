@@ -89,7 +89,7 @@ pub struct Campaign {
     pub seed: u64,
     /// Runs that the search may take for each objective.
     pub search: usize,
-    /// Surroundings of the controller in the loop that runs; `None` where the law itself is verified.
+    /// Sampling, sensors and actuator of the sampled loop; `None` if the law itself is verified.
     pub around: Option<Loop>,
     /// T/tau at which a run ends; in the loop that runs it may be beyond the deadline, at T <= 0.
     pub until: f64,
@@ -110,8 +110,8 @@ pub struct Campaign {
     pub objectives: Vec<Objective>,
 }
 
-/// Version on which the rows of a campaign depend beside the campaign: the version of the package, and behind it a
-/// number that every change of the engine raises that gives a run other bits.
+/// Version of the engine, on which the rows of a campaign depend: the version of the package, and behind it a number
+/// that is raised by every change that alters the bits of a run.
 pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+7");
 
 impl Campaign {

@@ -153,7 +153,8 @@ impl Observer {
 }
 
 impl Watched {
-    /// Returns the value that an objective bounds, and its bounds, from its numbers and from what is seen of x and u.
+    /// Returns the value that an objective bounds, and its bounds, from its numbers and from the observation of x and
+    /// u.
     #[inline]
     fn level(
         &self,

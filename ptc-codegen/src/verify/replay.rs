@@ -4,7 +4,7 @@ use super::course::PIECES;
 use super::scenario::SEEDS;
 use super::{Campaign, Course, Interval, Scenario, Signal};
 
-/// Key of an instant that is looked at beside those of every run.
+/// Key of an additional instant at which objectives are examined.
 const AT: &str = "T/tau";
 
 /// A number in the fewest digits that are read as it.

@@ -36,7 +36,7 @@ pub struct Setting {
     pub x0: Vec<f64>,
     /// T/tau of the instants that are looked at, with what holds from the one before on.
     pub pieces: Vec<Piece>,
-    /// Surroundings of the controller in the loop that runs.
+    /// Sampling, sensors and actuator of the sampled loop.
     pub around: Option<Loop>,
 }
 

@@ -126,7 +126,7 @@ pub fn scan(
 /// Shows that every control of a program that time does not enter stays in range.
 ///
 /// # Errors
-/// Returns what is not shown.
+/// Returns what could not be shown.
 pub(crate) fn covered(program: &Program, input: &dyn Fn(Input) -> Computed) -> Result<(), String> {
     let mut bounds = Bounds::new(program, input);
     let singular = settle_divisors(program, input, &mut bounds);

@@ -41,7 +41,7 @@ fn of_chain_alone(spec: &Spec, outcome: Outcome) -> Outcome {
 
 /// Requirements of the sample period and the wanted error on eps.
 pub(in crate::check) struct Asked {
-    /// Missing inputs of the loop in numbers, in words.
+    /// Missing inputs of the numeric loop, in words.
     lacking: Option<String>,
     period: Option<f64>,
     tau: f64,

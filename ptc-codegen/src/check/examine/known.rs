@@ -184,7 +184,7 @@ fn evaluate(spec: &Spec, expression: &Expression) -> Option<BigRational> {
     }
 }
 
-/// Names what the closed loop in numbers lacks; `None` if nothing is missing.
+/// Names the missing input of the numeric closed loop; `None` if nothing is missing.
 pub(in crate::check) fn lacking(spec: &Spec) -> Option<String> {
     if spec.feedback != Feedback::Linear {
         return Some("a linear law".to_owned());

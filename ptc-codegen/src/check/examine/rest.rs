@@ -20,7 +20,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Reference, Sampled, Spec};
 use crate::syntax::constant::text;
 
-/// Judges what the emitted loop of `spec` does at sample N, for a design whose eps is set.
+/// Judges the emitted loop of `spec` at sample N, for a design whose eps is set.
 pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
     let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
     let (limit, _) = check_growth(&continuous);
@@ -77,7 +77,7 @@ fn last(spec: &Spec) -> String {
     )
 }
 
-/// Names what the theorem leaves at sample N; `None` if that is 0.
+/// Names the error that the theorem leaves at sample N; `None` if it is 0.
 fn off(spec: &Spec, own: &Sampled) -> Option<&'static str> {
     let is_held = |eps: &Fixed| eps.number().is_some_and(Signed::is_positive);
     if own.observer.as_ref().is_some_and(|observer| observer.eps.as_ref().is_some_and(is_held)) {

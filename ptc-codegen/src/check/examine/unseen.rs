@@ -27,7 +27,8 @@ const SUBJECTS: [(&str, &str); 7] = [
 ];
 
 impl Report {
-    /// Lists what no check has looked at because a value is missing, or the check does not know the design.
+    /// Lists the subjects that no check has examined, because a value is missing or the check does not support the
+    /// design.
     pub fn unseen(&self) -> Vec<String> {
         let left_out = |outcome: &&Outcome| outcome.verdict == Verdict::NotChecked;
         let subject = |outcome: &Outcome| {

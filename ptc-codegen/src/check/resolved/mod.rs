@@ -151,7 +151,7 @@ fn is_disturbed(spec: &Spec) -> bool {
         || matches!(promises.plant, Some(PlantBounds::Bounded { .. }))
 }
 
-/// Grades how far the check of the loop is from acceptance, for what an eps can change.
+/// Grades the distance of the loop check from acceptance, as far as eps can change it.
 fn grade(spec: &Spec, (outcome, worst): &Looped) -> u8 {
     match outcome.verdict {
         Verdict::Sound | Verdict::NotChecked | Verdict::NotNeeded => 0,

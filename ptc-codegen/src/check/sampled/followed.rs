@@ -38,10 +38,10 @@ pub(super) struct Followed {
     /// r^(n+1) and r^(n+2) in the middle of each sample until the deadline; empty where they are not known, or samples are
     /// many.
     pub(super) known: Vec<[Near; 2]>,
-    /// Bound of |r^(n+2)|, and of the remainder of |r^(n) - rho| beside both.
+    /// Bound of |r^(n+2)|, and of the remainder of |r^(n) - rho| after both terms.
     pub(super) curve: f64,
     pub(super) left: f64,
-    /// Bound of the remainder of |r^(n) - rho| beside the term of r^(n+1).
+    /// Bound of the remainder of |r^(n) - rho| after the term of r^(n+1).
     pub(super) rest: f64,
     /// Bound of all of |r^(n) - rho|.
     pub(super) most: f64,

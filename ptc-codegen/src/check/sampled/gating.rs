@@ -72,8 +72,8 @@ impl Cost {
     }
 }
 
-/// Effect of one lost and of one wild reading on a loop at each sample: bounds of its states, of the input that acts
-/// and of what is not exact.
+/// Effect of one lost and of one wild reading on a loop at each sample: bounds of its states, of the acting input and
+/// of the errors.
 #[derive(Default)]
 struct Moved {
     states: Vec<[Vec<f64>; 2]>,

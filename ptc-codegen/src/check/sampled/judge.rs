@@ -57,7 +57,7 @@ impl<'a> Loop<'a> {
     /// The sampled loop of `spec`, whose gains and tau are known.
     ///
     /// # Errors
-    /// Returns what it lacks, or why it is not looked at.
+    /// Returns the missing input, or why the loop is not examined.
     pub(crate) fn new(spec: &'a Spec, expanded: Option<&'a Expanded>) -> Result<Self, String> {
         let promises = &spec.promises;
         let h = exact(promises.sample_time.as_ref()).ok_or("`sample_time` is not given")?;
@@ -227,7 +227,7 @@ impl<'a> Loop<'a> {
         Some(Gate { range, innovation })
     }
 
-    /// Returns the force that moves the plant beside u, if it is bounded and not 0.
+    /// Returns the force on the plant in addition to u, if it is bounded and not 0.
     fn force(&self) -> Option<Force> {
         let Some(PlantBounds::Bounded { middle, constant, varying, .. }) =
             &self.spec.promises.plant

@@ -20,7 +20,7 @@ use crate::algebra::BigRational;
 use crate::expression::enclosure::{Interval, Range};
 use crate::linear::{self, Delay, Linear, zero_order_hold};
 
-/// Effect of a reference on a loop of e beside the law, and its share of u.
+/// Disturbance of a loop of e by a reference, and its share of u.
 #[derive(Clone, Debug)]
 pub(super) struct Moved {
     /// Contribution of r^(n+1) = 1 to each state in a sample, by the distance from the middle.

@@ -15,7 +15,7 @@ pub(super) struct Reach {
     pub(super) states: Vec<Vec<f64>>,
     /// Interval of each state, where more is known than its size.
     pub(super) spans: Vec<Vec<Span>>,
-    /// Bound of the input that acts on the plant, where something is off in proportion to the loop.
+    /// Bound of the input that acts on the plant, if there are errors in proportion to the loop.
     pub(super) acting: Vec<f64>,
     /// Bound of its change since the sample before.
     pub(super) change: Vec<f64>,
@@ -24,7 +24,7 @@ pub(super) struct Reach {
     /// Bound of the movement of each state of the plant as a period is longer or shorter, where states are at the times
     /// of the samples themselves.
     pub(super) moves: Vec<Vec<f64>>,
-    /// Bound of what is not exact in a sample, by how much each of the next states counts, one sample behind the other:
+    /// Bound of the errors of a sample, by how much each of the next states counts, one sample behind the other:
     /// [`Sampled::inexact`].
     pub(super) inexact: Vec<f64>,
     /// Bound of the state by how late the sample is, where that is followed.

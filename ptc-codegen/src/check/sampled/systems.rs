@@ -11,7 +11,7 @@ use crate::parameter::Precision;
 /// Rounds in which w is widened.
 const ROUNDS: u32 = 200;
 
-/// Margins over what is needed: a factor, and a size below that of every unit.
+/// Margins over the required size: a factor, and a size below that of every unit.
 const WIDER: f64 = 1.02;
 const TINY: f64 = 1e-200;
 

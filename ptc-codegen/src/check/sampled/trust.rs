@@ -19,15 +19,15 @@ pub(super) enum Trust<'a> {
     Fading(&'a Fading),
 }
 
-/// Decay of an error: a scaling of the state at each sample, a bound of the transitions in it and of what is not exact
-/// in each sample.
+/// Decay of an error: a scaling of the state at each sample, a bound of the transitions in it, and of the errors of
+/// each sample.
 pub(super) struct Fading {
     pub(super) scales: Scales,
     pub(super) growth: f64,
     pub(super) errors: Vec<f64>,
 }
 
-/// Sum of what is not exact in a worst case, from its last sample back to the first.
+/// Sum of the errors of a worst case, from its last sample back to the first.
 pub(super) struct Inexact<'a> {
     trust: Option<Trust<'a>>,
     /// Relative rounding of a sum over the states.

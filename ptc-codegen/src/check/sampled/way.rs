@@ -297,5 +297,5 @@ impl Sampled {
 /// Rounds in which bounds are widened until the loop does not leave them.
 const ROUNDS: u32 = 12;
 
-/// Excess over what is needed, as a fraction of it.
+/// Relative excess over the required value.
 const WIDER: f64 = 1e-4;

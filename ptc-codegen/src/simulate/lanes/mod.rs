@@ -115,7 +115,7 @@ pub trait LaneSide {
     /// Number of components.
     fn order(&self) -> usize;
 
-    /// Returns the excess of the decay in sigma of each component over that of the next one.
+    /// Returns the difference of the decay rates in sigma of each component and the next one.
     fn slant(&self) -> f64;
 
     /// Gives a lane the values of a run from `x0`.

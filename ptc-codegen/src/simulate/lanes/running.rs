@@ -47,7 +47,7 @@ pub struct Sampling<'a> {
     pub values: &'a Values,
     /// State at t0.
     pub x0: &'a [f64],
-    /// Surroundings of the controller.
+    /// Environment of the controller.
     pub around: &'a Loop,
     /// When the plant gets other values.
     pub pieces: &'a [Piece],

@@ -1,4 +1,4 @@
-//! Deviation of the response of x and u to a bounded f, between two T/tau, from what is linear there.
+//! Deviation of the response of x and u to a bounded f from linear interpolation between two T/tau.
 
 use super::cell::Loop;
 use super::flow::{Rows, dot};
@@ -8,13 +8,13 @@ use super::piece::{along, polynomial, sizes};
 use crate::algebra::BigRational;
 use crate::expression::enclosure::{Interval, Range};
 
-/// Largest allowed part in the sum of second derivatives, which count by the square of the width of a cell, of what is
-/// left far back.
+/// Largest part of the sum of second derivatives, which count by the square of the width of a cell, that may be left
+/// far back.
 const LESS: f64 = 1.0 / 64.0;
 
 impl Loop {
-    /// Bounds the deviation of the response to an f of 1, within a cell of T/tau, from what is linear between its ends,
-    /// of which the later one has the response `last`.
+    /// Bounds the deviation of the response to an f of 1, within a cell of T/tau, from linear interpolation between its
+    /// ends, of which the later one has the response `last`.
     ///
     /// The action at a lag that both ends know is within h^2/2 |H''| of it. At longer lags the kernel
     /// begins within the cell: with the integral of it at the later end taken out, and its range times

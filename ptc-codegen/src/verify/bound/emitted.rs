@@ -123,7 +123,7 @@ impl Emitted {
         met.map(|(_, error)| *error).try_fold(0.0, |most: f64, error| Some(most.max(error?)))
     }
 
-    /// Describes what a proof includes of the program.
+    /// Describes the part of the program that a proof includes.
     pub(super) fn scope(&self) -> String {
         let name = self.precision;
         let of_u = match self.error(&[integer(0), integer(1)]) {

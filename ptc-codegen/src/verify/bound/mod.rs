@@ -183,7 +183,7 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
     campaign.objectives.iter().map(one).collect()
 }
 
-/// Returns the objective that u stays within its fixed limits; `None` where it has none.
+/// Returns the objective that u keeps its fixed limits; `None` if it has none.
 fn unclipped(spec: &Spec) -> Option<Kind> {
     let [least, most] = spec.limits(0);
     match (least, most) {

@@ -74,7 +74,7 @@ pub fn limits(campaign: &Campaign) -> Option<String> {
     ))
 }
 
-/// Returns the result for an objective for which the worst case leaves no room, with the excess of what may be reached.
+/// Returns the result for an objective for which the worst case leaves no room, with the excess of the worst case.
 fn exceeded(campaign: &Campaign, worst: &Worst, (kind, most): (&Kind, f64), why: String) -> Proof {
     // Bounds of any signal say nothing of some.
     let is_free = |legal: &[Signal]| {
@@ -103,7 +103,7 @@ struct Reached {
     bound: f64,
 }
 
-/// Returns the value reached of what an objective bounds, where that is known.
+/// Returns the value that the bounded quantity of an objective reaches, if it is known.
 fn reached(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Option<Reached> {
     let spec = &campaign.spec;
     // Quanta are bounded like noise, but nobody chooses them: their part may have the other sign.

@@ -64,7 +64,7 @@ impl Campaign {
 /// The final report.
 #[derive(Clone, Debug)]
 pub struct Summary {
-    /// Extent of what was run.
+    /// Number and kind of runs.
     pub run: String,
     /// Distribution of the draws.
     pub distribution: String,

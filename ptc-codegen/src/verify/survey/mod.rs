@@ -1,5 +1,5 @@
-//! Statistics of the draws of a campaign, beside the worst of them: how they spread, what drives them, and which are
-//! worst. An objective measures a draw at its worst instant: [`super::Kind::measure`].
+//! Statistics of the draws of a campaign: their distribution, the quantities that drive them, and the worst of them. An
+//! objective measures a draw at its worst instant: [`super::Kind::measure`].
 //!
 //! Only counts and maxima are kept, so that neither the order of the rows nor their division decides anything.
 
@@ -90,7 +90,7 @@ impl Drawn {
         self
     }
 
-    /// Returns the drivers of an objective, the strongest first; what chance may make of so many draws is left out.
+    /// Returns the drivers of an objective, the strongest first; shares that chance may explain are left out.
     pub fn drivers(&self, objective: usize) -> Vec<Driver> {
         let shares = &self.spreads[objective].shares;
         let all = self.quantities.iter().zip(shares);

@@ -67,11 +67,11 @@ pub(super) struct Step {
     pub(super) matrix: Matrix,
     pub(super) columns: Vec<Vec<Near>>,
     pub(super) u: Row,
-    /// Upper bound of what the rounding of a reference that is not part of the states adds to each state, and to u.
+    /// Upper bound of the rounding error of a reference outside the states, in each state and in u.
     pub(super) lost: Vec<Near>,
     pub(super) lost_of_u: f64,
-    /// Difference of each measurement from the prediction of an observer, and what rounding of a reference adds to it;
-    /// empty without an observer that can predict alone.
+    /// Innovation of each measurement in an observer, and the rounding error of a reference in it; empty without an
+    /// observer that can predict alone.
     pub(super) innovations: Vec<(Row, f64)>,
     /// Contribution of a constant f of 1 to each state over the joined samples; `None` for one sample.
     pub(super) force: Option<Vec<Near>>,

@@ -7,7 +7,7 @@ use super::Held;
 use super::sample::Sample;
 use crate::code::{Expr, Test};
 
-/// Record of what a sample computes from its counts, in order.
+/// Record of the computations of a sample with its counts, in order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Trace<'a> {
     entries: RefCell<Vec<Entry<'a>>>,

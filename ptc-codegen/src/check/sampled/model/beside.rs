@@ -34,8 +34,8 @@ impl Beside {
         ((w + self.rate + self.rate_off) * ROUNDED, chain.collect())
     }
 
-    /// Bounds the force on the chain of e beside w, for wanted rates of at most `wanted`: r^(n) - rho, and the rounding
-    /// of rho and of the sum with it.
+    /// Bounds the force on the chain of e in addition to w, for wanted rates of at most `wanted`: r^(n) - rho, and the
+    /// rounding of rho and of the sum with it.
     pub(super) fn force(&self, wanted: f64) -> f64 {
         (self.moves + self.rate_off + 2.0 * self.unit * wanted) * ROUNDED
     }

@@ -1,4 +1,4 @@
-//! Proof that states whose chains are within bounds stay within the envelope.
+//! Proof that states remain within the envelope if their chains are within bounds.
 
 use super::cell::{OnCells, divided};
 use super::motion::Motion;

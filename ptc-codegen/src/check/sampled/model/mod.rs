@@ -40,7 +40,7 @@ const ROUNDS: u32 = 10;
 /// A force from which on none is consistent with itself.
 const FAR: f64 = 1e100;
 
-/// Excess over what is needed, as a fraction of it.
+/// Relative excess over the required value.
 const WIDER: f64 = 0.02;
 
 /// The check of a design with such a model.
@@ -91,7 +91,7 @@ type Afterwards = (Vec<Vec<f64>>, Vec<f64>);
 /// One output, whose chain its law moves.
 struct Output {
     spec: Spec,
-    /// Error bounds of what is measured of the chain.
+    /// Error bounds of the measured coordinates of the chain.
     sensors: Vec<f64>,
     followed: Option<Beside>,
 }

@@ -1,4 +1,4 @@
-//! Bounds of the inputs, and of the rates of what they move, on the envelope.
+//! Bounds of the inputs, and of the rates of the sums that they move, on the envelope.
 
 use super::super::rounded::{ROUNDED, Rounded};
 use super::cell::{OnCells, cells, size};
@@ -36,7 +36,7 @@ pub(super) struct Reached {
     pub(super) wanted: Vec<f64>,
     /// Bounds of the chains, one after the other.
     pub(super) chains: Vec<f64>,
-    /// Bound of the force on each chain beside it.
+    /// Bound of the force on each chain in addition to it.
     pub(super) force: Vec<f64>,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Reached {
 pub(super) struct Sizes {
     /// Bound of the size of each input.
     pub(super) u: Vec<f64>,
-    /// Bound of the force on each chain beside the wanted rate.
+    /// Bound of the force on each chain in addition to the wanted rate.
     pub(super) force: Vec<f64>,
 }
 

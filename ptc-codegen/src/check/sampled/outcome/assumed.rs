@@ -9,7 +9,7 @@ use crate::diagnostic::digits;
 use crate::parameter::Parameter;
 use crate::request::{PlantBounds, Spec};
 
-/// Describes the assumptions of the bounds, and lists what was left out.
+/// Describes the assumptions of the bounds, and lists the effects that are left out.
 pub(super) fn assumed(spec: &Spec, samples: usize) -> String {
     let promises = &spec.promises;
     let mut absent = Vec::new();

@@ -16,7 +16,7 @@ pub(in crate::check::sampled) struct Closed {
     pub(super) fix: Option<String>,
 }
 
-/// Margin factor of a suggested gate over what readings reach.
+/// Factor by which a suggested gate exceeds the largest readings.
 const ROOM: f64 = 1.001;
 
 /// The gate of the observer of a design.

@@ -61,7 +61,7 @@ fn samples(count: usize) -> String {
     if count == 1 { "1 more sample".to_owned() } else { format!("{count} more samples") }
 }
 
-/// Margins of the loop that stays, one at a time.
+/// Margins of the loop with its final gains, one at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stability {
     /// The least and the greatest true input gain, in parts of the known one, between which it is stable.
@@ -177,7 +177,7 @@ impl Stays {
         Some(Stability { gain: [last(1.0 / MOST), last(MOST)], delay, resonance })
     }
 
-    /// Returns true if it is stable with all of what is wanted.
+    /// Returns true if it is stable within all wanted margins.
     pub(super) fn keeps(&self, wanted: &Wanted) -> bool {
         let steps = (f64::from(EACH) * wanted.gain.log2()).ceil().max(1.0);
         #[allow(clippy::cast_possible_truncation)]

@@ -40,7 +40,7 @@ pub(super) struct Resonances {
 /// Frequencies in Hz, from the lower one to the higher one.
 pub(crate) type Band = [f64; 2];
 
-/// Resonances that leave the loop that stays stable.
+/// Resonances with which the loop with its final gains is stable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Damped {
     /// Frequencies of the design, lowest and highest one, in Hz.
@@ -122,7 +122,7 @@ impl Stays {
         grid.into_iter().all(|frequency| self.is_damped(resonances, frequency))
     }
 
-    /// Returns the resonances that leave it stable: of the design alone, or also those around them.
+    /// Returns the resonances with which it is stable: of the design alone, or also those around them.
     pub(super) fn damped(&self, around: bool) -> Option<Damped> {
         let resonances = self.resonances.as_ref()?;
         let [low, high] = resonances.frequency;
@@ -195,7 +195,7 @@ impl Damped {
     }
 }
 
-/// Returns the resonances that leave stable the loop of a design whose eps is set; `None` without a resonance.
+/// Returns the resonances with which the loop of a design is stable, whose eps is set; `None` without a resonance.
 ///
 /// # Errors
 /// Why that is not known.

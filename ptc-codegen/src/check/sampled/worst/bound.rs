@@ -45,14 +45,14 @@ impl Bound {
         Self { jitter: self.jitter.min(jitter), ..self }
     }
 
-    /// Returns what the worst signals reach, except for rounding, with the input gain in the middle of its interval,
-    /// samples in time and a reference that r^(n) of each sample follows.
+    /// Returns the value that the worst signals reach, except for rounding, with the input gain in the middle of its
+    /// interval, samples in time and a reference that r^(n) of each sample follows.
     pub fn attained(&self) -> f64 {
         self.centre().abs() + self.middle[2].abs() + self.chosen()
     }
 
-    /// Returns a lower bound of what the worst signals reach, except for rounding. The contribution of a reference is
-    /// no signal that is chosen, and only counts against it.
+    /// Returns a lower bound of the value that the worst signals reach, except for rounding. The contribution of a
+    /// reference is not a chosen signal, and only counts against it.
     pub(in crate::check::sampled) fn at_least(&self) -> f64 {
         (self.centre().abs() - self.middle[2].abs()).max(0.0) + self.chosen() - self.reference
     }

@@ -48,7 +48,7 @@ pub(super) struct Sampled {
     pub(super) noise_rms: Vec<f64>,
     /// Bound of the error of the actuator: half its step.
     pub(super) actuator: f64,
-    /// Force that moves the plant beside u.
+    /// Force on the plant in addition to u.
     pub(super) force: Option<Force>,
     /// Effect of a reference; `None` without one.
     pub(super) moved: Option<Moved>,

@@ -39,7 +39,7 @@ pub(super) struct Explicit {
     tableau: Arc<Tableau>,
     order: usize,
     accuracy: Accuracy,
-    /// Excess of the decay of each component over that of the next one.
+    /// Difference of the decay rates of each component and the next one.
     slant: f64,
     flow: Flow,
     /// Rates at y.

@@ -43,7 +43,7 @@ pub(super) fn outcome(spec: &Spec, exact: &Exact) -> Result<Outcome, Lacking> {
 /// Error bounds of the chains, one for each coordinate.
 #[derive(Clone)]
 struct Errors {
-    /// Force on each chain beside v.
+    /// Force on each chain in addition to v.
     forces: Vec<f64>,
     /// Error of each xi as the law sees it.
     sensors: Vec<f64>,
@@ -59,7 +59,7 @@ struct Bounded {
     sizes: Sizes,
 }
 
-/// Bounds that a loop stays within.
+/// Bounds of the signals of a loop.
 struct Sizes {
     /// Bounds of xi at the samples.
     chains: Vec<BigRational>,

@@ -76,7 +76,7 @@ fn assumed(found: &Bounded) -> String {
     )
 }
 
-/// Describes the force on a chain beside v.
+/// Describes the force on a chain in addition to v.
 fn force(force: f64) -> String {
     format!(
         "xi, its chain as it is sampled, is moved by the law without an error of the period; rounding, and what sensors and inputs are off, move it like a force of at most {}",
