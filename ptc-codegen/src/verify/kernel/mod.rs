@@ -47,8 +47,8 @@ struct Way {
     scenario: Scenario,
 }
 
-/// Scenarios in which `objective` may be worse than in `from`, at the instant that `from` names if it does; `None` where
-/// the run has no slopes.
+/// Scenarios in which `objective` may be worse than in `from`, at the instant that `from` names if it does; `None`
+/// where the run has no slopes.
 pub(super) fn worse(
     campaign: &Campaign,
     (trial, rates): (&mut Trial, &mut Rates),
