@@ -84,7 +84,7 @@ pub(crate) fn promised(
     Ok(())
 }
 
-/// Plant of a run: f and g of a chain of integrators, `dynamics` of a model.
+/// Equations of a plant: f and g for a chain of integrators, `dynamics` for a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plant {
     /// f(x, u, t), in units of xn per s.

@@ -108,7 +108,7 @@ fn hidden(f: &Expression, n: usize) -> Option<usize> {
 }
 
 impl Plant {
-    /// Returns the resonance, as it was given.
+    /// Returns the bounds of its resonance, if all of them are known.
     pub(super) fn promised_resonance(&self) -> Option<Resonance> {
         let measured = self.resonance?;
         let ends = |name: &str| {

@@ -61,7 +61,7 @@ enum Step {
     Root(Root, Vec<usize>),
 }
 
-/// Observer of the branch that an operation with several branches took.
+/// Callback that receives the branch taken by an operation with several branches.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(Value, &'static str);
 
 impl Machine {

@@ -17,7 +17,7 @@ pub struct Sampled {
     pub delay: Delay,
     /// The plant where it is not a chain.
     pub linear: Option<Linear>,
-    /// Reference trajectory, if its output follows a reference.
+    /// State and input for which its output follows a reference.
     pub follows: Option<Following>,
     /// A linear plant with several inputs, sampled exactly.
     pub exact: Option<Box<Exact>>,

@@ -208,8 +208,8 @@ struct Harness<'a> {
     /// True if comparisons alone show the domain of any parameter.
     compared: bool,
     options: &'static str,
-    /// True if Eva sees that u is finite for any inputs. A guard without checks tests v - v, which puts NaN on the
-    /// right side of a comparison; Eva does not follow that.
+    /// True if Eva sees that u is finite for any inputs. A guard without checks compares v - v, and NaN takes the right
+    /// branch; Eva does not see that.
     sees_all: bool,
     ranges: Vec<Range>,
     drawn: Vec<Drawn>,

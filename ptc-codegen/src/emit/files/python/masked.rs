@@ -6,7 +6,7 @@ use super::Python;
 use crate::code::{Expr, For, Place, Statement, Status, Subroutine, Test};
 use crate::internal::fault;
 
-/// Mask of the elements of a batch that have left a loop.
+/// Name of the mask of the elements of a batch that have left a loop.
 const DONE: &str = "done";
 
 impl Python<'_> {
