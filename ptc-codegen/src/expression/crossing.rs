@@ -169,7 +169,7 @@ impl Search<'_> {
         Some(proved.then(|| Zero::Near(midpoint(&a, &b))))
     }
 
-    /// Returns true if the expression is proved to be continuous from one point to another.
+    /// Returns true if the expression is proved to be continuous from one point to another; `None` if no work is left.
     fn is_continuous(&mut self, a: &[f64], b: &[f64], splits: u32) -> Option<bool> {
         let names = self.names(a, b);
         let exists = self.evaluator.value(self.expression, &names)?.existence;
@@ -184,7 +184,7 @@ impl Search<'_> {
         Some(first && self.is_continuous(&middle, b, splits - 1)?)
     }
 
-    /// Returns true if a sign in it may change.
+    /// Returns true if a sign in it may change; `None` if no work is left.
     fn jumps(&mut self, names: &Names) -> Option<bool> {
         let mut signed = Vec::new();
         self.expression.each(&mut |e| match e.node() {

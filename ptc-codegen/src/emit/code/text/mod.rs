@@ -141,7 +141,7 @@ pub(in crate::emit) trait Text {
         self.choose(&self.not_zero(a), a, &self.nan())
     }
 
-    /// Tests that a number is neither 0 nor NaN.
+    /// Test that a number is neither 0 nor NaN.
     fn not_zero(&self, a: &str) -> String {
         let (zero, or) = (self.literal("0.0"), self.or());
         format!("({a} < {zero}) {or} ({a} > {zero})")
@@ -152,10 +152,10 @@ pub(in crate::emit) trait Text {
         format!("{name}({array}, {time})")
     }
 
-    /// Tests that a number is finite.
+    /// Test that a number is finite.
     fn finite(&self, value: &str) -> String;
 
-    /// Tests that a number is NaN.
+    /// Test that a number is NaN.
     fn not_number(&self, value: &str) -> String;
 
     /// A status.
@@ -182,12 +182,12 @@ pub(in crate::emit) trait Text {
         self.at("u", &self.place(index, self.first()))
     }
 
-    /// Tests that a status is not negative.
+    /// Test that a status is not negative.
     fn stands(&self, status: &str) -> String {
         format!("{status} >= {}", self.status(Status::Ok))
     }
 
-    /// Tests that a status is negative.
+    /// Test that a status is negative.
     fn fails(&self, status: &str) -> String {
         format!("{status} < {}", self.status(Status::Ok))
     }

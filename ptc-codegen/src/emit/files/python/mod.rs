@@ -134,7 +134,7 @@ impl Text for Python<'_> {
         "_R(np.nan)".to_owned()
     }
 
-    /// Tests a number, which may be one of a batch.
+    /// Test of a number, which may be one of a batch.
     fn not_zero(&self, a: &str) -> String {
         let zero = self.literal("0.0");
         format!("({a} < {zero}) | ({a} > {zero})")

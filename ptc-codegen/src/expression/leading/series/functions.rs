@@ -158,7 +158,8 @@ fn exponential_of(constant: &Expression) -> Expression {
     }
 }
 
-/// Returns true if it grows faster than every power, so that e to it grows faster than e to any product.
+/// Returns true if it grows faster than every power, so that e to it grows faster than e to any product; `None` if
+/// that is not known.
 fn is_fast(scale: &Scale) -> Option<bool> {
     let leading = scale.leading()?;
     let exponential = leading.is_some_and(|(p, o)| o.is_gt() && *p > Product::logarithm(1));

@@ -59,7 +59,7 @@ impl Reader<'_> {
         law
     }
 
-    /// Checks that a law does not use an input of the plant, which follows from it.
+    /// Returns true if a law does not use an input of the plant, which follows from it; else records a diagnostic.
     pub(in super::super) fn gives_inputs(
         &mut self,
         node: &Node,
