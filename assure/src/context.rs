@@ -1,4 +1,4 @@
-//! What a layer works on: the controllers of the goldens, those of every family, and random ones.
+//! Input of a layer: the controllers of the goldens, those of every family, and random ones.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -18,12 +18,11 @@ pub struct Context {
     target: PathBuf,
     /// The seed of random specs and records.
     pub seed: u64,
-    /// How long random controllers are drawn.
+    /// Time for which random controllers are drawn.
     pub time: Duration,
-    /// Whether fewer controllers are examined.
+    /// True if fewer controllers are examined.
     pub brief: bool,
-    /// Which of the parts of what is costly a brief run examines: a number of the commit, so that it finds the same on any
-    /// day.
+    /// Part of the costly work that a brief run examines: a number of the commit, so that it finds the same on any day.
     pub turn: u64,
 }
 

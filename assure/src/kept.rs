@@ -21,7 +21,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Those of the commit of the workspace as it is now, with the options of `context`.
+    /// Opens the results of the present commit of the workspace, with the options of `context`.
     pub fn new(context: &Context) -> Self {
         let git = |words: &[&str]| text(Command::new("git").args(words).current_dir(workspace()));
         let changed = git(&["status", "--porcelain", "--", ".", ":!assurance/REPORT.md"]);
@@ -33,7 +33,7 @@ impl Kept {
         Self { folder: context.target().join("assure/kept"), run: commit.map(run) }
     }
 
-    /// Whether there is a commit to go by.
+    /// Checks that there is a commit to go by.
     ///
     /// # Errors
     /// Files differ from the commit, or there is none.

@@ -13,7 +13,7 @@ use crate::tool::Tool;
 pub struct Layer {
     /// Its word on the command line.
     pub name: &'static str,
-    /// What it shows of emitted code, as a sentence.
+    /// Claim about emitted code, as a sentence.
     pub claim: &'static str,
     /// The tools without which it cannot run.
     pub tools: &'static [Tool],
@@ -21,7 +21,7 @@ pub struct Layer {
     pub run: fn(&Context) -> Result<Finding>,
 }
 
-/// What a layer found.
+/// Findings of a layer.
 #[derive(Clone, Debug, Default)]
 pub struct Finding {
     /// One line: how much was examined, and with what result.
@@ -49,16 +49,16 @@ impl Finding {
 /// A defect put in on purpose.
 #[derive(Clone, Debug)]
 pub struct Seeded {
-    /// What was done to the code.
+    /// Defect in the code.
     pub defect: String,
-    /// What reported it; `None` if nothing did.
+    /// Tool that reported it; `None` if nothing did.
     pub caught: Option<String>,
 }
 
 /// A table of the report.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
-    /// What it shows.
+    /// Title.
     pub title: String,
     /// Heads of the columns.
     pub head: Vec<&'static str>,
@@ -84,7 +84,7 @@ pub const PASSED: &str = "passed";
 /// The word for a layer that could not run.
 pub const NOT_RUN: &str = "NOT RUN";
 
-/// How a layer ended.
+/// Outcome of a layer.
 #[derive(Clone, Debug)]
 pub enum Outcome {
     /// It ran and found no fault.
@@ -113,7 +113,7 @@ impl Outcome {
         }
     }
 
-    /// What was found, where it ran.
+    /// Returns the finding, where it ran.
     pub fn finding(&self) -> Option<&Finding> {
         match self {
             Self::Passed(finding) | Self::Failed(finding) => Some(finding),
@@ -150,7 +150,7 @@ fn broken(message: String) -> Outcome {
     Outcome::Failed(Finding { summary, failures: vec![message], ..Finding::default() })
 }
 
-/// What a panic of the harness says: a compiler or a program of a controller failed.
+/// Returns the message of a panic of the harness: a compiler or a program of a controller failed.
 fn panic_text(panic: &(dyn std::any::Any + Send)) -> String {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or(panic.downcast_ref::<&str>().copied()).unwrap_or("a panic without a text").to_owned()

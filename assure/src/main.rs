@@ -68,7 +68,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Whether no layer failed.
+/// Runs the layers; returns true if none failed.
 fn execute(line: &CommandLine) -> Result<bool> {
     if line.list {
         for layer in LAYERS {

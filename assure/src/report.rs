@@ -8,10 +8,10 @@ use std::path::Path;
 use crate::context::{Context, TIME, workspace};
 use crate::layer::{Finding, Layer, NOT_RUN, Outcome, Table};
 
-/// What the report says of a layer.
+/// Entry of the report for a layer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// How it ended, in a word.
+    /// Outcome, in a word.
     pub word: &'static str,
     /// The same in a line.
     pub summary: String,
@@ -20,7 +20,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// That of an outcome.
+    /// Returns the entry of an outcome.
     pub fn of(outcome: &Outcome) -> Self {
         let mut text = String::new();
         if let Some(finding) = outcome.finding() {

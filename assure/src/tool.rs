@@ -9,13 +9,13 @@ use std::process::{Command, Stdio};
 pub struct Tool {
     /// Its name in reports.
     pub name: &'static str,
-    /// What shows that it is there.
+    /// Evidence that it is installed.
     pub shown_by: ShownBy,
-    /// Where it comes from.
+    /// Source of the tool.
     pub source: Source,
 }
 
-/// What shows that a tool is there.
+/// Evidence that a tool is installed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShownBy {
     /// A program that exits with 0 for these arguments; it prints its version.
@@ -24,7 +24,7 @@ pub enum ShownBy {
     File(&'static str),
 }
 
-/// Where a tool comes from.
+/// Source of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// Debian's packages.
@@ -38,7 +38,7 @@ pub enum Source {
 }
 
 impl Tool {
-    /// Whether it can be used.
+    /// Returns true if it can be used.
     pub fn is_there(&self) -> bool {
         match self.shown_by {
             ShownBy::Command(words) => output(words).is_some(),
@@ -58,7 +58,7 @@ impl Tool {
         }
     }
 
-    /// That it is missing, and what would bring it.
+    /// Describes the missing tool, and how to install it.
     pub fn missing(&self) -> String {
         let bring = match self.source {
             Source::Apt(packages) => format!("apt-get install {}", packages.join(" ")),
@@ -70,7 +70,7 @@ impl Tool {
     }
 }
 
-/// What a command prints, where it succeeds.
+/// Returns the output of a command, where it succeeds.
 fn output(words: &[&str]) -> Option<String> {
     let (program, arguments) = words.split_first()?;
     let output = Command::new(program).args(arguments).stdin(Stdio::null()).output().ok()?;

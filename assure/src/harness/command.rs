@@ -4,7 +4,7 @@ use std::process::{Command, Output};
 
 use anyhow::{Context as _, Result, ensure};
 
-/// What a command prints on its standard output.
+/// Returns the standard output of a command.
 ///
 /// # Errors
 /// As [`succeed`].

@@ -1,5 +1,5 @@
-//! What one step costs on a machine: instructions under QEMU over the self-test, which takes every
-//! branch, and the compiler's word for stack and code.
+//! Cost of one step on a machine: instructions under QEMU over the self-test, which takes every branch, and stack and
+//! code as the compiler reports them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ pub fn plugin(folder: &Path) -> Result<PathBuf> {
     Ok(path)
 }
 
-/// What a step of the controller in `sources` costs on `machine`.
+/// Measures the cost of a step of the controller in `sources` on `machine`.
 pub fn measure(
     machine: Machine,
     plugin: &Path,

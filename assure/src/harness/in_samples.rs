@@ -428,7 +428,7 @@ pub fn example() -> Spec {
     spec(&[&STAGE[..], &FIXED].concat())
 }
 
-/// What a row of a table is of: the mapping, or that it is one of these.
+/// Returns the subject of a row of a table: the mapping, or the kind of controller in samples.
 pub fn kind(spec: &Spec) -> &'static str {
     match (spec.sampled(), spec.what) {
         (Some(_), What::Observer) => "observer in samples",
@@ -444,7 +444,7 @@ pub fn controllers() -> Vec<Spec> {
     all.map(|(index, keys)| named(index, keys)).collect()
 }
 
-/// Those of plants with several inputs and of axes, which not every language and tool takes.
+/// Returns specs of plants with several inputs and of axes, which not every language and tool takes.
 pub fn of_inputs() -> Vec<Spec> {
     let first = DESIGNS.len();
     (first..).zip(OF_INPUTS).map(|(index, keys)| named(index, keys)).collect()

@@ -1,18 +1,18 @@
-//! Whether an emitted file keeps what a user wrote inside of its comments and strings.
+//! Check that an emitted file keeps user text inside of its comments and strings.
 
 use ptc_codegen::emit::File;
 
-/// How a language delimits what it does not read as code.
+/// Delimiters of the text that a language does not read as code.
 struct Syntax {
-    /// What opens and closes a comment or text of several lines.
+    /// Opening and closing delimiters of a comment or text of several lines.
     blocks: &'static [(&'static str, &'static str)],
-    /// What opens a comment up to the end of the line.
+    /// Delimiters that open a comment up to the end of the line.
     line: &'static [&'static str],
-    /// What delimits a text on one line.
+    /// Delimiters of a text on one line.
     quotes: &'static [char],
-    /// What begins an escape in such a text.
+    /// Character that begins an escape in such a text.
     escape: Option<char>,
-    /// What no emitted code of the language has: a shell, a preprocessor or an attribute reads it.
+    /// Characters that no emitted code of the language has: a shell, a preprocessor or an attribute reads them.
     foreign: &'static [char],
 }
 
@@ -42,8 +42,8 @@ const TEXT: Syntax = Syntax {
     foreign: &['`', '$', '{', '}', '"'],
 };
 
-/// What is wrong with the file; nothing where every comment and every text ends where its template
-/// says. Files of build tools are compared instead, by [`renamed`].
+/// Returns the fault of the file; `None` where every comment and every text ends where its template says. Files of
+/// build tools are compared instead, by [`renamed`].
 pub fn breach(file: &File) -> Option<String> {
     let odd = |c: char| !(c == '\n' || c == '\t' || c == ' ' || c.is_ascii_graphic());
     if let Some(c) = file.text.chars().find(|c| odd(*c)) {
@@ -143,7 +143,7 @@ pub fn renamed(file: &File, from: &str, to: &str) -> File {
     File { name: other(&file.name), text: other(&file.text) }
 }
 
-/// Whether a build tool reads the file.
+/// Returns true if a build tool reads the file.
 pub fn is_of_a_tool(file: &File) -> bool {
     let extensions = [".txt", ".in", ".ld", ".x", ".toml", "Makefile", "build.rs"];
     extensions.iter().any(|extension| file.name.ends_with(extension))

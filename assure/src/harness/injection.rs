@@ -16,7 +16,7 @@ use super::inert::{breach, is_of_a_tool, renamed};
 use super::random::Random;
 use command::spec_of;
 
-/// What ends comments and texts, or is read by shells, CMake, make, HTML, MATLAB and terminals.
+/// Texts that end comments and strings, or are special to shells, CMake, make, HTML, MATLAB and terminals.
 pub const ODD: [&str; 36] = [
     "*/",
     "/*",
@@ -56,16 +56,16 @@ pub const ODD: [&str; 36] = [
     "@",
 ];
 
-/// What was examined.
+/// Counts of the examination.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     /// Designs that were drawn.
     pub drawn: usize,
-    /// Those of them that are legal, by flags or as a file.
+    /// Designs among them that are legal, by flags or as a file.
     pub legal: usize,
     /// Files that were emitted for them.
     pub files: usize,
-    /// What was read as code.
+    /// User text that was read as code.
     pub breaches: Vec<String>,
 }
 
@@ -86,7 +86,7 @@ pub fn examine(random: &mut Random, legal: usize) -> Tally {
     tally
 }
 
-/// What is wrong with what is emitted for a design.
+/// Returns the fault of the output for a design.
 fn wrong(spec: &Spec, files: &[File]) -> Option<String> {
     let line = spec.command();
     // Panics at what a shell would read.
@@ -99,7 +99,7 @@ fn wrong(spec: &Spec, files: &[File]) -> Option<String> {
     files.iter().find_map(breach).or_else(|| tools(spec))
 }
 
-/// What differs in the files of build tools from those of a plain design, the name aside.
+/// Returns the difference between the files of build tools and those of a plain design, the name aside.
 fn tools(spec: &Spec) -> Option<String> {
     let plain = Spec { name: Some("plain_design".to_owned()), ..spec.clone() };
     for kind in Project::ALL {

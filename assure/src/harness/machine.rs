@@ -81,7 +81,7 @@ impl Machine {
         }
     }
 
-    /// What the linking of a program for the machine takes beside the objects.
+    /// Returns the arguments that link a program for the machine, besides the objects.
     pub fn link_arguments(self) -> Vec<String> {
         let own = |file: &str| device(file).to_string_lossy().into_owned();
         let words = |words: &[&str]| words.iter().map(|w| (*w).to_owned()).collect::<Vec<_>>();

@@ -34,8 +34,8 @@ impl Record {
     }
 }
 
-/// What `init`, `step`, and `tick` followed by `axis` gave, and what `step` gave once more after
-/// `arm` at the same time with x as the state at the start. What was not called is (0, 12345).
+/// Results of `init`, `step`, and `tick` followed by `axis`, and of another `step` after `arm` at the same time with x
+/// as the state at the start. A result without a call is (0, 12345).
 #[derive(Clone, Copy, Debug)]
 pub struct Outcome {
     /// Status of `init`.
@@ -140,7 +140,7 @@ pub(super) fn numbers(spec: &Spec) -> usize {
     spec.run_time_parameters().count() + latched + 1 + spec.given()
 }
 
-/// Whether `tick` and `axis` are emitted.
+/// Returns true if `tick` and `axis` are emitted.
 pub fn has_gains(spec: &Spec) -> bool {
     spec.feedback == Feedback::Linear
         && spec
@@ -203,7 +203,7 @@ pub fn in_c_from(
     Program { path, machine, index: 0, controllers: 1, precision: spec.precision }
 }
 
-/// What the glue has to know of a controller called `name` in the header `header`.
+/// Returns the compiler arguments of the glue for a controller called `name` in the header `header`.
 pub(super) fn glue_arguments(folder: &Path, spec: &Spec, name: &str, header: &str) -> Vec<String> {
     let yes = |condition: bool| u8::from(condition);
     let real = if spec.precision == Precision::F32 { "float" } else { "double" };

@@ -31,7 +31,7 @@ pub fn homes<'a>(folder: &Path, specs: &'a [Spec], language: Language) -> Result
     Ok(homes)
 }
 
-/// What `command`, given a manifest, makes of the records of each controller.
+/// Runs `command`, given a manifest, on the records of each controller, and returns the outcomes.
 ///
 /// A line of the manifest has, between tabs: the folder, in which it finds `records.bin` and leaves
 /// `outcomes.bin`; the name and the type's name; n; `f64` or `f32`; the parameters, as `tau:0,k:3` with

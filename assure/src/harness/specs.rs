@@ -43,7 +43,7 @@ pub fn families() -> impl Iterator<Item = Family> {
     ptc_codegen::family::FAMILIES.iter().map(|info| info.family)
 }
 
-/// What a run-time parameter of the given values is.
+/// Values of the run-time parameters.
 pub struct Values<'a> {
     /// Settling time, s.
     pub tau: f64,
@@ -86,7 +86,7 @@ impl Values<'_> {
         }
     }
 
-    /// Those that `spec` leaves to run time, in the order of the struct.
+    /// Returns the values that `spec` leaves to run time, in the order of the struct.
     pub fn run_time(&self, spec: &Spec) -> Vec<f64> {
         spec.run_time_parameters().map(|parameter| self.get(parameter)).collect()
     }
@@ -103,7 +103,7 @@ const LIBRARY: [&str; 14] = [
     "atan", "atanh",
 ];
 
-/// Whether the C of `spec` calls one of them.
+/// Returns true if the C of `spec` calls one of them.
 pub fn calls_a_library(spec: &Spec) -> bool {
     let files = ptc_codegen::generate(spec, Language::C).expect("a legal spec");
     let code: String = files.iter().map(|file| without_comments(&file.text)).collect();

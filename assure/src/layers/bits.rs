@@ -62,7 +62,7 @@ fn specs(family: Family) -> Vec<Spec> {
     specs
 }
 
-/// What `program` and the frame around it give for a record that `init` takes.
+/// Returns the results of `program` and the frame around it for a record that `init` takes.
 fn interpreted(program: &Program, spec: &Spec, record: &Record) -> [(i32, f64); 2] {
     let free: Vec<_> = spec.run_time_parameters().collect();
     let parameter = |wanted| free.iter().position(|p| *p == wanted).map(|at| record.parameters[at]);
@@ -109,8 +109,8 @@ fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32
     }
 }
 
-/// What the program of the whole controller gives for a record: the status of `init`, and what `step`
-/// and `axis` give.
+/// Returns the results of the program of the whole controller for a record: of `step` and `axis`, or the status of
+/// `init` where it fails.
 fn whole(code: &Code, spec: &Spec, record: &Record) -> Result<[(i32, f64); 2], i32> {
     let given = spec.run_time_parameters().zip(record.parameters.iter().copied());
     let mut controller = Instance::with_parameters(code, given).map_err(Status::number)?;
@@ -208,7 +208,7 @@ fn seeded(context: &Context, finding: &mut Finding) -> Result<()> {
     Ok(())
 }
 
-/// What each spec gives for random records, in C as in Rust and in the interpreters.
+/// Returns the outcomes of each spec for random records, in C as in Rust and in the interpreters.
 fn compared(context: &Context, name: &str, specs: &[Spec], count: usize) -> Vec<Vec<Outcome>> {
     let (folder, count) = (context.scratch(name), context.records(count));
     let programs: Vec<_> =
@@ -223,7 +223,7 @@ fn compared(context: &Context, name: &str, specs: &[Spec], count: usize) -> Vec<
     })
 }
 
-/// How many specs were compared, and their calls by status.
+/// Returns the number of specs that were compared, and their calls by status.
 fn plain(context: &Context) -> (usize, BTreeMap<i32, usize>) {
     let specs: Vec<_> = families()
         .filter(|family| *family != Family::ExpSum && *family != Family::Power)

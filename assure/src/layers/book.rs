@@ -29,13 +29,13 @@ const MDBOOK: Tool = Tool {
 
 const SCRIPT: &str = include_str!("book.py");
 
-/// What drives the browser.
+/// Package that drives the browser.
 const PLAYWRIGHT: &str = "playwright==1.65.2";
 
-/// Where a link to a file that is no page leads.
+/// Address behind links to files that are not pages.
 const REPOSITORY: &str = "https://github.com/ptc-codegen/ptc/blob/main/";
 
-/// What mdBook makes of no page.
+/// Files that mdBook makes without a page.
 const OWN: [&str; 3] = ["print.html", "toc.html", "404.html"];
 
 /// Added to a page, each is a fault.
@@ -115,8 +115,8 @@ fn examine(context: &Context, added: &str) -> Result<(usize, usize, Vec<String>)
     Ok((count, links, faults))
 }
 
-/// What is wrong in a browser with `shown`, one page of the book or all in its folder; pictures of some are left
-/// in a folder.
+/// Returns the faults in a browser of `shown`, one page of the book or all in its folder; pictures of some are left in
+/// a folder.
 fn seen(
     context: &Context,
     book: &Path,
@@ -135,7 +135,7 @@ fn seen(
     Ok(told.into_iter().flat_map(faults).collect())
 }
 
-/// What is wrong with a link of a page.
+/// Returns the fault of a link of a page.
 fn broken(texts: &BTreeMap<PathBuf, String>, page: &Path, link: &str) -> Option<&'static str> {
     if let Some(path) = link.strip_prefix(REPOSITORY) {
         let path = path.split('#').next().unwrap_or_default();

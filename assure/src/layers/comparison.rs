@@ -24,7 +24,7 @@ use crate::layer::{Finding, Table};
 /// Records for each controller, where the run is not brief.
 const RECORDS: usize = 1000;
 
-/// What runs the files of controllers on their records, from a folder of its own.
+/// Runner of the files of controllers on their records, in a folder of its own.
 pub(super) type Run<'a> =
     &'a dyn Fn(&Path, &[Home<'_>], &[Vec<Record>]) -> Result<Vec<Vec<Outcome>>>;
 
@@ -32,7 +32,7 @@ pub(super) type Run<'a> =
 pub(super) struct Side<'a> {
     pub(super) language: Language,
     pub(super) run: Run<'a>,
-    /// Whether it has tick and axis.
+    /// True if it has tick and axis.
     pub(super) has_axis: bool,
     /// A defect that the comparison must see.
     pub(super) defect: Defect,
@@ -156,7 +156,7 @@ fn in_c_on_records(
     (records, outcomes)
 }
 
-/// What was compared of one kind of controllers.
+/// Counts of the comparison of one kind of controllers.
 #[derive(Default)]
 struct Tally {
     controllers: usize,
@@ -170,7 +170,7 @@ fn without_axis(outcome: Outcome) -> Outcome {
     Outcome { axis: (0, 12345.0), ..outcome }
 }
 
-/// What a law gives in double precision, on the numbers of a record of any precision.
+/// Law in double precision, for the numbers of a record of any precision.
 struct Reference {
     spec: Spec,
     program: Program,
@@ -219,9 +219,9 @@ impl Reference {
     }
 }
 
-/// Whether outcomes that differ in their bits are worse than the accuracy of the family: against the
-/// reference, the other language may be wrong by what the family allows, and where the parameters
-/// are harder than that, by four times what C is.
+/// Returns true if outcomes that differ in their bits are worse than the accuracy of the family: against the reference,
+/// the error of the other language may be as large as the family allows, and where the parameters are harder than that,
+/// four times that of C.
 fn beyond(
     reference: &Reference,
     (record, precision): (&Record, Precision),

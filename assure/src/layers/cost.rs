@@ -1,4 +1,4 @@
-//! What a step costs on microcontrollers, and that it does not rise.
+//! Cost of a step on microcontrollers, and a check that it does not rise.
 
 use std::fs;
 
@@ -91,7 +91,7 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-/// What costs more than it is said to, and what nothing is said of.
+/// Lists the costs that exceed the kept ones, and those that the table lacks.
 fn risen(measured: &[Measured], kept: &[Measured]) -> Vec<String> {
     let mut told = Vec::new();
     for cost in measured {

@@ -49,7 +49,7 @@ fn outcomes(_: &Path, homes: &[Home<'_>], records: &[Vec<Record>]) -> Result<Vec
     Ok(in_pairs(&calls, |((home, spec), records)| in_cpp_from(home, spec).run(records)))
 }
 
-/// What a compiler says of one file, where it says anything.
+/// Returns the messages of a compiler on one file, if it fails.
 fn told(compiler: &str, flags: &[&str], file: &Path) -> Result<Option<String>> {
     let mut command = Command::new(compiler);
     command.args(STRICT_CPP).args(flags).args(["-fsyntax-only", "-x", "c++"]).arg(file);
@@ -98,7 +98,7 @@ fn at_compile_time(spec: &Spec) -> String {
     )
 }
 
-/// Of the example at T = 1: u = -k_1 x_1 + (1 - k_2) x_2 = 0.5.
+/// Checks the example at T = 1: u = -k_1 x_1 + (1 - k_2) x_2 = 0.5.
 fn constants(context: &Context, finding: &mut Finding) -> Result<()> {
     let folder = context.scratch("cpp_constants");
     let spec = context.example();

@@ -135,9 +135,8 @@ fn precision(spec: &Spec) -> &'static str {
     if spec.precision == Precision::F32 { "f32" } else { "f64" }
 }
 
-/// Whether finite mode is known not to be proved: a mapping without a closed inverse has a bracket
-/// from the start to far beyond the deadline, in which the iteration may end anywhere for all that
-/// Eva sees.
+/// Returns true if finite mode is known not to be proved: a mapping without a closed inverse has a bracket from the
+/// start to far beyond the deadline, in which the iteration may end anywhere for all that Eva sees.
 fn is_open(spec: &Spec) -> bool {
     spec.custom().is_some() && spec.is_iterated()
 }

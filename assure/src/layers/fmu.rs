@@ -36,7 +36,7 @@ const ARRIVED_SOFT: f64 = 0.02;
 
 const SCRIPT: &str = include_str!("fmu.py");
 
-/// What is installed for the layer alone.
+/// Package that is installed for the layer alone.
 const FMPY: &str = "fmpy==0.3.32";
 
 pub(super) const LAYER: Layer = Layer {
@@ -55,7 +55,7 @@ struct Trial<'a> {
     program: &'a Program,
 }
 
-/// What was found of a trial.
+/// Results of a trial.
 #[derive(Default)]
 struct Compared {
     calls: usize,

@@ -38,7 +38,7 @@ pub(super) const LAYER: Layer = Layer {
 const ROUND: usize = 16;
 /// Records of a controller.
 const RECORDS: usize = 300;
-/// How many differences are shrunk and told before it ends.
+/// Number of differences that are shrunk and reported before it ends.
 const ENOUGH: usize = 3;
 
 fn run(context: &Context) -> Result<Finding> {

@@ -56,7 +56,7 @@ pub(super) const LAYER: Layer = Layer {
     run,
 };
 
-/// Whether the target libraries are there: rustc compiles an empty crate without std for each.
+/// Command that tests for the target libraries, without which rustc cannot compile a crate without std for each.
 const RUST_TARGETS: &[&str] = &[
     "sh",
     "-c",
@@ -64,7 +64,7 @@ const RUST_TARGETS: &[&str] = &[
      test -d \"$(rustc --print sysroot)/lib/rustlib/$target/lib\" || exit 1; done",
 ];
 
-/// How the outcomes of one program compare with those of C on this machine.
+/// Comparison of the outcomes of one program with those of C on this machine.
 #[derive(Clone, Copy, Default)]
 struct Comparison {
     /// Records.
@@ -109,7 +109,7 @@ impl Comparison {
 struct Side {
     name: String,
     language: &'static str,
-    /// Whether arithmetic on this side is IEEE 754, so that equal bits are due.
+    /// True if arithmetic on this side is IEEE 754, so that equal bits are due.
     exact: bool,
     programs: Vec<Program>,
 }

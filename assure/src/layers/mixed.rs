@@ -81,7 +81,7 @@ const RUST: &str = "Rust, by rustc";
 const READ_BY_PYTHON: &str = "Python, by its compiler";
 const SELFTEST: &str = "self-test, run";
 
-/// What is examined, by name, and the fault that was found.
+/// Examinations, by name, with the fault that was found.
 type Told = Vec<(&'static str, Option<String>)>;
 
 /// `None` where the design is refused.
@@ -116,7 +116,7 @@ const LANGUAGES: [(&str, &str, Language); 4] = [
     (READ_BY_PYTHON, "Python, bits of calls", Language::Python),
 ];
 
-/// What the compilers of a language say of its files, if anything.
+/// Returns the messages of the compilers of a language on its files, if any fails.
 fn compiled(language: Language, files: &[PathBuf]) -> Result<Option<String>> {
     let with = |program: &str, flags: &[&str], end: &str| {
         let mut command = Command::new(program);
@@ -148,7 +148,7 @@ fn compiled(language: Language, files: &[PathBuf]) -> Result<Option<String>> {
     Ok(None)
 }
 
-/// What the self-test of a controller in `home` says, if anything.
+/// Returns the message of the self-test of a controller in `home`, if it fails.
 fn tested(home: &Path, spec: &Spec) -> Result<Option<String>> {
     let (name, program) = (spec.name(), home.join("selftest"));
     let sources = [format!("{name}.c"), format!("{name}_selftest.c")];
@@ -161,7 +161,7 @@ fn tested(home: &Path, spec: &Spec) -> Result<Option<String>> {
     }
 }
 
-/// What a command that fails says.
+/// Returns the messages of a command that fails.
 fn fault(command: &mut Command) -> Result<Option<String>> {
     let output = command.output()?;
     let text = String::from_utf8_lossy(&output.stderr);

@@ -14,7 +14,7 @@ use crate::harness::{empty, runtime};
 use crate::layer::{Finding, Layer};
 use crate::tool::{GCC, PYTHON, RUSTC};
 
-/// What `pip install .` builds a wheel with, installed for the layers alone.
+/// Build requirement of `pip install .` for a wheel, installed for the layers alone.
 const MATURIN: &str = "maturin>=1.9,<2";
 
 const SCRIPT: &str = include_str!("module.py");

@@ -1,4 +1,4 @@
-//! What users install: the packaged crates, built as they are unpacked, and the command of the wheel.
+//! Packages that users install: the packaged crates, built as they are unpacked, and the command of the wheel.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -92,7 +92,7 @@ fn cargo(target: &Path) -> Command {
     building("cargo".as_ref(), target)
 }
 
-/// What is published.
+/// Published crates.
 const PUBLISHED: [&str; 3] = ["ptc", "ptc-codegen", "ptc-macros"];
 
 /// The crates that are published, packaged together, as they depend on one another.

@@ -226,7 +226,7 @@ fn project(folder: &Path, generator: &Path, kind: &str, spec: &Spec) -> Result<P
     Ok(home)
 }
 
-/// Whether the crates of the firmware in Rust can be had.
+/// Returns true if the crates of the firmware in Rust can be fetched.
 fn crates(folder: &Path, generator: &Path, spec: &Spec) -> Result<bool> {
     let home = project(folder, generator, "rust-embedded", spec)?;
     Ok(succeed(Command::new("cargo").arg("fetch").current_dir(&home)).is_ok())

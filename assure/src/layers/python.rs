@@ -74,7 +74,7 @@ fn example(context: &Context, python: &Path, finding: &mut Finding) -> Result<()
     Ok(())
 }
 
-/// What a checker says of the modules in `folder`, where it says anything.
+/// Returns the messages of a checker on the modules in `folder`, if it fails.
 fn told(python: &Path, arguments: &[&str], folder: &Path) -> Result<Option<String>> {
     let mut command = Command::new(python);
     let output = command.arg("-m").args(arguments).arg(folder).current_dir(folder).output()?;

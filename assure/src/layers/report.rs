@@ -25,7 +25,7 @@ pub(super) const LAYER: Layer = Layer {
 
 const SCRIPT: &str = include_str!("report.py");
 
-/// What drives the browser.
+/// Package that drives the browser.
 const PLAYWRIGHT: &str = "playwright==1.65.2";
 
 /// Every family and a mapping of its own, with a plant.
@@ -144,7 +144,7 @@ fn seeds(page: &Path, folder: &Path) -> Result<Vec<(&'static str, PathBuf)>> {
     written.collect()
 }
 
-/// What is wrong with a page, by what the browser saw.
+/// Lists the faults of a page, from the view of the browser.
 fn faults(seen: &Value) -> Vec<String> {
     let mut faults = Vec::new();
     for (key, told) in [("requests", "requests"), ("refused", "the browser says")] {

@@ -33,7 +33,7 @@ pub(super) const LAYER: Layer = Layer {
     run,
 };
 
-/// Of so many controllers one is checked with its self-test, which takes long to generate.
+/// Number of controllers of which one is checked with its self-test, which takes long to generate.
 const SELFTESTED: usize = 8;
 
 /// Controllers of a shape that the others need not have: one that only t0 is left to, and one with
@@ -139,7 +139,7 @@ const DEFECTS: [(Defect, &str); 5] = [
     ),
 ];
 
-/// What cppcheck reports for the files of a controller, and for its self-test if it is among them.
+/// Returns the report of cppcheck on the files of a controller, and on its self-test if it is among them.
 fn violations(folder: &Path, spec: &Spec, files: &[PathBuf]) -> Result<String> {
     let caller = folder.join("caller.c");
     let source = files.iter().find(|file| file.extension().is_some_and(|e| e == "c"));

@@ -34,8 +34,7 @@ pub(super) const LAYER: Layer = Layer {
     run,
 };
 
-/// What a panic would call: nothing defines it, so that a program with a path to a panic does not
-/// link.
+/// Symbol that a panic would call: nothing defines it, so that a program with a path to a panic does not link.
 const PANIC: &str = "a_path_to_a_panic_is_left";
 
 fn run(context: &Context) -> Result<Finding> {

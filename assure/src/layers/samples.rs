@@ -74,7 +74,7 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-/// What the script prints; 1 says that more is left than is claimed.
+/// Returns the output of the script; exit code 1 means that more is left than is claimed.
 fn measured(python: &Path, command: &Path, words: &[&str]) -> Result<Output> {
     let (what, options) = words.split_at(1);
     let output = Command::new(python)

@@ -42,7 +42,7 @@ pub(super) const LAYER: Layer = Layer {
     run,
 };
 
-/// What one controller's self-test gave.
+/// Results of the self-test of one controller.
 struct Told {
     coverage: Coverage,
     machines: usize,
@@ -131,7 +131,7 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-/// Whether the self-test counts no failure on `machine`.
+/// Returns true if the self-test counts no failure on `machine`.
 fn passes(machine: Machine, folder: &Path, spec: &Spec, sources: &[PathBuf; 2]) -> bool {
     let Ok(main) = main_program(folder, spec) else { return false };
     let program = folder.join(machine.stem());

@@ -108,7 +108,7 @@ fn strictly(context: &Context, finding: &mut Finding) -> Result<()> {
     Ok(())
 }
 
-/// What blark says of files that it does not take.
+/// Returns the messages of blark on files that it does not take.
 fn parsed(python: &Path, files: &[PathBuf]) -> Result<Option<String>> {
     let mut command = Command::new(python);
     let output =

@@ -1,4 +1,4 @@
-//! What the generator is made of, and that it gives the same bytes everywhere.
+//! Supply chain of the generator, and a check that it gives the same bytes everywhere.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -27,9 +27,9 @@ pub(super) const LAYER: Layer = Layer {
 
 const PACKAGES: [&str; 4] = ["mpmath>=1.3", "gmpy2", "numpy>=1.26", "scipy>=1.11"];
 
-/// How much is drawn: objectives on each side of the truth, the greatest order, designs for `check`,
-/// and for its `loop`, runs of `simulate`, wishes for `design`, suprema that are computed by another route, and sets of
-/// parameters of each emitted controller.
+/// Numbers of draws: objectives on each side of the truth, the greatest order, designs for `check`, and for its `loop`,
+/// runs of `simulate`, wishes for `design`, suprema that are computed by another route, and sets of parameters of each
+/// emitted controller.
 struct Size {
     each_way: usize,
     order: usize,
@@ -108,7 +108,7 @@ struct Attack<'a> {
 }
 
 impl Attack<'_> {
-    /// What it finds with the truth multiplied by `scale`.
+    /// Returns the findings with the truth multiplied by `scale`.
     fn run(&self, name: &str, size: &Size, scale: f64) -> Result<Value> {
         let mut run = Command::new(self.python);
         run.arg(workspace().join("assure/verdicts/main.py"))

@@ -52,8 +52,8 @@ impl Accepted {
         }
     }
 
-    /// What one step costs, without input checks and clipping; `None` if the clock is in samples,
-    /// whose program has no stages.
+    /// Returns the cost of one step, without input checks and clipping; `None` if the clock is in samples, whose
+    /// program has no stages.
     pub fn cost(&self) -> Option<Cost> {
         let (_, program) = self.staged.as_ref()?;
         Some(cost::count(program, &program.controls(), Stage::Tick))

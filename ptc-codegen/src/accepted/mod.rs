@@ -66,7 +66,7 @@ fn accepted(spec: &Spec) -> Result<Accepted, Vec<Diagnostic>> {
     within(|| Accepted::of(examine(spec)))
 }
 
-/// What `work` gives; a fault of the generator in it is an error too.
+/// Returns the result of `work`; a fault of the generator in it is an error too.
 fn within<T>(work: impl FnOnce() -> Result<T, Vec<Diagnostic>>) -> Result<T, Vec<Diagnostic>> {
     guarded(work).map_err(|fault| vec![fault.into()])?
 }

@@ -42,7 +42,7 @@ impl Polynomial {
         self.0.len().checked_sub(1)
     }
 
-    /// Whether it is 0.
+    /// Returns true if it is 0.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
@@ -58,8 +58,8 @@ impl Polynomial {
         Self(terms.map(|(i, coefficient)| coefficient * BigInt::from(i)).collect())
     }
 
-    /// Whether there may be a root from `low` to `high`: the other terms of its Taylor polynomial in
-    /// the middle can make up for the constant one.
+    /// Returns true if there may be a root from `low` to `high`: the other terms of its Taylor polynomial in the middle
+    /// can make up for the constant one.
     pub fn may_vanish_between(&self, low: &BigRational, high: &BigRational) -> bool {
         let two = BigInt::from(2);
         let (middle, half) = ((low + high) / &two, (high - low) / &two);
@@ -132,12 +132,12 @@ impl Polynomial {
         self.divided(&repeated).map_or_else(|| self.clone(), |(simple, _)| simple)
     }
 
-    /// Whether no root, real or complex, is multiple. 0 is not square-free.
+    /// Returns true if no root, real or complex, is multiple. 0 is not square-free.
     pub fn is_square_free(&self) -> bool {
         self.gcd(&self.derivative()).degree() == Some(0)
     }
 
-    /// How often `root` is a root, and what is left without it. `self` must not be 0.
+    /// Returns the multiplicity of `root`, and the quotient without it. `self` must not be 0.
     pub fn without(&self, root: &BigRational) -> (usize, Self) {
         let (mut multiplicity, mut left) = (0, self.clone());
         let factor = Self::linear(root);

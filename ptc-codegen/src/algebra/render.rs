@@ -4,7 +4,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::{BigRational, Monomial, Poly, Symbol};
 
-/// How one notation writes the parts of a polynomial.
+/// Notation of the parts of a polynomial.
 struct Notation<'a> {
     power: &'a dyn Fn(Symbol, i32) -> String,
     product: &'static str,

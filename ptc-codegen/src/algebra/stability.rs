@@ -1,13 +1,13 @@
-//! Where the roots of an exact polynomial lie, decided without a floating-point number.
+//! Locations of the roots of an exact polynomial, decided without a floating-point number.
 
 use num_traits::{One, Signed, Zero};
 
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::{BigInt, BigRational, whole};
 
-/// Whether every root has a negative real part: every pivot of the Routh array has the sign of the
-/// leading coefficient. A zero pivot means a root on or right of the imaginary axis. 0 is not
-/// Hurwitz; a constant is, as it has no root.
+/// Returns true if every root has a negative real part: every pivot of the Routh array has the sign of the leading
+/// coefficient. A zero pivot means a root on or right of the imaginary axis. 0 is not Hurwitz; a constant is, as it has
+/// no root.
 ///
 /// The rows are kept whole: each entry is a minor of the Hurwitz matrix, so that divisions by the
 /// pivot two rows before are exact (Bareiss), and the pivots are the Hurwitz determinants.
@@ -32,8 +32,8 @@ pub fn is_hurwitz(p: &Polynomial) -> bool {
     true
 }
 
-/// Whether no root has a positive real part and those on the imaginary axis are simple: solutions
-/// of the differential equation with characteristic polynomial `p` stay bounded.
+/// Returns true if no root has a positive real part and those on the imaginary axis are simple: solutions of the
+/// differential equation with characteristic polynomial `p` stay bounded.
 ///
 /// A root at 0 is split off. Of the rest E(s^2) + s O(s^2), the roots whose negative is a root too
 /// are those of g(s^2), g = gcd(E, O): they must be deg g distinct points of the axis, so g must

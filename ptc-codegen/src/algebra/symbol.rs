@@ -1,6 +1,6 @@
 //! The symbols of the field, each with one spelling in text and one in LaTeX.
 
-/// What a symbol stands for.
+/// Meaning of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// The circle constant.
@@ -84,7 +84,7 @@ pub enum Kind {
 /// A symbol: a kind and, for indexed ones, its index (1-based; 0 where there is none).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Symbol {
-    /// What it stands for.
+    /// Meaning.
     pub kind: Kind,
     /// Index, from 1; 0 for a symbol without one.
     pub index: u16,
@@ -185,7 +185,7 @@ impl Symbol {
         }
     }
 
-    /// What a quantity is that is computed in place of the atoms; none for every other symbol.
+    /// Returns the definition of a quantity that is computed in place of the atoms; `None` for every other symbol.
     pub fn definition(self) -> Option<&'static str> {
         match self.kind {
             Kind::InverseTimeToGo => Some("1/T"),

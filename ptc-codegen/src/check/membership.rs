@@ -1,4 +1,4 @@
-//! Whether a mapping that the user wrote down is of class K or M.
+//! Proof that a user-defined mapping is of class K or M.
 //!
 //! mu of class M: mu(0) = 0, mu' > 0, mu -> tau, n times continuously differentiable. kappa of
 //! class K: kappa(0) = 0, kappa' > 0, kappa -> inf at tau, likewise. Both are asked of one function
@@ -21,14 +21,14 @@ use crate::algebra::BigRational;
 use crate::mapping::Custom;
 use crate::parameter::Parameter;
 
-/// What is known of one condition.
+/// Verdict on one condition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds.
     Proved,
     /// It fails.
     Refuted {
-        /// Where, with the values of parameters for which it fails.
+        /// Place, with the values of parameters, at which it fails.
         at: String,
         /// In what way.
         why: String,
@@ -39,12 +39,12 @@ pub enum Verdict {
         from: String,
         /// End of that part.
         to: String,
-        /// What stood in the way.
+        /// Reason why no proof was found.
         why: String,
     },
 }
 
-/// What is known of a mapping.
+/// Verdicts on the conditions of a mapping.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Membership {
     /// The value is 0 at the start.
@@ -129,8 +129,8 @@ impl fmt::Display for Verdict {
 /// positive number.
 pub type Ranges<'a> = &'a dyn Fn(Parameter) -> Option<(BigRational, BigRational)>;
 
-/// What is known of `custom` as a mapping of a chain of order `n`. Every function that
-/// expressions know is smooth or has a pole or a kink, so the order decides only what is said.
+/// Tests the conditions of `custom` as a mapping of a chain of order `n`. Every function that expressions know is
+/// smooth or has a pole or a kink, so the order decides only what is said.
 pub fn prove(custom: &Custom, n: usize, ranges: Ranges<'_>) -> Membership {
     let mut problem = Problem::new(custom, n, ranges);
     let start = problem.start();

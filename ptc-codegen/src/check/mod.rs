@@ -17,7 +17,7 @@ mod zeros;
 
 use crate::diagnostic::{digits, digits_up};
 
-/// What a check came to.
+/// Verdict of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     /// The design meets the condition.
@@ -52,13 +52,13 @@ impl Verdict {
 pub struct Outcome {
     /// Name of the check.
     pub name: &'static str,
-    /// What it came to.
+    /// Verdict of the check.
     pub verdict: Verdict,
-    /// What is wrong, or that nothing is, in one sentence with its numbers.
+    /// Finding in one sentence with its numbers.
     pub summary: String,
     /// Further facts, one sentence each.
     pub details: Vec<String>,
-    /// What would put it right.
+    /// Suggested change of the design.
     pub fix: Option<String>,
 }
 
@@ -79,12 +79,12 @@ impl Outcome {
         Self { verdict: Verdict::NotNeeded, ..Self::not_checked(name, reason) }
     }
 
-    /// Whether the check has looked at the design.
+    /// Returns true if the check has looked at the design.
     pub(crate) fn is_checked(&self) -> bool {
         !matches!(self.verdict, Verdict::NotChecked | Verdict::NotNeeded)
     }
 
-    /// Whether the design is not as it should be.
+    /// Returns true if the check found a fault in the design.
     pub(crate) fn fails(&self) -> bool {
         matches!(self.verdict, Verdict::Unsound | Verdict::Refuted)
     }

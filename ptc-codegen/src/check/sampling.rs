@@ -28,7 +28,7 @@ const STEP: f64 = 1.01;
 /// small that any eps will do.
 const FLOOR: f64 = 1e-3;
 
-/// What a sample period asks of the guard.
+/// Guard that a sample period requires.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
     /// Sample period h in s.
@@ -40,8 +40,8 @@ pub struct Sampling {
     pub least_eps: Option<f64>,
     /// [`MARGIN`] times as much; `None` if that is not below tau.
     pub default_eps: Option<f64>,
-    /// Whether the gains at T = tau are stable without sampling. Where they are not, frozen gains
-    /// say nothing: a loop may converge that passes such gains only once.
+    /// True if the gains at T = tau are stable without sampling. Where they are not, frozen gains say nothing: a loop
+    /// may converge that passes such gains only once.
     pub continuous: bool,
 }
 
@@ -76,8 +76,8 @@ pub fn longest_period(gains: &[f64], eps: f64) -> Option<f64> {
     Some(if low >= last { low } else { bisect(low, low * STEP, stable) })
 }
 
-/// Whether the loop with `gains` and a zero-order hold of `period` > 0 is stable: exact for these
-/// doubles. Gains that are not finite are not stable.
+/// Returns true if the loop with `gains` and a zero-order hold of `period` > 0 is stable: exact for these doubles.
+/// Gains that are not finite are not stable.
 ///
 /// x_j follows u through m = n+1-j integrators: x_j = (h/2)^m/m! p_m(sigma) u with p_0 = 1 and
 /// p_(m+1) = (sigma - 1)(p_m + (sigma + 1) p_m'), since m integrators give k^m - (k-1)^m at sample k
@@ -128,7 +128,7 @@ fn integrated(p: &[BigInt]) -> Vec<BigInt> {
     (0..=p.len()).map(outer).collect()
 }
 
-/// Whether the loop with `gains` is stable without sampling.
+/// Returns true if the loop with `gains` is stable without sampling.
 fn is_stable_unsampled(gains: &[f64]) -> bool {
     let negative = |gain: &f64| BigRational::from_float(-gain);
     let gains: Option<Vec<_>> = gains.iter().map(negative).collect();

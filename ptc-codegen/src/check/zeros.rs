@@ -99,18 +99,18 @@ fn zero() -> Expression {
     Expression::integer(0)
 }
 
-/// Whether a reference changes with time.
+/// Returns true if a reference changes with time.
 fn moves(spec: &Spec) -> bool {
     let any = |all: &[Expression]| all.iter().skip(1).any(|e| *e != zero());
     spec.reference == Some(Reference::Input) || spec.known_references().any(any)
 }
 
-/// Where a linearisation holds.
+/// Names the place where a linearisation holds.
 fn near(at: &AtRest) -> &str {
     if at.place == "the origin" { &at.place } else { "this point" }
 }
 
-/// How the parts of an outcome are called.
+/// Terms for the parts of an outcome.
 struct Words {
     none: String,
     degree: String,

@@ -47,8 +47,8 @@ pub(crate) static ENTRIES: [Entry; 22] = entries![
     "time_base_generator"
 ];
 
-/// What the head of a file may say of its paper, in this order. Each file has the authors, the year, and
-/// one of `exact`, what is an instance of what, and `adapted`, what differs from the paper.
+/// Fields of a paper in the head of a file, in this order. Each file has the authors, the year, and one of `exact`,
+/// what is an instance of what, and `adapted`, what differs from the paper.
 const FIELDS: [&str; 9] =
     ["authors", "year", "title", "published", "doi", "arxiv", "where", "exact", "adapted"];
 
@@ -63,7 +63,7 @@ impl Entry {
         self.design.lines().map_while(|line| line.strip_prefix('#')).map(str::trim_start)
     }
 
-    /// What the controller is, in a sentence.
+    /// Returns the description of the controller, in a sentence.
     fn summary(&self) -> &'static str {
         self.head().next().unwrap_or_default()
     }
@@ -73,7 +73,7 @@ impl Entry {
         self.head().find(|line| line.starts_with("ptc-codegen ")).unwrap_or_default()
     }
 
-    /// What is known of the paper: fields with their text.
+    /// Returns the known data of the paper: fields with their text.
     fn paper(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         self.head().filter_map(|line| line.split_once(": ")).filter(|(key, _)| FIELDS.contains(key))
     }

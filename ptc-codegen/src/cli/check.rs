@@ -166,7 +166,7 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
     })
 }
 
-/// What the gate of an observer does.
+/// Converts the results on the gate of an observer to JSON.
 fn gate(found: &Gating) -> serde_json::Value {
     let cost = |cost: &Option<Cost>| {
         cost.as_ref()

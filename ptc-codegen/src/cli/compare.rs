@@ -1,4 +1,4 @@
-//! What `--check` compares: the files there with those that would be written.
+//! Comparison of `--check`: the existing files with those that would be written.
 
 use std::io::{self, ErrorKind};
 use std::path::Path;

@@ -28,7 +28,7 @@ pub(crate) struct List {
     pub(crate) format: ListFormat,
 }
 
-/// What `list` prints of a parameter.
+/// Row of `list` for a parameter.
 struct Line {
     key: String,
     unit: &'static str,

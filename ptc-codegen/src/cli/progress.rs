@@ -1,4 +1,4 @@
-//! How far a run is, on the standard error: a bar where that is a terminal, a line now and then elsewhere.
+//! Progress of a run, on the standard error: a bar where that is a terminal, a line now and then elsewhere.
 
 use std::ops::Deref;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -9,10 +9,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::report::print_text;
 
-/// How long a user waits at a terminal before anything is shown.
+/// Time that a user waits at a terminal before anything is shown.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// How long a run takes before the first line is printed elsewhere; each further one takes twice as long.
+/// Time before the first line is printed elsewhere; each further one takes twice as long.
 const QUIET: Duration = Duration::from_secs(30);
 
 /// A bar that goes on while the run does nothing that counts.
@@ -81,7 +81,8 @@ pub(crate) fn progress(what: &'static str, count: u64) -> Progress {
     Progress::new(bar.with_message(what), what)
 }
 
-/// What `check` gives: the checks on a design, which take up to minutes with thousands of samples.
+/// Returns the result of `check` and shows its progress: the checks on a design take up to minutes with thousands of
+/// samples.
 pub(crate) fn checking<T>(check: impl FnOnce() -> T) -> T {
     let bar = styled(ProgressBar::new_spinner(), "{spinner} checking the design, {elapsed}");
     let _shown = Progress::new(bar, "checking the design");

@@ -10,7 +10,7 @@ use crate::simulate::{self, Cause};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
-/// What the exit codes mean, in every subcommand.
+/// Meanings of the exit codes, in every subcommand.
 const EXIT_CODES: &str = "\
 Exit codes:
   0  done
@@ -100,15 +100,15 @@ impl From<simulate::Failure> for Failure {
 pub(crate) struct Notice {
     /// Stable short name.
     pub(crate) code: Option<&'static str>,
-    /// What is wrong.
+    /// Description of the error.
     pub(crate) title: String,
     /// The place in the command line or the design file.
     pub(crate) quote: Option<Quote>,
     /// Details.
     pub(crate) notes: Vec<String>,
-    /// What is legal, and the likely fix.
+    /// Legal values, and the likely fix.
     pub(crate) help: Option<String>,
-    /// Whether the command goes on all the same.
+    /// True if the command goes on all the same.
     pub(crate) warns: bool,
 }
 
@@ -143,7 +143,7 @@ pub(crate) struct Quote {
     pub(crate) text: String,
     /// The underlined bytes of the line.
     pub(crate) range: Range<usize>,
-    /// What is said at the line.
+    /// Text at the line.
     pub(crate) label: &'static str,
 }
 

@@ -83,8 +83,8 @@ fn table<'a>(keys: impl IntoIterator<Item = &'a KeyInfo>, open: bool) -> Map<Str
     table.as_object().cloned().unwrap_or_default()
 }
 
-/// That of `verify`, with the initial states x1, x2, ... and the parameters of families and gains, and others
-/// where it is `open`.
+/// Returns the schema of `verify`, with the initial states x1, x2, ... and the parameters of families and gains, and
+/// others where it is `open`.
 fn verified(open: bool) -> Map<String, Value> {
     let mut table = table(&verify::KEYS, open);
     let names = json!({

@@ -32,9 +32,9 @@ struct Flag {
     key: String,
     /// With its dashes.
     name: String,
-    /// What is written after it.
+    /// Text after it.
     text: String,
-    /// Where the value begins in it: after `NAME=` for `--param`.
+    /// Offset of the value in it: after `NAME=` for `--param`.
     value: usize,
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn chosen(choices: &[Choice]) -> Vec<design::Line> {
     choices.iter().map(line).collect()
 }
 
-/// Where a [`Place`] is.
+/// Location of a [`Place`].
 #[derive(Clone, Debug)]
 enum Spot {
     /// A flag's index and a byte range of its text.
@@ -132,7 +132,7 @@ impl Source {
         self.given.iter().map(|flag| (flag.name.as_str(), flag.text.as_str()))
     }
 
-    /// Whether a flag gives `key`.
+    /// Returns true if a flag gives `key`.
     #[cfg(feature = "lab")]
     pub(crate) fn gives(&self, key: &str) -> bool {
         self.given.iter().any(|flag| flag.key == key)
@@ -324,7 +324,7 @@ impl Parsed<'_> {
     }
 }
 
-/// What is said at the underlined text.
+/// Returns the label of the underlined text.
 fn label(code: &str) -> &'static str {
     match code {
         "syntax" | "toml" => "this does not fit here",

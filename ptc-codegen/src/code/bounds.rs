@@ -13,11 +13,12 @@ pub struct Bounds {
     pub least: Option<Expr>,
     /// Upper limit, if there is one.
     pub most: Option<Expr>,
-    /// Whether the lower one is the opposite of the upper one.
+    /// True if the lower one is the opposite of the upper one.
     is_symmetric: bool,
 }
 
-/// That the lower limit of u is below the upper one, where `init` has to ask; `value` gives a parameter that is open.
+/// Tests that the lower limit of u is below the upper one, where `init` has to check it; `value` returns an open
+/// parameter.
 pub fn limits_in_order(spec: &Spec, value: &dyn Fn(Parameter) -> Expr) -> Vec<Test> {
     if !spec.u_min || !spec.has_open_limit() {
         return Vec::new();
@@ -57,7 +58,7 @@ impl Bounds {
         Self { least, most, is_symmetric: false }
     }
 
-    /// Those that are fixed.
+    /// Returns the bounds for fixed limits.
     pub fn of(limits: Limits<'_>) -> Self {
         let number = |fixed: &Fixed| fixed.number().cloned().map(Expr::Number);
         match limits.least {
@@ -71,7 +72,7 @@ impl Bounds {
         self.most.as_ref().filter(|_| self.is_symmetric)
     }
 
-    /// That a value, which is finite, is within the limits.
+    /// Tests that a finite value is within the limits.
     pub fn hold(&self, v: &Expr) -> Vec<Test> {
         if let Some(most) = self.of_size() {
             return vec![Test::AtMost(

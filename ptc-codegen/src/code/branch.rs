@@ -8,22 +8,22 @@ use super::{Code, Expr, Finish, Statement, Subroutine, Test};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Taken(BTreeSet<(At, bool)>);
 
-/// Which condition it is of those that one part of a program, or what begins where it does, may have.
+/// Kind of condition of a part of a program, or of the code that begins with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Asked {
     /// A test that is a part of its own.
     Test,
-    /// Whether a count is left.
+    /// The condition that a count is left.
     Left,
-    /// Whether a divisor is below 0.
+    /// The condition that a divisor is below 0.
     Negative,
-    /// Whether it is above 0, where it is not below.
+    /// The condition that it is above 0, where it is not below.
     Positive,
-    /// Whether no pivot is 0.
+    /// The condition that no pivot is 0.
     Regular,
 }
 
-/// Where a condition is: at this very part of the program.
+/// Place of a condition: the address of the part of the program.
 pub(super) type At = (usize, Asked);
 
 /// The place of a condition of a part.
@@ -31,14 +31,14 @@ pub(super) fn at<T>(of: &T, asked: Asked) -> At {
     (std::ptr::from_ref(of).addr(), asked)
 }
 
-/// What decides between two ways.
+/// Condition that decides between two branches.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
     /// A test.
     Test(Test),
-    /// Whether a divisor is above 0, where it is not below.
+    /// The condition that a divisor is above 0, where it is not below.
     Positive(Expr),
-    /// Whether no pivot of a system of so many unknowns is 0.
+    /// The condition that no pivot of a system of so many unknowns is 0.
     Regular(usize),
 }
 
@@ -49,7 +49,7 @@ pub struct Branch {
     pub function: &'static str,
     /// The condition.
     pub condition: Condition,
-    /// Whether it holds on this way.
+    /// True if the condition holds on this branch.
     pub holds: bool,
     place: At,
 }
@@ -60,12 +60,12 @@ impl Taken {
         self.0.insert((place, holds));
     }
 
-    /// Whether a branch is among them.
+    /// Returns true if a branch is among them.
     pub fn has(&self, branch: &Branch) -> bool {
         self.0.contains(&(branch.place, branch.holds))
     }
 
-    /// Whether one of them is not among `known`.
+    /// Returns true if one of them is not among `known`.
     pub fn adds_to(&self, known: &Self) -> bool {
         !self.0.is_subset(&known.0)
     }

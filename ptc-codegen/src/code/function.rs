@@ -3,7 +3,7 @@
 use super::{Expr, Statement, Status, Test, Variable};
 use crate::internal::fault;
 
-/// What a function does with the controller.
+/// Access of a function to the controller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {
     /// Reads it.
@@ -28,11 +28,11 @@ pub struct Callback {
     pub name: &'static str,
     /// The array that it is given.
     pub array: &'static str,
-    /// How many numbers that has.
+    /// Length of that array.
     pub length: usize,
-    /// How many numbers it gives. One that gives several is also given kappa'.
+    /// Number of its results. A function with several is also given kappa'.
     pub gives: usize,
-    /// What it gives.
+    /// Description of its result.
     pub about: &'static str,
 }
 
@@ -41,25 +41,25 @@ pub struct Callback {
 pub struct Function {
     /// Its name, behind the controller's.
     pub name: &'static str,
-    /// What it does, and the unit of what it gives.
+    /// Description, and the unit of its result.
     pub about: String,
     /// Whose fields it knows.
     pub owner: Owner,
-    /// Whether it changes them.
+    /// Access to these fields.
     pub access: Access,
-    /// What it is given.
+    /// Arguments.
     pub arguments: Vec<Variable>,
-    /// What it calls.
+    /// User-defined functions that it calls.
     pub callbacks: Vec<Callback>,
-    /// What it gives beside the status.
+    /// Results besides the status.
     pub results: Vec<Variable>,
     /// The statuses with which it can fail.
     pub failures: Vec<Status>,
-    /// What it does.
+    /// Statements.
     pub body: Vec<Statement>,
-    /// What it gives once the body is through.
+    /// Result after the body.
     pub finish: Finish,
-    /// Whether arguments are checked; without it pointers are trusted too.
+    /// True if arguments are checked; otherwise pointers are trusted too.
     pub guarded: bool,
 }
 
@@ -81,7 +81,7 @@ pub enum Finish {
 pub enum Ending {
     /// A known one.
     Known(Status),
-    /// That of the gains.
+    /// The status of the gains.
     OfGains,
 }
 

@@ -9,7 +9,7 @@ pub struct Inputs {
     pub values: Vec<Expr>,
     /// The limits of each.
     pub limits: Vec<Bounds>,
-    /// Whether the call tracks; else the gains are held.
+    /// Tests if the call tracks; otherwise the gains are held.
     pub tracks: Test,
 }
 
@@ -18,7 +18,7 @@ pub struct Inputs {
 pub enum Whose {
     /// The call's.
     Call,
-    /// That of one of several inputs.
+    /// The status of one of several inputs.
     Input(Index),
 }
 
@@ -27,12 +27,12 @@ pub enum Whose {
 pub enum Standing {
     /// A known one.
     Known(Status),
-    /// That of the call or of an input.
+    /// The status of the call or of an input.
     Of(Whose),
 }
 
 impl Inputs {
-    /// How such a call ends, in words.
+    /// Description of the end of such a call.
     pub const ENDS: &'static str = "Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.";
 
     /// Each u within its bound and the status of each. Where one of them is no finite number, every u is 0, and the

@@ -11,11 +11,11 @@ use crate::program::{Root, number};
 pub struct Iteration {
     /// The unknown, and then the root.
     pub unknown: String,
-    /// Where it starts.
+    /// Initial value.
     pub start: Expr,
     /// The ends of the bracket.
     pub bracket: [Expr; 2],
-    /// What a round computes first.
+    /// Statements at the beginning of each round.
     pub body: Vec<Statement>,
     /// The residual: positive where the root lies right of the unknown.
     pub residual: Expr,

@@ -58,7 +58,7 @@ pub enum Shape {
 pub struct Variable {
     /// Its name in every language.
     pub name: String,
-    /// What it holds.
+    /// Shape of its value.
     pub shape: Shape,
     /// Meaning, unit and domain.
     pub about: String,
@@ -75,13 +75,13 @@ pub struct Code {
     pub head: Vec<String>,
     /// The parameters left to run time.
     pub parameters: Vec<Variable>,
-    /// What it keeps; `init` sets all of it.
+    /// Fields; `init` sets all of them.
     pub fields: Vec<Variable>,
     /// The gains that a function gives and another one takes; `None` if there are none.
     pub gains: Vec<Variable>,
-    /// What `init` does: parameters in, fields out.
+    /// Statements of `init`: parameters in, fields out.
     pub init: Vec<Statement>,
-    /// How `init` ends, where that is not by its statements alone.
+    /// End of `init`, where that is not by its statements alone.
     pub start: Option<Start>,
     /// All other functions.
     pub functions: Vec<Function>,
@@ -115,7 +115,7 @@ impl Variable {
 }
 
 impl Code {
-    /// What `init` does, in a sentence.
+    /// Describes `init` in a sentence.
     pub fn starts(&self) -> String {
         let Some(start) = &self.start else {
             return "Takes the parameters and arms at tick 0.".to_owned();
@@ -127,7 +127,7 @@ impl Code {
         format!("Takes the parameters and arms at params.t0 (or the fixed t0){latching}.")
     }
 
-    /// What it is, in a word.
+    /// Returns its noun in descriptions.
     pub fn noun(&self) -> &'static str {
         if self.function("update").is_some() { "observer" } else { "controller" }
     }
@@ -138,7 +138,7 @@ impl Code {
         step.results.first()?.shape.length()
     }
 
-    /// Whether `axis` is given the number of its axis, which has gains, limits or g of its own.
+    /// Returns true if `axis` is given the number of its axis, which has gains, limits or g of its own.
     pub fn numbers_axes(&self) -> bool {
         let axis = self.function("axis");
         axis.is_some_and(|axis| axis.arguments.iter().any(|a| a.shape == Shape::Count))

@@ -25,7 +25,7 @@ impl Expr {
         })
     }
 
-    /// How often each operand is written where an operation is.
+    /// Returns how many times an operation writes each operand.
     pub(crate) fn writes(op: &Op) -> usize {
         match op {
             Op::Max(..) | Op::Min(..) | Op::Quotient(..) | Op::Call(Function::Sign, _) => 2,

@@ -44,7 +44,7 @@ pub enum Statement {
         name: String,
         /// The array.
         array: String,
-        /// Whether the name is a new one.
+        /// True if the name is a new one.
         first: bool,
     },
     /// A local array: what a subroutine gives.
@@ -64,11 +64,11 @@ pub enum Statement {
         name: String,
         /// The function.
         callback: &'static str,
-        /// What it is given: an array, and two numbers.
+        /// Array argument, besides two numbers.
         array: String,
         /// Time, and kappa'.
         times: [Expr; 2],
-        /// How many numbers it gives.
+        /// Number of its results.
         count: usize,
     },
     /// Says why the next statements are here.
@@ -88,9 +88,9 @@ pub struct For {
     pub to: Index,
     /// From one to the next.
     pub step: u32,
-    /// Whether the last one, `to - 1`, is the first; the step is then 1.
+    /// True if the loop counts down and begins at the last one, `to - 1`; the step is then 1.
     pub down: bool,
-    /// What is done.
+    /// Statements.
     pub body: Vec<Statement>,
 }
 
@@ -100,7 +100,7 @@ impl For {
         Self { index: index.to_owned(), from, to, step: 1, down: false, body }
     }
 
-    /// Whether a statement leaves it.
+    /// Returns true if a statement leaves it.
     pub fn is_left(&self) -> bool {
         leaves(&self.body)
     }
@@ -115,7 +115,7 @@ impl For {
     }
 }
 
-/// Whether statements leave the loop that they are in.
+/// Returns true if statements leave the loop that they are in.
 fn leaves(statements: &[Statement]) -> bool {
     statements.iter().any(|statement| match statement {
         Statement::Leave => true,

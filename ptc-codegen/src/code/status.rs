@@ -1,4 +1,4 @@
-//! How a call ends, by name and by number.
+//! Statuses of calls, by name and by number.
 
 #[cfg(feature = "files")]
 use crate::internal::fault;

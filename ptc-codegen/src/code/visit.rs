@@ -29,7 +29,7 @@ impl Statement {
 }
 
 impl Statement {
-    /// Whether it reads a local value that is the index of a loop around it.
+    /// Returns true if it reads a local value that is the index of a loop around it.
     pub fn reads(&self, index: &str) -> bool {
         let has = |place: &Index| place.terms.iter().any(|(_, name)| name == index);
         let mut found = false;
@@ -74,7 +74,7 @@ impl super::Function {
         self.finish.visit(look);
     }
 
-    /// Whether a statement of its body, not within another one, is as asked.
+    /// Returns true if `is` holds for a statement of its body, not within another one.
     pub fn has(&self, is: impl Fn(&Statement) -> bool) -> bool {
         self.body.iter().any(is)
     }
@@ -100,7 +100,7 @@ impl Code {
         all
     }
 
-    /// Whether a function counts the rounds of a loop.
+    /// Returns true if a function counts the rounds of a loop.
     pub fn counts(&self) -> bool {
         let loops = |statement: &Statement| matches!(statement, Statement::For(_));
         self.functions.iter().any(|function| function.has(loops)) || !self.subroutines().is_empty()

@@ -1,4 +1,4 @@
-//! What a step was measured to cost on a target, for the head of the emitted files.
+//! Measured cost of a step on a target, for the head of the emitted files.
 
 /// The cost of one call of `step` on one target.
 #[derive(Clone, Debug, PartialEq, Eq)]

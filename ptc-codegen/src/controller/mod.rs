@@ -22,7 +22,7 @@ pub struct Controller<'a> {
     pub law: &'a Law,
     /// The optimised program.
     pub program: &'a Program,
-    /// What a step was measured to cost, for the head of the emitted files.
+    /// Measured costs of a step, for the head of the emitted files.
     pub measured: &'a [Measured],
 }
 
@@ -33,8 +33,8 @@ impl<'a> Controller<'a> {
     }
 }
 
-/// What `init`, and then `arm`, check of what they compute, in the order of the checks: products that
-/// keep their digits, then fields that are finite.
+/// Returns the checks of `init`, and then of `arm`, on their results, in the order of the checks: products that keep
+/// their digits, then fields that are finite.
 pub fn checked(controller: &Controller<'_>) -> [Vec<Condition>; 2] {
     let program = controller.program;
     let plan = Plan::new(program);
@@ -46,8 +46,8 @@ pub fn checked(controller: &Controller<'_>) -> [Vec<Condition>; 2] {
     [kept.into_iter().chain(finite(false)).collect(), finite(true).collect()]
 }
 
-/// Whether a field is to be checked: one that is a parameter as it was given has been checked by
-/// its domain, the deadline is checked anyway, and what makes up its rounding is finite with it.
+/// Returns true if a field is to be checked: one that is a parameter as it was given has been checked by its domain,
+/// the deadline is checked anyway, and the correction of its rounding is finite with it.
 pub(crate) fn is_derived(program: &Program, field: &Field) -> bool {
     let value = program.get(field.value);
     let of_time = |name: &str| matches!(name, "deadline" | "correction");

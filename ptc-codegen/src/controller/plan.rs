@@ -1,4 +1,4 @@
-//! Which value lives where: the fields that `init` and `arm` leave, and the work of each function.
+//! Placement of values: the fields that `init` and `arm` leave, and the work of each function.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -39,11 +39,11 @@ pub(crate) struct Field {
     pub(crate) name: String,
     /// Its meaning.
     pub(crate) meaning: String,
-    /// Whether `arm` sets it (else `init` does).
+    /// True if `arm` sets it; otherwise `init` does.
     pub(crate) armed: bool,
 }
 
-/// What one call computes together: the stages between two sets of fields.
+/// Computations of one call: the stages between two sets of fields.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Phase {
     Init,
@@ -126,7 +126,7 @@ impl<'a> Plan<'a> {
         self.fields.push(Field { value, name, meaning, armed: definition.stage == Stage::Arm });
     }
 
-    /// Whether a value is written as a literal wherever it is used.
+    /// Returns true if a value is written as a literal wherever it is used.
     pub(crate) fn is_literal(&self, value: Value) -> bool {
         matches!(self.program.get(value).op, Op::Number(_))
     }
@@ -136,7 +136,7 @@ impl<'a> Plan<'a> {
         self.names.get(&value).map(String::as_str)
     }
 
-    /// What `function` must compute.
+    /// Returns the values that `function` must compute.
     pub(crate) fn roots(&self, function: Routine) -> Vec<Value> {
         match function {
             Routine::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
@@ -163,7 +163,7 @@ impl<'a> Plan<'a> {
         Plant::of(self.program).map(of).unwrap_or_default()
     }
 
-    /// Whether `function` reads `value` from a field instead of computing it.
+    /// Returns true if `function` reads `value` from a field instead of computing it.
     pub(crate) fn is_field(&self, function: Routine, value: Value) -> bool {
         let own = match function {
             Routine::Init => Phase::Init,

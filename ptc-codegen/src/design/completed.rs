@@ -13,7 +13,7 @@ pub struct Line {
     pub key: String,
     /// The value as on the command line.
     pub value: String,
-    /// Where it comes from.
+    /// Origin of the value.
     pub comment: String,
 }
 

@@ -7,7 +7,7 @@ use crate::plant;
 use crate::request::{Entry, meant};
 use crate::syntax::parse;
 
-/// Whether a file, or a line of it, could not be read: it may have held any key.
+/// Returns true if a file, or a line of it, could not be read: it may have held any key.
 fn hides_keys(found: &[Diagnostic]) -> bool {
     found.iter().any(|own| [SYNTAX, UNREADABLE].contains(&own.code))
 }
@@ -147,7 +147,7 @@ const MAX_FOLLOWED: usize = 12;
 /// Code of a parameter that nothing uses.
 const UNUSED: &str = "unused-parameter";
 
-/// Whether it is a name that means nothing.
+/// Returns true if it concerns a name without a meaning.
 fn is_name(own: &Diagnostic) -> bool {
     ["unknown-key", UNUSED].contains(&own.code)
 }

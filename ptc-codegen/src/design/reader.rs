@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Place, near_miss};
 use crate::keys::KeyInfo;
 use crate::request::Entry;
 
-/// What has been read so far.
+/// State of the reader.
 pub(super) struct Reader<'a> {
     pub(super) text: &'a str,
     pub(super) place: &'a mut dyn FnMut(Range<usize>) -> Place,
@@ -18,9 +18,9 @@ pub(super) struct Reader<'a> {
     section: Section,
     /// The tables that have had their `[table]`, or a dotted key.
     opened: Vec<&'static str>,
-    /// Where each table of a list begins, and whether it has a line.
+    /// Place of each table of a list, and true if it has a line.
     listed: Vec<(Range<usize>, bool)>,
-    /// How many items the lists had so far.
+    /// Number of items of the lists so far.
     pub(super) items: usize,
 }
 

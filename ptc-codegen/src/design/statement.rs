@@ -16,13 +16,13 @@ const MAX_DEPTH: u32 = 8;
 pub(super) struct Statement<'a> {
     /// The words of its key, or of the table's name.
     pub(super) words: Vec<Word<'a>>,
-    /// What it says.
+    /// Kind of the line.
     pub(super) head: Head<'a>,
     /// Why it is no TOML.
     pub(super) wrong: Option<Wrong>,
 }
 
-/// What a line says.
+/// Kind of a line.
 pub(super) enum Head<'a> {
     /// `[words]`
     Table,

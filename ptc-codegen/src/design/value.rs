@@ -39,7 +39,7 @@ pub(super) enum Kind<'a> {
 }
 
 impl Toml<'_> {
-    /// What it is, for a message.
+    /// Describes the value in a message.
     pub(super) fn described(&self) -> &'static str {
         match self.kind {
             Kind::Text(_) => "text",

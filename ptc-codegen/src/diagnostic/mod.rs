@@ -22,16 +22,16 @@ pub struct Diagnostic {
     pub code: &'static str,
     /// The key that is wrong, as the user knows it, for example `mu.a`.
     pub key: String,
-    /// Where it was written, if anywhere.
+    /// Place in the input, if any.
     pub place: Option<Place>,
-    /// What is wrong, with the bad value.
+    /// Description of the error, with the bad value.
     pub message: String,
-    /// What is legal, and the likely fix.
+    /// Legal values, and the likely fix.
     pub help: String,
 }
 
 impl Diagnostic {
-    /// Whether it refuses a design that is well-formed: a check fails, or a coefficient overflows.
+    /// Returns true if it rejects a design that is well-formed: a check fails, or a coefficient overflows.
     pub fn refuses(&self) -> bool {
         self.code == "overflow" || crate::keys::CHECKS.contains(&self.code)
     }
@@ -67,7 +67,7 @@ impl Diagnostics {
         });
     }
 
-    /// Whether nothing was wrong so far.
+    /// Returns true if no error was found so far.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -131,7 +131,7 @@ pub fn visible_line(text: &str) -> String {
     visible(text).replace('\n', "\\n")
 }
 
-/// Whether a character is not seen but changes what is seen.
+/// Returns true if a character is not visible but changes the visible text.
 fn is_hidden(c: char) -> bool {
     let of_format = matches!(
         c,
@@ -171,7 +171,7 @@ pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> O
     best.map(|(_, name)| name)
 }
 
-/// How far a legal name is from what was given: no typo, the distance, the difference in length.
+/// Distance of a legal name from the given one: no typo, the distance, the difference in length.
 type Rank = (bool, usize, usize);
 
 fn rank(given: &str, name: &str) -> Option<Rank> {

@@ -5,7 +5,7 @@ use crate::expression::Expression;
 use crate::parameter::Parameter;
 use crate::request::Spec;
 
-/// How a language writes an element of an array, counted from 0.
+/// Syntax of an array element, counted from 0, in a language.
 pub(super) type Element = fn(&str, usize) -> String;
 
 /// As most languages do.
@@ -34,7 +34,7 @@ pub(super) fn declared(spec: &Spec, element: Element) -> Vec<Variable> {
     parameters.chunk_by(|a, b| a.key() == b.key()).filter_map(declare).collect()
 }
 
-/// What a parameter means in this controller.
+/// Returns the meaning of a parameter in this controller.
 pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
     match parameter {
         Parameter::Gain(_) => format!("gains of pi0 = {}", linear(spec.n)),
@@ -74,8 +74,7 @@ pub(super) fn linear(n: usize) -> String {
     }
 }
 
-/// Which element of an array is which parameter, in which unit. Where there are more than three, the
-/// first and the last show the rule.
+/// Lists the parameter and unit of each array element. Of more than three, only the first and the last are shown.
 fn elements(spec: &Spec, group: &[Parameter], element: Element) -> String {
     let one = |parameter: &Parameter| {
         let element = element(parameter.key(), parameter.index().unwrap_or(0));

@@ -24,10 +24,10 @@ pub struct ClosedForms {
 /// The closed forms of a design, from another engine than the functions of this module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Expanded {
-    /// Of a family, in its atoms. Where kappa is found by an iteration, B_{i,j} is in free r_k.
+    /// Closed forms of a family, in its atoms. Where kappa is found by an iteration, B_{i,j} is in free r_k.
     Family(ClosedForms),
-    /// Of a mapping that the user wrote down:
-    /// r_1, ..., r_n in the time-to-go, or in stretched time where kappa is found by an iteration.
+    /// Closed forms of a mapping that the user wrote down: r_1, ..., r_n in the time-to-go, or in stretched time where
+    /// kappa is found by an iteration.
     Custom(Vec<Expression>),
 }
 

@@ -13,8 +13,8 @@ pub(crate) fn power_bits(base: &BigRational, exponent: i32) -> usize {
     usize::try_from(bits * u64::from(exponent.unsigned_abs())).unwrap_or(usize::MAX)
 }
 
-/// Whether a sum or a product of two numbers is one that is folded: beyond twice the bits that a
-/// number of a spec has, it stands as it was written.
+/// Returns true if a sum or a product of two numbers is folded. Beyond twice the bits of a number of a spec, it stays
+/// as it was written.
 fn folds(a: &BigRational, b: &BigRational) -> bool {
     BITS.admits((power_bits(a, 1) + power_bits(b, 1)) / 2)
 }

@@ -10,15 +10,15 @@ use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
 use crate::limits::SIZE;
 
 impl Expression {
-    /// Whether it may occur twice in what follows: what nests doubles each time, and many that do so
-    /// may occur side by side.
+    /// Returns true if the expression may occur twice in the result: nesting doubles its size each time, and several
+    /// such expressions may occur side by side.
     pub(super) fn twice(&self) -> bool {
         let size = self.size().saturating_mul(2);
         SIZE.admits(size) && keep(size).is_some()
     }
 }
 
-/// What it is to write something out as an expression: about the size of that, and the effort.
+/// Cost of writing something out as an expression: its approximate size, and the effort.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Measure {
     pub(super) size: usize,
@@ -61,8 +61,8 @@ impl Field {
         SIZE.admits(measure.size).then(|| added(all()))
     }
 
-    /// What a kernel is written out, from what those within it are: one that stands in many terms
-    /// is written as often.
+    /// Measures a kernel written out, from the measures of the kernels within it: one that occurs in several terms is
+    /// counted in each.
     pub(super) fn measure_of(&self, kernel: &Kernel) -> Measure {
         let plain = |e: &Expression| {
             let size = e.size();
@@ -89,7 +89,7 @@ impl Field {
         added(vec![self.signed(ratio)])
     }
 
-    /// Whether the fraction is negative as it is written, and its size.
+    /// Returns the absolute value of the fraction as it is written, with true if it is negative.
     pub(super) fn signed(&self, ratio: &Ratio) -> (bool, Expression) {
         if ratio.num.is_zero() {
             return (false, Expression::integer(0));
@@ -224,7 +224,7 @@ pub(super) fn negative(e: Expression) -> Expression {
     }
 }
 
-/// Whether its first factor has a minus.
+/// Returns true if the first factor has a minus.
 pub(super) fn is_negative(e: &Expression) -> bool {
     match e.node() {
         Node::Neg(_) => true,

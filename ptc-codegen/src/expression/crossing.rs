@@ -1,4 +1,4 @@
-//! Where a continuous expression passes through 0.
+//! Search for a point at which a continuous expression passes through 0.
 //!
 //! Points of a box are tried until two have values of certain, opposite signs; where all have one, a
 //! descent from the smallest values looks for the other. Halving the stretch
@@ -20,7 +20,7 @@ const LAST_STEP: f64 = 1e-5;
 /// Halvings of a stretch over which continuity is not seen at once.
 const SPLITS: u32 = 6;
 
-/// Where an expression is 0.
+/// Location of a zero of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Zero {
     /// At this point, exactly.
@@ -29,7 +29,7 @@ pub(crate) enum Zero {
     Near(Point),
 }
 
-/// Where `expression` is 0, for `free` in its box and `given` as they are; `None` where nothing is found.
+/// Finds a zero of `expression`, for `free` in its box and `given` as they are; `None` if the search fails.
 pub(crate) fn crossing(expression: &Expression, free: &[Free], given: &Names) -> Option<Zero> {
     let mut search = Search { expression, free, given, evaluator: Evaluator::new() };
     let mut tried = Vec::new();
@@ -61,14 +61,14 @@ struct Tried {
     value: f64,
 }
 
-/// What a step of a descent finds.
+/// Outcome of a step of a descent.
 enum Move {
     Zero(Zero),
     Better(Tried),
     None,
 }
 
-/// What is certain of a value.
+/// Certain knowledge of the sign of a value.
 #[derive(Clone, Copy, PartialEq)]
 enum Sign {
     /// It is not 0; a number near it has its sign.
@@ -94,7 +94,7 @@ impl Search<'_> {
         names
     }
 
-    /// What is certain of the value at a point; none where no work is left.
+    /// Returns the certain sign of the value at a point; `None` if the work budget is used up.
     fn sign(&mut self, at: &[f64]) -> Option<Sign> {
         let value = self.evaluator.value(self.expression, &self.names(at, at))?;
         let [low, high] = value.interval.about();
@@ -169,7 +169,7 @@ impl Search<'_> {
         Some(proved.then(|| Zero::Near(midpoint(&a, &b))))
     }
 
-    /// Whether the expression is proved to be continuous from one point to another.
+    /// Returns true if the expression is proved to be continuous from one point to another; `None` if no work is left.
     fn is_continuous(&mut self, a: &[f64], b: &[f64], splits: u32) -> Option<bool> {
         let names = self.names(a, b);
         let exists = self.evaluator.value(self.expression, &names)?.existence;
@@ -184,7 +184,7 @@ impl Search<'_> {
         Some(first && self.is_continuous(&middle, b, splits - 1)?)
     }
 
-    /// Whether a sign in it may change.
+    /// Returns true if a sign in it may change; `None` if no work is left.
     fn jumps(&mut self, names: &Names) -> Option<bool> {
         let mut signed = Vec::new();
         self.expression.each(&mut |e| match e.node() {

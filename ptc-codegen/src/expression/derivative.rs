@@ -12,12 +12,12 @@ impl Expression {
         keep(self.nodes())
     }
 
-    /// Whether a derivative is small enough to be kept: what walks it recurses as deep as it is high.
+    /// Returns true if a derivative is small enough to be kept: the recursion depth of a walk equals its height.
     pub(crate) fn is_kept(&self) -> bool {
         SIZE.admits(self.nodes()) && HEIGHT.admits(self.height())
     }
 
-    /// Whether it is min, max, or a function with a kink.
+    /// Returns true for min, max, or a function with a kink.
     pub(crate) fn is_kink(&self) -> bool {
         match self.node() {
             Node::Min(..) | Node::Max(..) => true,

@@ -6,7 +6,7 @@ use std::cell::Cell;
 use crate::limits::EFFORT;
 
 thread_local! {
-    /// What is left of the effort of the work that goes on; `None` if it is not bounded.
+    /// Remaining effort of the current work; `None` if it is not bounded.
     static LEFT: Cell<Option<usize>> = const { Cell::new(None) };
 }
 

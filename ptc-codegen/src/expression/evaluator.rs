@@ -9,7 +9,7 @@ use super::function::Domain;
 use super::{Expression, Found, Function, Node};
 use crate::limits::ENCLOSURE;
 
-/// What a function or a power costs, in such operations.
+/// Cost of a function or a power, in such operations.
 const COST_OF_CALL: usize = 32;
 
 /// Evaluates expressions, until the work is used up.
@@ -35,7 +35,7 @@ pub(crate) enum Existence {
     Never,
 }
 
-/// What is known of the values of an expression.
+/// Enclosure and existence of the values of an expression.
 pub(crate) struct Value {
     /// It holds every value that exists.
     pub(crate) interval: Interval,
@@ -76,7 +76,7 @@ impl Evaluator {
         (value.existence == Existence::Certain).then_some(value.interval)
     }
 
-    /// Whether no work is left.
+    /// Returns true if no work is left.
     pub(crate) fn is_spent(&self) -> bool {
         self.left == 0 || self.cache.is_none()
     }

@@ -1,4 +1,4 @@
-//! Where an expression has a value: the conditions on its parts.
+//! Domain of an expression: the conditions on its parts.
 //!
 //! An objective whose value does not exist fails. Sampling and proofs take this from one list, made
 //! from the expression as it was given: a normal form may exist where the expression does not, as
@@ -9,7 +9,7 @@ use super::function::Domain;
 use super::sign::Sign;
 use super::{Expression, Found, Function, Node};
 
-/// What a part of an expression has to be.
+/// Condition on a part of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Condition {
     NotZero,
@@ -22,7 +22,7 @@ pub(crate) enum Condition {
 }
 
 impl Condition {
-    /// Whether a number meets it; NaN and infinities meet none.
+    /// Returns true if a number meets it; NaN and infinities meet none.
     #[cfg(feature = "lab")]
     pub(crate) fn holds(self, value: f64) -> bool {
         value.is_finite()
@@ -35,7 +35,7 @@ impl Condition {
             }
     }
 
-    /// Whether every number of an interval meets it.
+    /// Returns true if every number of an interval meets it.
     pub(crate) fn is_certain(self, values: &Interval) -> bool {
         values.is_within_doubles() && self.is_met(values)
     }
@@ -51,7 +51,7 @@ impl Condition {
         }
     }
 
-    /// Whether every number of a sign meets it.
+    /// Returns true if every number of a sign meets it.
     pub(crate) fn is_met_by(self, sign: Sign) -> bool {
         match self {
             Self::NotZero => matches!(sign, Sign::Positive | Sign::Negative),
@@ -63,7 +63,7 @@ impl Condition {
         }
     }
 
-    /// What it asks of a part, in words.
+    /// Describes the condition in words.
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::NotZero => "not 0",

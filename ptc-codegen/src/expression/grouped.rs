@@ -13,14 +13,14 @@ use crate::algebra::{Monomial, Poly, Symbol, integer};
 pub(crate) struct Grouped {
     /// The form.
     pub(crate) form: Expression,
-    /// Whether it is a sum of what moves, each times what does not. Its value is then exact for operands
-    /// that are off by a rounding or two, whichever products were multiplied out.
+    /// True for a sum of moving terms, each times a constant. Its value is then exact for operands that are off by a
+    /// rounding or two, whichever products were multiplied out.
     pub(crate) affine: bool,
     /// The factors under its fraction bar that move.
     poles: Vec<Poly>,
 }
 
-/// What moves in a term, and its coefficient, with the sign in front.
+/// Moving part of a term, and its coefficient, with the sign in front.
 type Part = (Monomial, (bool, Expression));
 
 /// `expression`, grouped; `None` where it grows beyond the bounds.

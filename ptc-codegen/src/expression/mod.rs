@@ -42,7 +42,7 @@ pub use resolve::{INTEGRAL, Scope, family_form, resolve};
 pub use solve::solve;
 pub(crate) use solve::unravel;
 
-/// What varies while the controller runs, beside its parameters.
+/// Variables that change while the controller runs, as opposed to its parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Variable {
     /// Stretched time since the start, kappa(Dt): the `t` of a mapping mu(t).

@@ -135,7 +135,7 @@ fn split(field: &mut Field, terms: Terms) -> Option<Terms> {
     Some(result)
 }
 
-/// Whether a symbol depends on time.
+/// Returns true if a symbol depends on time.
 pub(super) fn moves(field: &Field, symbol: Symbol) -> bool {
     contains(field, symbol, Variable::SinceStart)
 }

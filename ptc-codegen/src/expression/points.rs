@@ -55,7 +55,7 @@ pub(super) fn midpoint(a: &[f64], b: &[f64]) -> Point {
     a.iter().zip(b).map(|(a, b)| f64::midpoint(*a, *b)).collect()
 }
 
-/// How far two points are from each other, each name in parts of its range.
+/// Returns the squared distance between two points, each coordinate relative to the width of its range.
 pub(super) fn distance(free: &[Free], a: &[f64], b: &[f64]) -> f64 {
     let part = |((_, low, high), (a, b)): (&Free, (&f64, &f64))| {
         let width = high - low;

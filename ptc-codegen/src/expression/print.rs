@@ -26,7 +26,7 @@ impl fmt::Display for Variable {
     }
 }
 
-/// How tightly the outermost operation binds.
+/// Returns the precedence of the outermost operation.
 fn binding(expression: &Expression) -> u8 {
     match expression.node() {
         Node::Add(..) | Node::Sub(..) => 1,
@@ -53,7 +53,7 @@ fn list(items: &[&Expression]) -> String {
 }
 
 impl Expression {
-    /// Whether it is short enough to be written out.
+    /// Returns true if it is short enough to be written out.
     pub fn is_written(&self) -> bool {
         TEXT.admits(self.size())
     }

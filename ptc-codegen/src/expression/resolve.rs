@@ -33,10 +33,10 @@ const CONSTANTS: [(&str, &str); 14] = [
 /// The name of the integral over a run.
 pub const INTEGRAL: &str = "integral";
 
-/// What names mean.
+/// Scope of an expression: the meaning of names.
 #[derive(Clone, Copy)]
 pub struct Scope<'a> {
-    /// What the expression is for.
+    /// Purpose of the expression.
     pub subject: Subject,
     /// Order n of the chain.
     pub n: usize,
@@ -159,14 +159,14 @@ impl Resolver<'_, '_> {
         }
     }
 
-    /// What a name of the model stands for.
+    /// Returns the variable that a name of the model denotes.
     fn own(&self, name: &str) -> Option<Expression> {
         let (_, variable) = self.scope.own.iter().find(|(own, _)| own.text() == name)?;
         Some((*variable).into())
     }
 
-    /// Whether 0*e and e^0 stay as they are written: where it counts whether e has a value, unless it
-    /// always has one. A mapping and a law are what they simplify to, and so is what is emitted.
+    /// Returns true if 0*e and e^0 stay as they are written: where it matters whether e has a value, unless it always
+    /// has one. A mapping, a law and the emitted code use the simplified form.
     fn stays(&self, e: &Expression) -> bool {
         use Subject::{Bound, Drift, Objective, PlantGain, PlantRate};
         matches!(self.scope.subject, Drift | PlantGain | PlantRate | Bound | Objective)

@@ -10,7 +10,7 @@ use super::{Expression, Function, Node};
 use crate::algebra::{Monomial, Poly, Symbol, integer};
 use crate::limits::{CALLS, LIFTED};
 
-/// What is known of a sign.
+/// Known sign of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sign {
     /// < 0.

@@ -112,12 +112,12 @@ fn without_roots(field: &Field, ratio: &Ratio) -> Option<(BigRational, Ratio)> {
     Some((power, raised))
 }
 
-/// Whether what a symbol stands for depends on a variable.
+/// Returns true if the kernel of a symbol depends on a variable.
 pub(super) fn contains(field: &Field, symbol: Symbol, variable: Variable) -> bool {
     depends(field, symbol, &|e| e.contains(variable))
 }
 
-/// Whether it has an expression in it that does.
+/// Returns true if the kernel of a symbol contains an expression for which `does` holds.
 pub(super) fn depends(field: &Field, symbol: Symbol, does: &dyn Fn(&Expression) -> bool) -> bool {
     let inner = |poly: &Poly| poly.symbols().into_iter().any(|s| depends(field, s, does));
     let ratio = |r: &Ratio| inner(&r.num) || r.den.iter().any(|(factor, _)| inner(factor));

@@ -1,4 +1,4 @@
-//! What tests of expressions share.
+//! Helpers of the tests of expressions.
 
 use num_traits::ToPrimitive;
 
@@ -46,8 +46,8 @@ pub(crate) fn evaluate(expression: &Expression, at: f64) -> f64 {
     }
 }
 
-/// How far a form is from an expression at t, as a share of that or of 1/100; `None` where a small change of t
-/// changes it by more than the test of forms allows, as rounding does too.
+/// Returns the error of a form of an expression at t, relative to its value plus 1/100; `None` where a small change of
+/// t changes it by more than the test of forms allows, as rounding does too.
 pub(crate) fn error(plain: &Expression, form: &Expression, t: f64) -> Option<f64> {
     let (truth, near) = (evaluate(plain, t), evaluate(plain, t * (1.0 + 1e-12)));
     let steady = truth.abs() < 1e9 && (near - truth).abs() <= 1e-9 * truth.abs();

@@ -11,11 +11,11 @@ use crate::parameter::Parameter;
 /// Sizes up to which a walk may come by a node again: to remember those of so few takes longer.
 const SMALL: usize = 48;
 
-/// What becomes of each operand, from the left.
+/// Function applied to each operand, from the left.
 type Each<'a> = &'a mut dyn FnMut(&Expression) -> Expression;
 
 impl Expression {
-    /// Whether a walk may come by its parts again rather than remember them.
+    /// Returns true if a walk may visit parts repeatedly rather than remember them.
     pub(crate) fn is_small(&self) -> bool {
         self.size() <= SMALL
     }
@@ -82,12 +82,12 @@ impl Expression {
         new
     }
 
-    /// Whether `wanted` holds for it or anything in it.
+    /// Returns true if `wanted` holds for it or anything in it.
     pub fn any(&self, wanted: &dyn Fn(&Self) -> bool) -> bool {
         self.first(&mut |e| wanted(e).then_some(())).is_some()
     }
 
-    /// What `find` gives first, from the outside in and from the left.
+    /// Returns the first result of `find`, from the outside in and from the left.
     pub(crate) fn first<T>(&self, find: &mut dyn FnMut(&Self) -> Option<T>) -> Option<T> {
         if self.is_small() {
             return self.first_written(find);
@@ -120,12 +120,12 @@ impl Expression {
         });
     }
 
-    /// Whether anything in it varies while the controller runs.
+    /// Returns true if anything in it varies while the controller runs.
     pub fn varies(&self) -> bool {
         self.any(&|part| part.variable().is_some())
     }
 
-    /// Whether `variable` occurs in it.
+    /// Returns true if `variable` occurs in it.
     pub fn contains(&self, variable: Variable) -> bool {
         self.any(&|e| e.variable() == Some(variable))
     }

@@ -25,7 +25,7 @@ pub(crate) struct Between {
     pub(crate) parts: Vec<Part>,
     /// Length of a part.
     length: BigRational,
-    /// How far x may be from its polynomials, over the sizes of x and u at the start of a part.
+    /// Bound of the distance of x from its polynomials, over the sizes of x and u at the start of a part.
     pub(crate) rest: Matrix,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Between {
 pub(crate) struct Part {
     /// x at its start.
     pub(crate) start: Matrix,
-    /// Of each x_i the inner control points.
+    /// Inner control points of each x_i.
     pub(crate) inner: Vec<Vec<Vec<BigRational>>>,
 }
 
@@ -90,7 +90,7 @@ impl Between {
         Some(Self { parts: parts?, length, rest })
     }
 
-    /// What a moment of u moves x by at most, from then on for a period and `late` more.
+    /// Bounds the effect on x of an impulse of u, from then on for a period and `late` more.
     pub(crate) fn kick(&self, plant: &Linear, late: &BigRational) -> Option<Vec<BigRational>> {
         let n = plant.b.len();
         let over = &self.length + late;
@@ -106,14 +106,14 @@ impl Between {
     }
 }
 
-/// How far x moves at most in a time of up to `length`, over the sizes of x and u: n rows.
+/// Bounds the change of x in a time of up to `length`, over the sizes of x and u: n rows.
 pub(crate) fn drift(plant: &Linear, length: &BigRational) -> Option<Matrix> {
     let whole = exponential(&scaled(&sizes(&moves(plant)), length))?;
     let one = |i: usize, j: usize| if i == j { BigRational::one() } else { BigRational::zero() };
     Some(Matrix::new(plant.b.len(), whole.len(), |i, j| whole.at(i, j) - one(i, j)))
 }
 
-/// What the terms of exp(Z length) beyond the degree of each row sum up to at most, Z of sizes.
+/// Bounds the sum of the terms of exp(Z length) beyond the degree of each row, Z of sizes.
 fn rest(
     z: &Matrix,
     length: &BigRational,

@@ -27,7 +27,7 @@ impl Complex {
         self.re.hypot(self.im)
     }
 
-    /// Whether the text shows an imaginary part.
+    /// Returns true if the text shows an imaginary part.
     pub fn is_complex(self) -> bool {
         self.im.abs() > VISIBLE * self.norm()
     }

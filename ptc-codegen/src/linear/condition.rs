@@ -1,4 +1,4 @@
-//! Whether a linear plant can be controlled and observed in samples, with digits to spare.
+//! Controllability and observability of a linear plant in samples, with digits to spare.
 //!
 //! Two numbers decide, and the greater one is reported. Of K = (Gamma, Phi Gamma, ...), or (C; C Phi;
 //! ...), the condition number in the best units of the states: min cond(E K F) over diagonal E and F
@@ -27,7 +27,7 @@ const DIGITS: i64 = 400;
 /// Sweeps of the iteration for a spectral radius.
 const SWEEPS: usize = 200;
 
-/// What is wrong with a plant.
+/// Defect of a plant.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Ill {
     /// A mode is too fast for the sample period.
@@ -36,7 +36,7 @@ pub(crate) enum Ill {
     Dependent,
     /// The input does not reach a mode, or hardly.
     Uncontrollable { condition: f64, mode: Option<Complex> },
-    /// What is measured does not show a mode, or hardly.
+    /// The measurement does not show a mode, or hardly.
     Unobservable { condition: f64, mode: Option<Complex> },
 }
 
@@ -99,7 +99,7 @@ pub(crate) fn examine(
     }
 }
 
-/// Whether the input of `pair`, a plant sampled with period `h`, controls it with a delay.
+/// Checks that the input of `pair`, a plant sampled with period `h`, controls it with a delay.
 fn controllable(
     plant: &Linear,
     h: &BigRational,
@@ -138,9 +138,9 @@ fn rounded(row: Vec<BigRational>) -> Vec<BigRational> {
 
 /// The units of states that act on each other.
 struct Coupled {
-    /// Of each state a number that those of its group share.
+    /// Number of the group of each state.
     groups: Vec<usize>,
-    /// Of each state the power of 2 that is its unit.
+    /// Power of 2 that is the unit of each state.
     units: Vec<i64>,
 }
 
@@ -150,7 +150,7 @@ impl Coupled {
         Self { groups: (0..order).collect(), units: vec![0; order] }
     }
 
-    /// Those of a plant, with other states behind its own up to `order`.
+    /// Returns the groups and units of a plant, with other states behind its own up to `order`.
     fn new(plant: &Linear, h: &BigRational, order: usize) -> Self {
         let n = plant.b.len();
         let mut acts: Vec<Vec<bool>> =

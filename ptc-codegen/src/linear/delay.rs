@@ -1,4 +1,4 @@
-//! By how much an input acts late.
+//! Delay of an input.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use num_traits::{One, ToPrimitive};
 use crate::algebra::BigRational;
 use crate::syntax::constant;
 
-/// By how many samples u acts late.
+/// Delay of u in samples.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Delay {
     samples: BigRational,
@@ -19,7 +19,7 @@ impl Delay {
         Self { samples }
     }
 
-    /// How many inputs of earlier samples act or are under way: the samples, rounded up.
+    /// Returns the number of inputs of earlier samples that act or are under way: the samples, rounded up.
     pub fn inputs(&self) -> usize {
         self.samples.ceil().to_usize().unwrap_or(usize::MAX)
     }
@@ -30,7 +30,7 @@ impl Delay {
         &self.samples - self.samples.ceil() + BigRational::one()
     }
 
-    /// Whether inputs take over at samples alone.
+    /// Returns true if inputs take over at samples alone.
     pub fn is_whole(&self) -> bool {
         self.samples.is_integer()
     }

@@ -16,7 +16,7 @@ pub struct Following {
 }
 
 impl Linear {
-    /// Where the output `c` x of the plant follows a reference.
+    /// Returns the state and the input for which the output `c` x of the plant follows a reference.
     ///
     /// # Errors
     /// The relative degree of the output where it is not the order of the plant: 0 where no input reaches it.

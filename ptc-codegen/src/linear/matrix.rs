@@ -191,7 +191,7 @@ fn sum(terms: Vec<(BigInt, BigInt)>) -> BigRational {
     if is_rounding(&sum, &size) { BigRational::zero() } else { quotient(&sum, &common) }
 }
 
-/// Whether what a sum leaves is rounding beside the size of its terms.
+/// Returns true if a sum is mere rounding compared with the size of its terms.
 fn is_rounding(sum: &BigInt, size: &BigInt) -> bool {
     sum.abs() << ROUNDING < *size
 }

@@ -54,7 +54,7 @@ impl Linear {
         Self { a: (1..=n).map(unit).collect(), b, c: (0..measured).map(unit).collect() }
     }
 
-    /// Whether C is 1.
+    /// Returns true if C is 1.
     pub fn measures_states(&self) -> bool {
         let unit = |i: usize, j: usize| if i == j { integer(1) } else { integer(0) };
         let is_unit = |(i, row): (usize, &Vec<BigRational>)| {

@@ -23,7 +23,7 @@ const ROUNDING: u32 = 120;
 pub(crate) struct Outputs {
     /// The states that each row accounts for.
     pub(crate) blocks: Vec<usize>,
-    /// Of each block v, Phi v, ..., Phi^(n_i) v.
+    /// Vectors v, Phi v, ..., Phi^(n_i) v of each block.
     pub(crate) columns: Vec<Vec<Vec<BigRational>>>,
     /// M^-T.
     pub(crate) mixing: Matrix,

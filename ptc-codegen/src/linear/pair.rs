@@ -9,7 +9,7 @@ use super::{Delay, Linear};
 use crate::algebra::BigRational;
 use crate::expansion::bell::factorials;
 
-/// What a held input does to the states from one sample to the next.
+/// Effect of a held input on the states from one sample to the next.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Pair {
     /// Phi.

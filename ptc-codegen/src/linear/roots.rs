@@ -65,7 +65,7 @@ fn simple_roots(p: &Polynomial) -> Option<Vec<Complex>> {
     None
 }
 
-/// Where the iteration begins: log2 of the modulus, and the angle. The moduli are the slopes of the
+/// Returns the initial values of the iteration: log2 of the modulus, and the angle. The moduli are the slopes of the
 /// Newton polygon (Bini 1996), within a factor of the degree of those of the roots.
 #[allow(clippy::cast_precision_loss)]
 fn starts(coefficients: &[BigInt]) -> Vec<(f64, f64)> {

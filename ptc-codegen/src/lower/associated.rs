@@ -24,7 +24,7 @@ pub(crate) struct Plant<'a> {
 }
 
 impl<'a> Plant<'a> {
-    /// Those of the associated system; `None` of another program.
+    /// Returns the values of the associated system; `None` for another program.
     pub(crate) fn of(program: &'a Program) -> Option<Self> {
         let order = program.watched.len().checked_sub(2)? / 2;
         let (states, rest) = program.watched.split_at_checked(order)?;
@@ -32,7 +32,7 @@ impl<'a> Plant<'a> {
         Some(Self { states, control: *control, time: *time, start })
     }
 
-    /// What a call at a time computes.
+    /// Returns the values that a call at a time computes.
     pub(crate) fn at_a_time(&self) -> Vec<Value> {
         [self.states, &[self.control, self.time]].concat()
     }

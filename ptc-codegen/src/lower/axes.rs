@@ -1,4 +1,4 @@
-//! What `tick` computes for all axes, and u of one of them from it.
+//! Computations of `tick` for all axes, and of u of one of them.
 
 use super::builder::Builder;
 use super::input_gain::{input_gain, over_number};
@@ -12,7 +12,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Op, Value};
 use crate::request::{After, Reference, Spec};
 
-/// What `tick` hands over, and what `axis` makes of it.
+/// Values that `tick` hands over, and the result of `axis`.
 #[derive(Default)]
 pub(super) struct Shared {
     pub(super) gains: Vec<Value>,
@@ -29,7 +29,7 @@ pub(super) struct Shared {
 /// with -O2, and without vectors it always is, as the sums go through memory.
 const ORDER_OF_PARTS: usize = 12;
 
-/// Whether what depends on time serves several axes: gains that are held after the deadline, with no
+/// Returns true if the values that depend on time serve several axes: gains that are held after the deadline, with no
 /// f(x, t), g(x, t) and r(t) of one axis.
 pub(super) fn shares_time(spec: &Spec) -> bool {
     let constant = |g: &Expression| !g.any(&|e| matches!(e.node(), Node::Variable(_)));

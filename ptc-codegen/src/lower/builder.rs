@@ -22,7 +22,7 @@ pub(super) struct Builder<'a> {
     program: Program,
     known: HashMap<Op, Value>,
     pub(super) quantities: BTreeMap<Symbol, Value>,
-    /// What the symbols of a user-defined mapping are.
+    /// Values of the symbols of a user-defined mapping.
     pub(super) values: BTreeMap<Symbol, Expression>,
     /// The squares of those that are evaluated by even and odd parts.
     pub(super) squares: BTreeMap<Symbol, Value>,
@@ -41,13 +41,13 @@ pub(super) struct Builder<'a> {
     pub(super) form: Option<Form>,
     /// The axis whose values are being named, from 1, where each has its own.
     pub(super) axis: Option<usize>,
-    /// How many outputs the plant has.
+    /// Number of outputs of the plant.
     pub(super) outputs: usize,
     /// The output of the highest order, where there are several.
     pub(super) highest: Option<&'a Spec>,
 }
 
-/// Where the plant is.
+/// Point of the plant.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PlantPoint {
     /// States x_1..x_n; empty while they are computed from those of the infinite-time system.
@@ -152,7 +152,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// What `compute` gives at the start, where the time-to-go is tau.
+    /// Returns the result of `compute` at the start, where the time-to-go is tau.
     pub(super) fn at_start<T>(&mut self, compute: impl FnOnce(&mut Self) -> T) -> T {
         let before = std::mem::replace(&mut self.at_start, true);
         let result = compute(self);
@@ -170,23 +170,23 @@ impl<'a> Builder<'a> {
         self.complement.as_ref().filter(|_| !self.at_start)
     }
 
-    /// Whether time is the time-to-go itself.
+    /// Returns true if time is the time-to-go itself.
     pub(super) fn counts_down(&self) -> bool {
         self.plant.is_some() && self.complement.is_none() && !self.at_start
     }
 
-    /// Whether the state is that of the infinite-time system.
+    /// Returns true if the state is that of the infinite-time system.
     pub(super) fn is_of_infinite_time(&self) -> bool {
         let unknown = |plant: &PlantPoint| plant.states.is_empty();
         self.followed().is_some() || self.counts_down() && self.plant.as_ref().is_some_and(unknown)
     }
 
-    /// Whether values at the start are being computed.
+    /// Returns true if values at the start are being computed.
     pub(super) fn is_at_start(&self) -> bool {
         self.at_start
     }
 
-    /// Whether a value is known no sooner than time.
+    /// Returns true if a value is known no sooner than time.
     pub(super) fn is_of_tick(&self, value: Value) -> bool {
         self.program.get(value).stage >= Stage::Tick
     }

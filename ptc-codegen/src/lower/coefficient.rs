@@ -1,4 +1,4 @@
-//! What parameters decide: the scaled gains K_i and the coefficients of the rows, in `init`.
+//! Values that depend on parameters alone: the scaled gains K_i and the coefficients of the rows, in `init`.
 
 use std::collections::BTreeMap;
 
@@ -39,7 +39,7 @@ fn fixed(spec: &Spec, symbol: Symbol) -> Option<BigRational> {
     spec.fixed.get(&parameter).and_then(Fixed::number).cloned()
 }
 
-/// Whether `symbol` is known when the parameters are.
+/// Returns true if `symbol` is known when the parameters are.
 pub(super) fn is_known_at_init(symbol: Symbol) -> bool {
     matches!(
         symbol.kind,

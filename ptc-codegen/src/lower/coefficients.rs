@@ -135,7 +135,7 @@ mod tests {
     use crate::program::Input;
     use crate::request::Spec;
 
-    /// What an operation of coefficients gives, by the operations that it took.
+    /// Compares results of operations on coefficients, and the operations that they took.
     #[test]
     fn neutral_elements_and_exact_numbers_take_no_operation() {
         let spec = Spec::new(1, Family::Exp);

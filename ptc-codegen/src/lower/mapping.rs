@@ -28,7 +28,7 @@ pub(super) struct Taylor {
     pub(super) base_inverse: Value,
     /// c_2, ..., c_n.
     pub(super) tail: Vec<Coefficient>,
-    /// What goes with the order of a term; 1 where it is absent.
+    /// Factor raised to the order of a term less 1; 1 where it is absent.
     pub(super) unit: Option<Value>,
     /// Stretched time since the start.
     pub(super) stretched: Value,

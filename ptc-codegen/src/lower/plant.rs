@@ -18,10 +18,10 @@ pub(super) struct Form {
     pub(super) coordinates: Vec<Expression>,
     drift: Option<Expression>,
     pub(super) input_gain: Option<Expression>,
-    /// Whether `drift` is f/g, which is subtracted from w/g: no digit of w or of f is lost by that, as
-    /// their difference is rounded once either way.
+    /// True if `drift` is f/g, which is subtracted from w/g: no digit of w or of f is lost by that, as their difference
+    /// is rounded once either way.
     divided: bool,
-    /// What the rows of the law are multiplied by: 1/g, where that is a number and no gain is left.
+    /// Factor of the rows of the law: 1/g, where that is a number and no gain is left.
     pub(super) scale: Option<BigRational>,
 }
 
@@ -111,7 +111,7 @@ pub(super) fn control(b: &mut Builder<'_>, law: Value) -> Value {
     }
 }
 
-/// What is wanted of xn', where the law is that of the tracking error, less f(x, t).
+/// Returns the rate xn' that the law demands, with r^(n) added if it is that of the tracking error, less f(x, t).
 pub(super) fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
     let wanted = wanted(b, law);
     less_drift(b, wanted, "f, known of the plant")

@@ -10,7 +10,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::program::{Op, Value};
 
 impl Builder<'_> {
-    /// Whether a quantity has been computed.
+    /// Returns true if a quantity has been computed.
     pub(super) fn has_quantity(&self, symbol: Symbol) -> bool {
         self.quantities.contains_key(&symbol)
     }

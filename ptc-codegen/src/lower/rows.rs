@@ -7,11 +7,11 @@ use crate::program::{Op, Value};
 /// Multiplication by 1/base.
 #[derive(Clone, Copy)]
 pub(super) enum Factor {
-    /// By a value.
+    /// Multiplication by a value.
     Multiply(Value),
-    /// By 1/value, where that inverse has no other use.
+    /// Multiplication by 1/value, where that inverse has no other use.
     Divide(Value),
-    /// By -1/value, likewise.
+    /// Multiplication by -1/value, likewise.
     DivideNegated(Value),
 }
 

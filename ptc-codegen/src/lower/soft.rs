@@ -11,7 +11,7 @@ use crate::mapping::Mapping;
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
 
-/// What one time decides.
+/// Values that depend on one time.
 struct Point {
     /// tau^2 E = T (tau + c Dt).
     decay: Value,

@@ -14,7 +14,7 @@ use crate::parameter::Parameter;
 /// A mapping given as mu(t) or as kappa(dt).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Custom {
-    /// Which of the two was given.
+    /// Mapping that was given, mu or kappa.
     pub subject: Subject,
     /// The expression as it was given.
     pub given: Expression,
@@ -27,10 +27,10 @@ pub struct Custom {
 /// The form in which a mapping is computed, which keeps its digits up to the deadline.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// By the complement tau - mu(t), t the stretched time since the start, where no closed form of
-    /// kappa is found: its digits are those of the time-to-go where mu is near tau.
+    /// The complement tau - mu(t), t the stretched time since the start, where no closed form of kappa is found: its
+    /// digits are those of the time-to-go where mu is near tau.
     Complement(Expression),
-    /// By kappa.
+    /// The form kappa.
     Kappa(Kappa),
 }
 
@@ -132,8 +132,8 @@ impl Custom {
         }
     }
 
-    /// How time-to-go and the first `order` derivatives of mu fall, once parameters are replaced as
-    /// `fixed` says; `None` if that is not found. The rate is -lim (ln mu')'.
+    /// Returns the decay of time-to-go and the first `order` derivatives of mu, once parameters are replaced as `fixed`
+    /// says; `None` if that is not found. The rate is -lim (ln mu')'.
     pub(crate) fn decay(
         &self,
         order: usize,
@@ -169,7 +169,7 @@ impl Custom {
         })
     }
 
-    /// Whether stretched time is the root of an equation, found by an iteration.
+    /// Returns true if stretched time is the root of an equation, found by an iteration.
     pub fn is_iterated(&self) -> bool {
         matches!(self.form, Form::Complement(_))
     }

@@ -7,7 +7,7 @@ use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 /// on those of algebraic in h^2, have terms that cancel at the start: `ptc-bench accuracy` with 12 here leaves 7e-14 there at n = 12.
 pub(super) const SHORT: usize = 4;
 
-/// How an atom is evaluated: what stands in its place in the rows of the law.
+/// Evaluation of an atom: its replacement in the rows of the law.
 #[derive(Clone, Debug)]
 pub enum Evaluated {
     /// The atom is this.

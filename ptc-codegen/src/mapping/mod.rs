@@ -18,8 +18,8 @@ pub use time::TimeMapping;
 
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 
-/// How a negative power of an atom is evaluated: `atom^-power = by`, which is also `expansion` where that
-/// is a polynomial in another atom.
+/// Evaluation of a negative power of an atom: `atom^-power = by`, which is also `expansion` where that is a polynomial
+/// in another atom.
 #[derive(Clone, Debug)]
 pub struct Reciprocal {
     /// The atom.
@@ -43,14 +43,14 @@ pub struct Mapping {
     pub reciprocals: Vec<Reciprocal>,
     /// The rate of stretched time, a single term: B_{i,j} is rate^i times something free of it.
     pub rate: Poly,
-    /// How rows of any order are evaluated.
+    /// Evaluation of rows of any order.
     pub evaluation: Evaluation,
-    /// How those of low orders are, where that takes fewer operations.
+    /// Evaluation of those of low orders, where that takes fewer operations.
     pub short: Option<Evaluation>,
 }
 
 impl Mapping {
-    /// How the rows of order `n` are evaluated.
+    /// Returns the evaluation of the rows of order `n`.
     pub fn evaluation(&self, n: usize) -> &Evaluation {
         self.short.as_ref().filter(|_| n <= evaluation::SHORT).unwrap_or(&self.evaluation)
     }

@@ -80,7 +80,7 @@ impl TimeMapping {
 }
 
 impl Kappa {
-    /// That of a family in the time-to-go, on its own parameters; tau - T for `exp_sum`, which has none.
+    /// Returns the mapping of a family in the time-to-go, on its own parameters; tau - T for `exp_sum`, which has none.
     pub(crate) fn of(family: Family) -> Self {
         let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
         Self::new(&form(family, Subject::Family).unwrap_or(elapsed))

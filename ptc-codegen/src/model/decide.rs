@@ -1,4 +1,4 @@
-//! Whether an expression is 0 for all states and parameters.
+//! Decision on whether an expression is 0 for all states and parameters.
 
 use super::Values;
 use crate::algebra::BigRational;
@@ -11,8 +11,8 @@ use crate::limits::SIZE;
 /// Points at which an expression that is not 0 is looked for.
 const POINTS: i64 = 12;
 
-/// Whether an expression vanishes wherever it exists; `None` if that is not decided. It does where
-/// its normal form is 0, and does not where it is certainly not 0 at one point.
+/// Returns true if an expression vanishes wherever it exists; `None` if that is not decided. It does where its normal
+/// form is 0, and does not where it is certainly not 0 at one point.
 pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> {
     let known = with(expression, values);
     let zero = |form: &Expression| form.number().map(|number| *number == BigRational::default());
@@ -33,7 +33,7 @@ pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> 
     if long { zero(&normal(&known)) } else { None }
 }
 
-/// Whether a matrix is certainly regular at one point: by elimination in intervals, no pivot of which holds 0.
+/// Returns true if a matrix is certainly regular at one point: by elimination in intervals, no pivot of which holds 0.
 pub(super) fn is_regular_at_a_point(matrix: &[Vec<Expression>], values: &Values) -> bool {
     let forms: Vec<_> = matrix.iter().flatten().map(|entry| with(entry, values)).collect();
     let names = names(&forms);
@@ -48,7 +48,7 @@ pub(super) fn is_regular_at_a_point(matrix: &[Vec<Expression>], values: &Values)
     })
 }
 
-/// Whether elimination of a matrix, row by row, finds a pivot without 0 in each column.
+/// Returns true if elimination of a matrix, row by row, finds a pivot without 0 in each column.
 fn has_pivots(mut a: Vec<Interval>, m: usize) -> bool {
     for k in 0..m {
         // The one that is furthest from 0 in its middle is the most certain.

@@ -45,8 +45,8 @@ pub(super) fn inverse(matrix: &[Vec<Expression>]) -> (Expression, Vec<Vec<Expres
     (determinant(matrix), adjugate)
 }
 
-/// Whether a matrix is regular but for some states: certainly so at a point, or by its determinant where that is
-/// not too long to be looked at; `None` if that is not decided.
+/// Returns true if a matrix is regular except for some states: certainly so at a point, or by its determinant where
+/// that is not too long to be examined; `None` if that is not decided.
 pub(super) fn is_regular(matrix: &[Vec<Expression>], values: &Values) -> Option<bool> {
     if is_regular_at_a_point(matrix, values) {
         return Some(true);

@@ -25,7 +25,7 @@ pub enum Ill {
     NotAffine(usize, usize, String),
     /// A derivative is taken of what has a kink.
     Kink(String),
-    /// Whether this is 0 for all states is not decided.
+    /// This may be 0 for all states: undecided.
     Open(String),
     /// No derivative of the output depends on the input.
     Unreached,
@@ -70,7 +70,7 @@ pub(super) struct Affine<'a> {
     /// Names of the states, and of the input where there is one alone.
     names: (&'a [Name], Option<Name>),
     pub(super) drifts: Vec<Expression>,
-    /// Of each input.
+    /// Gains of each input.
     pub(super) gains: Vec<Vec<Expression>>,
 }
 
@@ -108,7 +108,7 @@ impl<'a> Affine<'a> {
         Ok(plant)
     }
 
-    /// What is to be differentiated.
+    /// Returns the expression if it is differentiable.
     pub(super) fn smooth<'e>(&self, e: &'e Expression) -> Result<&'e Expression, Ill> {
         if e.any(&Expression::is_kink) { Err(Ill::Kink(self.text(e))) } else { Ok(e) }
     }

@@ -1,6 +1,5 @@
-//! What a controller knows of its plant, z' = f(z) + g(z) u with the output h(z), and what follows
-//! from it: the output and its derivatives are a chain of integrators x_1, ..., x_r, whose last
-//! rate is L_f^r h + (L_g L_f^(r-1) h) u.
+//! Model of the plant of a controller, z' = f(z) + g(z) u with the output h(z), and its consequence: the output and its
+//! derivatives are a chain of integrators x_1, ..., x_r, whose last rate is L_f^r h + (L_g L_f^(r-1) h) u.
 
 pub(crate) mod coupled;
 mod decide;
@@ -55,7 +54,7 @@ impl Model {
     }
 }
 
-/// What the names of states stand for.
+/// Returns the meanings of the names of states.
 pub fn own_names(states: &[Name]) -> Vec<(Name, Variable)> {
     (1..).zip(states).map(|(j, name)| (*name, Variable::State(j))).collect()
 }

@@ -147,7 +147,7 @@ impl Domain {
         }
     }
 
-    /// Whether `value` lies in the domain, as far as it alone decides.
+    /// Returns true if `value` lies in the domain, as far as it alone decides.
     pub fn admits(self, value: &Fixed) -> bool {
         match (self, value) {
             (Self::PositiveOrInfinite | Self::AboveUMin, Fixed::Infinite) => true,
@@ -183,7 +183,7 @@ impl Parameter {
         }
     }
 
-    /// Whether it is a limit of u.
+    /// Returns true if it is a limit of u.
     pub fn is_limit(self) -> bool {
         matches!(self, Self::UMax | Self::UMin)
     }
@@ -315,7 +315,7 @@ impl Fixed {
         }
     }
 
-    /// Whether it is below another one.
+    /// Returns true if it is below another one.
     pub(crate) fn is_below(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Number { value, .. }, Self::Number { value: other, .. }) => value < other,
@@ -349,7 +349,7 @@ impl Fixed {
         }
     }
 
-    /// Whether the value is a nonzero number that `precision` rounds to zero or infinity.
+    /// Returns true if the value is a nonzero number that `precision` rounds to zero or infinity.
     pub fn leaves(&self, precision: Precision) -> bool {
         let Some(value) = self.number() else { return false };
         let rounded = value.to_f64().unwrap_or(f64::INFINITY);

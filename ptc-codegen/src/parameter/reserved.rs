@@ -15,7 +15,7 @@ const RESERVED: &str = "
 /// Macros of C's `stddef.h` and `math.h`, and of gcc's default dialect.
 const DECLARED: &str = "NULL NAN INFINITY HUGE_VAL linux math_errhandling unix";
 
-/// What the names of the constants of `math.h` begin with.
+/// Prefix of the constants of `math.h`.
 const CONSTANT: &str = "M_";
 
 /// Functions that headers of C and POSIX other than `math.h` declare.
@@ -76,13 +76,13 @@ const FILES: &str = "
     typing uchar wchar wctype
 ";
 
-/// What the names of all statuses begin with.
+/// Prefix of all statuses.
 const STATUS: &str = "PTC_";
 
 /// Types beside the controller's own in an emitted Rust file, and a trait it uses.
 const TYPES: [&str; 6] = ["Control", "Controller", "Error", "FnOnce", "Result", "Status"];
 
-/// Whether `word` is a keyword, or a name that C's headers declare as a macro.
+/// Returns true if `word` is a keyword, or a name that C's headers declare as a macro.
 pub(super) fn is_word(word: &str) -> bool {
     RESERVED.split_whitespace().any(|one| one == word)
         || word.starts_with(STATUS)
@@ -90,7 +90,7 @@ pub(super) fn is_word(word: &str) -> bool {
         || DECLARED.split_whitespace().any(|one| one == word)
 }
 
-/// Whether `word` cannot name a controller.
+/// Returns true if `word` cannot name a controller.
 pub(crate) fn is_reserved(word: &str) -> bool {
     reason(word).is_some()
 }

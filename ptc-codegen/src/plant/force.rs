@@ -55,7 +55,7 @@ pub(crate) fn force(
 }
 
 impl Plant {
-    /// What the sampled loop of `spec` knows of the plant; `entries` hold the table `[disturbance]`.
+    /// Returns the bounds of the plant for the sampled loop of `spec`; `entries` hold the table `[disturbance]`.
     pub(super) fn bounds(&self, spec: &Spec, entries: &[Entry]) -> PlantBounds {
         if self.larger.is_some() && self.resonance.is_none() {
             let why = "the plant has states that the law does not know, and proofs are of the plant of the law";
@@ -117,7 +117,7 @@ fn between(
     }
 }
 
-/// Whether a value of `[disturbance]` is the word `constant` alone.
+/// Returns true if a value of `[disturbance]` is the word `constant` alone.
 fn is_constant(node: &Node) -> bool {
     match &node.value {
         Value::Word(word) => word == "constant",

@@ -21,14 +21,14 @@ use crate::parameter::{Name, Parameter};
 use crate::request::{Entry, LargerPlant, Spec, items, known, state_name};
 use crate::syntax::{Argument, Node, Value};
 
-/// What a plant with states of its own consists of.
+/// Help text on the parts of a plant with states of its own.
 const LEGAL: &str = "beside `states` the plant has `dynamics`, or A and B with what is `added` to them, and `outputs` or C";
 
 struct Reader<'a> {
     spec: &'a Spec,
     states: Vec<Name>,
     found: &'a mut Diagnostics,
-    /// Whether all that was written could be read.
+    /// True if all entries could be read.
     whole: bool,
 }
 

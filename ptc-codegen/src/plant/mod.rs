@@ -84,7 +84,7 @@ pub(crate) fn promised(
     Ok(())
 }
 
-/// What moves the states: f and g those of a chain of integrators, `dynamics` those of a model.
+/// Equations of a plant: f and g for a chain of integrators, `dynamics` for a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plant {
     /// f(x, u, t), in units of xn per s.
@@ -110,7 +110,7 @@ pub struct Plant {
 pub struct Mechanics {
     /// M.
     pub inertia: Vec<Vec<Expression>>,
-    /// What the inputs balance at q'' = 0.
+    /// Inputs that hold q'' = 0.
     pub bias: Vec<Expression>,
 }
 
@@ -167,12 +167,12 @@ impl Plant {
         set(used.filter(|parameter| !of_controller.contains(parameter)))
     }
 
-    /// Whether it is a chain of integrators, with f and g.
+    /// Returns true for a chain of integrators, with f and g.
     pub fn is_chain(&self) -> bool {
         self.dynamics.is_empty() && self.mechanics.is_none()
     }
 
-    /// What moves it, as it was written.
+    /// Returns the expressions that move it, as they were written.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         listed(self.keyed().map(|(_, expression)| expression))
     }
@@ -225,7 +225,7 @@ impl Plant {
         next.chain([self.f.clone().add(input)]).collect()
     }
 
-    /// What moves it, a line each.
+    /// Prints the equations that move it, a line each.
     pub fn lines(&self, spec: &Spec) -> Vec<String> {
         if let Some(larger) = &self.larger {
             let rates = larger.states.iter().zip(&self.dynamics);
@@ -252,7 +252,7 @@ impl Plant {
         std::iter::once(format!("f = {}", self.f)).chain(g).collect()
     }
 
-    /// Whether it says itself what this symbol is.
+    /// Returns true if the plant itself gives this symbol a value or bounds.
     pub fn gives(&self, symbol: Parameter) -> bool {
         self.fixed.contains_key(&symbol) || self.bounds.contains_key(&symbol)
     }

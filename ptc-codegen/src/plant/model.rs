@@ -67,7 +67,7 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
     plant
 }
 
-/// What `[plant]` may hold beside a model, for a name that it does not.
+/// Describes the legal entries of `[plant]` besides a model, for a name that is not one.
 fn legal(name: &str, keys: &[&str], used: &[Parameter]) -> String {
     let mut names: Vec<_> = used.iter().map(|symbol| symbol.spelling()).collect();
     names.extend(keys.iter().map(|key| (*key).to_owned()));
@@ -160,7 +160,7 @@ fn rates(rates: &mut [Expression], node: &Node, spec: &Spec, found: &mut Diagnos
     whole
 }
 
-/// Which rates are given: some, by the names of their states, or all, in their order.
+/// Returns the given rates: some, by the names of their states, or all, in their order.
 fn of_states<'a>(
     node: &'a Node,
     states: &[Name],

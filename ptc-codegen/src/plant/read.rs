@@ -112,11 +112,11 @@ fn chain(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
 
 /// The symbols of a plant, which have their values among its keys.
 pub(super) struct Symbols<'a> {
-    /// Those of its expressions.
+    /// Symbols of its expressions.
     pub(super) own: BTreeSet<Parameter>,
     /// The keys that are no symbols.
     pub(super) keys: &'a [&'a str],
-    /// Whether all expressions could be read.
+    /// True if all expressions could be read.
     pub(super) whole: bool,
 }
 

@@ -34,7 +34,7 @@ const NUMBERS: [&str; 3] = ["frequency_hz", "damping", "inertia_ratio"];
 /// The sides that are chosen.
 const SIDES: [&str; 2] = ["measured", "f"];
 
-/// What is legal.
+/// Help text on legal values.
 const LEGAL: &str = "resonance = { frequency_hz = [30, 60], damping = 0.02, inertia_ratio = 3, measured = \"motor\", f = \"load\" }";
 
 /// Puts the resonance of `[plant]` beside a chain, whose states are those of the measured side, or before the input of
@@ -108,7 +108,7 @@ fn hidden(f: &Expression, n: usize) -> Option<usize> {
 }
 
 impl Plant {
-    /// What is known of its resonance.
+    /// Returns the bounds of its resonance, if all of them are known.
     pub(super) fn promised_resonance(&self) -> Option<Resonance> {
         let measured = self.resonance?;
         let ends = |name: &str| {

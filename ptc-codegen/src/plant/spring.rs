@@ -28,7 +28,7 @@ impl Spring {
         Self { n, ratio, whole, pull }
     }
 
-    /// What the spring adds to the rate of the measured side.
+    /// Returns the term that the spring adds to the rate of the measured side.
     fn on(&self, side: Side) -> Expression {
         match side {
             Side::Motor => self.ratio.clone().div(self.whole.clone()).neg().mul(self.pull.clone()),

@@ -11,9 +11,9 @@ use super::{chart, range, single};
 pub struct Band {
     /// The quantity.
     pub title: String,
-    /// What it is over, with its unit.
+    /// Label of the horizontal axis, with its unit.
     pub across: String,
-    /// Where the band is known.
+    /// Points of the horizontal axis at which the band is known.
     pub at: Vec<f64>,
     /// Least and greatest value at each of these.
     pub within: Vec<(f64, f64)>,

@@ -1,4 +1,4 @@
-//! What every chart has: its margins, its letters, its mesh, its lines.
+//! Common parts of every chart: its margins, its letters, its mesh, its lines.
 
 use plotters::chart::{ChartBuilder, ChartContext, MeshStyle};
 use plotters::coord::Shift;

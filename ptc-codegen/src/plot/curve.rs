@@ -10,15 +10,15 @@ use super::{chart, range, single};
 /// A curve, and what its values should not exceed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve {
-    /// What it is of.
+    /// Title of the curve.
     pub title: String,
-    /// What it is over, with its unit.
+    /// Label of the horizontal axis, with its unit.
     pub across: String,
     /// The points, by the first number; those that are not > 0 are left out.
     pub points: Vec<(f64, f64)>,
     /// The place on the horizontal axis that is chosen.
     pub chosen: Option<f64>,
-    /// What a value should not exceed.
+    /// Limit that a value should not exceed.
     pub limit: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! How many there are of what size, on a logarithmic axis: a single one is seen beside thousands.
+//! Counts by size, on a logarithmic axis: a single one is seen beside thousands.
 
 use plotters::element::{PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -9,13 +9,13 @@ use super::{chart, range, single};
 /// Counts by size.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Histogram {
-    /// What is counted.
+    /// Title: the counted items.
     pub title: String,
-    /// What the bars are over, with its unit.
+    /// Label of the horizontal axis, with its unit.
     pub across: String,
     /// Sizes in their order, each with how many have it.
     pub sizes: Vec<(f64, u64)>,
-    /// Where the bound is.
+    /// Place of the bound.
     pub bound: f64,
 }
 
@@ -81,7 +81,7 @@ impl Histogram {
         chart.draw_series([label]).map(|_| ()).map_err(|e| told(&e))
     }
 
-    /// Whether the axis is logarithmic.
+    /// Returns true if the axis is logarithmic.
     fn by_decades(&self) -> bool {
         let small = |(size, _): &(f64, u64)| (0.0..SMALL_PART * self.bound).contains(size);
         self.sizes.iter().all(small)

@@ -27,7 +27,7 @@ pub use quantity::Quantity;
 use style::Pen;
 pub use style::register_letters;
 
-/// What is drawn.
+/// Content of a figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// A line above all.
@@ -42,29 +42,29 @@ pub struct Figure {
     pub limits: Vec<Range>,
     /// Bounds of |x_i|; empty where there are none.
     pub x_max: Vec<f64>,
-    /// What has to hold of the first run.
+    /// Objectives that have to hold for the first run.
     pub objectives: Vec<Bounded>,
-    /// Whether the sizes of states and inputs are drawn, on logarithmic axes.
+    /// True if the sizes of states and inputs are drawn, on logarithmic axes.
     pub by_decades: bool,
 }
 
 /// A quantity over the times of a run, with bounds that go with time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bounded {
-    /// What it is.
+    /// Name of the quantity.
     pub title: String,
     /// Its values.
     pub values: Vec<f64>,
     /// Its bounds, each at the same times; NaN where there is none.
     pub bounds: Vec<Vec<f64>>,
-    /// Whether the axis is logarithmic: for sizes, which are > 0 and fall by decades.
+    /// True if the axis is logarithmic: for sizes, which are > 0 and fall by decades.
     pub by_decades: bool,
 }
 
 /// One run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
-    /// What it is called in the legend.
+    /// Name in the legend.
     pub label: String,
     /// Start time in s.
     pub start: f64,
@@ -78,7 +78,7 @@ pub struct Trace {
     pub x: Vec<Vec<f64>>,
     /// `u[k]` is input k + 1 at these times.
     pub u: Vec<Vec<f64>>,
-    /// Whether u is held from each of these times to the next.
+    /// True if u is held from each of these times to the next.
     pub held: bool,
 }
 
@@ -118,7 +118,7 @@ impl Figure {
         Ok(page.finish())
     }
 
-    /// What it shows, in words.
+    /// Describes the figure in words.
     pub fn caption(&self) -> String {
         let panels = Panel::all(self);
         let stretched = match panels.contains(&Panel::Stretched) {

@@ -11,7 +11,7 @@ use super::style::{Pen, SMALL};
 use super::{Figure, Quantity, Trace, chart, range};
 use crate::program::range::Range;
 
-/// What a panel shows.
+/// Content of a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Panel {
     /// State of this index from 0, over time.
@@ -20,7 +20,7 @@ pub(super) enum Panel {
     Control(usize),
     /// The first state over stretched time: xi_1 = x_1.
     Stretched,
-    /// What the objective of this index from 0 bounds, over time.
+    /// Quantity that the objective of this index from 0 bounds, over time.
     Objective(usize),
 }
 
@@ -170,7 +170,7 @@ impl Panel {
         levels
     }
 
-    /// Whether the vertical axis is logarithmic.
+    /// Returns true if the vertical axis is logarithmic.
     fn by_decades(self, figure: &Figure) -> bool {
         match self {
             Self::Objective(index) => figure.objectives[index].by_decades,

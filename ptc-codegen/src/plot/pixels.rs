@@ -7,7 +7,7 @@ use plotters::prelude::IntoDrawingArea;
 
 use super::style::Pen;
 
-/// What `draw` draws on 3 by 3 units a pixel, as the bytes of a PNG file of this size in pixels.
+/// Encodes what `draw` draws on 3 by 3 units a pixel, as the bytes of a PNG file of this size in pixels.
 pub(super) fn png(
     (width, height): (u32, u32),
     draw: impl FnOnce(DrawingArea<BitMapBackend<'_>, Shift>) -> Result<(), String>,

@@ -1,4 +1,4 @@
-//! What a panel is called.
+//! Title of a panel.
 
 use crate::request::Spec;
 

@@ -1,4 +1,4 @@
-//! What an axis shows, and how its numbers are written.
+//! Range of an axis, and the format of its numbers.
 
 /// From the least to the greatest of the values, 0 and a margin included.
 pub(super) fn of(values: impl Iterator<Item = f64>) -> (f64, f64) {

@@ -53,8 +53,8 @@ pub fn register_letters() -> Result<(), String> {
         .map_err(|_| "the letters cannot be read".to_owned())
 }
 
-/// How fine a drawing is: its units per pixel. Points are drawn at whole units, so that lines of
-/// one unit a pixel would be jagged.
+/// Resolution of a drawing: its units per pixel. Points are drawn at whole units, so that lines of one unit a pixel
+/// would be jagged.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pen(u32);
 
@@ -143,7 +143,7 @@ fn dashes(from: i32, to: i32, (dash, gap): (u32, u32)) -> Vec<(i32, i32)> {
     (from..to).step_by(period).map(|at| (at, (at + dash).min(to))).collect()
 }
 
-/// Where the entries of the legend begin, as row and distance from the left, and the number of rows.
+/// Returns the places of the entries of the legend, as row and distance from the left, and the number of rows.
 fn legend(figure: &Figure, pen: Pen) -> Result<(Vec<(u32, i32)>, u32), String> {
     let (width, mut row, mut left) = (pen.at(2 * PANEL.0), 0, pen.at(16));
     let mut places = Vec::with_capacity(figure.traces.len());

@@ -4,8 +4,8 @@ use super::passes::append;
 use super::{Input, Op, Program, Stage, Value};
 
 impl Program {
-    /// Of a program whose `axis` is that of one of `count` axes of order `n`, the program with the inputs of all:
-    /// the same operations on what `tick` hands over to each, and on the states of all axes, one after the other.
+    /// Extends a program whose `axis` is that of one of `count` axes of order `n` to the inputs of all: the same
+    /// operations on the values that `tick` hands over to each, and on the states of all axes, one after the other.
     #[must_use]
     pub(crate) fn of_all_axes(mut self, n: usize, count: usize) -> Self {
         let Some(axis) = self.axis.take() else { return self };

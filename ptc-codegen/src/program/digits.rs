@@ -1,5 +1,5 @@
-//! What `init` has to look at before `step` may use it: a product of legal numbers that falls below
-//! the normal range has lost digits, or is 0, and nothing after it shows that.
+//! Checks that `init` makes before `step` may use its results: a product of legal numbers that falls below the normal
+//! range has lost digits, or is 0, and nothing after it shows that.
 //!
 //! Every product and quotient that `init` forms gets the range of its magnitude from the legal values
 //! of the parameters; one that may be too small is checked. An overflow shows by itself: it ends in a
@@ -34,7 +34,7 @@ impl Condition {
         }
     }
 
-    /// Whether it holds for numbers of those values.
+    /// Returns true if it holds for numbers of those values.
     pub fn holds(&self, numbers: &[f64], precision: Precision) -> bool {
         let (number, factors) = (numbers[0], &numbers[1..]);
         match self {
@@ -63,13 +63,12 @@ fn normal(precision: Precision) -> (f64, f64) {
     }
 }
 
-/// What is known of the size of a value. Of a sum it is the size of its terms, by which its error is
-/// measured.
+/// Bounds of the size of a value. For a sum it is the size of its terms, by which its error is measured.
 #[derive(Clone, Copy)]
 struct Size {
     /// 1 or -1; 0 where it is not known.
     sign: i8,
-    /// Whether it may be 0.
+    /// True if it may be 0.
     zero: bool,
     /// Binary logarithms of the least and the greatest magnitude, apart from 0.
     least: f64,
@@ -168,8 +167,7 @@ impl Size {
     }
 }
 
-/// What `init` has to check for the program of `spec`, in the order in which it computes what the
-/// checks look at.
+/// Returns the checks of `init` for the program of `spec`, in the order in which it computes the checked values.
 pub fn checks(spec: &Spec, program: &Program) -> Vec<Condition> {
     let (normal, largest) = normal(spec.precision);
     let mut sizes = vec![Size::UNKNOWN; program.values.len()];

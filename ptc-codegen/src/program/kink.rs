@@ -20,7 +20,7 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// What its distance is computed from.
+    /// Returns the values from which its distance is computed.
     pub fn operands(&self) -> impl Iterator<Item = Value> {
         std::iter::once(self.left).chain(self.right)
     }
@@ -39,8 +39,8 @@ impl Kink {
     }
 }
 
-/// Of each value whether it goes with time in one direction, at one pace: it has its greatest and its
-/// least number at the ends of any time.
+/// Returns true for each value that changes with time in one direction, at one pace: its greatest and its least number
+/// are at the ends of any interval of time.
 pub fn steady(program: &Program) -> Vec<bool> {
     let mut steady: Vec<bool> = Vec::with_capacity(program.values.len());
     for definition in &program.values {

@@ -22,26 +22,26 @@ pub struct Machine {
     slots: Slots,
 }
 
-/// What is computed, and when.
+/// Steps of the computation, and their order.
 #[derive(Clone, Debug)]
 struct Plan {
     steps: Vec<Step>,
-    /// Of each stage, the values that become known in it, in order of computation.
+    /// Values that become known in each stage, in order of computation.
     due: [Vec<usize>; 5],
     /// The values on which the outputs depend, in order.
     deciding: Vec<Value>,
 }
 
-/// What the values are at present.
+/// Present values.
 #[derive(Clone, Debug)]
 struct Slots {
     numbers: Vec<f64>,
-    /// By the value that is an array.
+    /// Contents of each value that is an array.
     arrays: Vec<Vec<f64>>,
     arguments: Vec<f64>,
 }
 
-/// How one value comes about.
+/// Computation of one value.
 #[derive(Clone, Debug)]
 enum Step {
     Arithmetic(Arithmetic),
@@ -61,7 +61,7 @@ enum Step {
     Root(Root, Vec<usize>),
 }
 
-/// What sees the way that an operation with several ways took.
+/// Callback that receives the branch taken by an operation with several branches.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(Value, &'static str);
 
 impl Machine {
@@ -92,7 +92,7 @@ impl Machine {
         machine
     }
 
-    /// Where `input` is held, if the outputs need it.
+    /// Returns the slot that holds `input`, if the outputs need it.
     pub fn slot(&self, input: Input) -> Option<Slot> {
         let mut asked = self.plan.due.iter().flatten();
         asked
@@ -138,12 +138,12 @@ impl Machine {
         &self.plan.due[stage as usize]
     }
 
-    /// Whether the outputs depend on a value: see [`Program::deciding`].
+    /// Returns true if the outputs depend on a value: see [`Program::deciding`].
     pub(super) fn decides(&self, index: usize) -> bool {
         self.plan.deciding.binary_search(&Value(index)).is_ok()
     }
 
-    /// How a value comes about, where numbers alone decide it.
+    /// Returns the arithmetic of a value, where numbers alone decide it.
     pub(super) fn arithmetic(&self, index: usize) -> Option<Arithmetic> {
         match &self.plan.steps[index] {
             Step::Arithmetic(arithmetic) => Some(*arithmetic),
@@ -167,7 +167,7 @@ impl Machine {
     }
 }
 
-/// Where a machine holds an input.
+/// Slot in which a machine holds an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slot(usize);
 

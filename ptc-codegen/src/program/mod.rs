@@ -59,7 +59,7 @@ pub enum Stage {
     Step,
 }
 
-/// What comes from outside.
+/// Value from outside the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Input {
     /// A run-time parameter.
@@ -84,13 +84,13 @@ pub enum Input {
     Drift,
     /// The control u, where the plant is computed.
     Control,
-    /// What the law wants of the last rate of the chain of an output, from 1, where the plant of a
-    /// controller in samples is computed.
+    /// Rate that the law demands of the last state of the chain of an output, from 1, where the plant of a controller
+    /// in samples is computed.
     Wanted(usize),
 }
 
 impl Input {
-    /// What it is called, in emitted code as in messages.
+    /// Returns its name, in emitted code as in messages.
     pub fn name(self) -> String {
         match self {
             Self::Parameter(parameter) => parameter.spelling(),
@@ -135,7 +135,7 @@ pub struct Definition {
     pub stage: Stage,
     /// Name and meaning, for values that readers know by name.
     pub name: Option<(String, String)>,
-    /// Whether it depends on the unknown of a [`Root`], and so belongs to its loop.
+    /// True if it depends on the unknown of a [`Root`], and so belongs to its loop.
     pub looped: bool,
 }
 
@@ -144,13 +144,13 @@ pub struct Definition {
 pub struct Program {
     /// Precision in which every operation rounds.
     pub precision: Precision,
-    /// Whether products and sums are fused where they can be.
+    /// True if products and sums are fused where they can be.
     pub fma: bool,
-    /// Whether polynomials are evaluated as trees, for short chains of operations.
+    /// True if polynomials are evaluated as trees, for short chains of operations.
     pub latency: bool,
     /// All values, operands before users.
     pub values: Vec<Definition>,
-    /// What the frame of the emitted functions compares with.
+    /// Values with which the frame of the emitted functions compares.
     pub limits: Limits,
     /// u of one call of `step`, before it is clipped; of a plant with several inputs the first.
     pub step: Value,
@@ -173,7 +173,7 @@ pub struct Program {
     /// Determinant of the decoupling matrix, by which the inputs are divided; none where there is none, or
     /// it is a number.
     pub determinant: Option<Value>,
-    /// What is read beside these: by a simulation, or by the functions of the associated system.
+    /// Values that are read besides these: by a simulation, or by the functions of the associated system.
     pub watched: Vec<Value>,
 }
 
@@ -244,12 +244,12 @@ impl Program {
         [&[self.step], self.others.as_slice()].concat()
     }
 
-    /// What `tick` hands over to `axis`.
+    /// Returns the values that `tick` hands over to `axis`.
     pub fn handed_over(&self) -> impl Iterator<Item = &Value> {
         self.gains.iter().chain(&self.divisors).chain(&self.bounds).chain(&self.lower)
     }
 
-    /// How many gains `axis` reads: where `tick` gives more, each axis has its own.
+    /// Returns the number of gains that `axis` reads: where `tick` returns more, each axis has its own.
     pub fn gains_of_axis(&self) -> usize {
         let is_gain = |d: &&Definition| matches!(d.op, Op::Input(Input::Gain(_)));
         self.values.iter().filter(is_gain).count()
@@ -281,8 +281,8 @@ impl Program {
         self.reached(roots, |op, reach| op.each_operand(reach))
     }
 
-    /// Those on which the numbers of `roots` depend: what only guides the iteration of a [`Root`], such as its
-    /// start, moves the root by less than its rounding.
+    /// Returns the values on which the numbers of `roots` depend. A value that only guides the iteration of a [`Root`],
+    /// such as its start, moves the root by less than its rounding.
     pub fn deciding(&self, roots: &[Value]) -> Vec<Value> {
         self.reached(roots, |op, reach| match op {
             Op::Root(root) => reach(root.residual),
@@ -322,7 +322,7 @@ impl Program {
         }
     }
 
-    /// Whether `op` belongs to the loop of a root.
+    /// Returns true if `op` belongs to the loop of a root.
     pub fn looped(&self, op: &Op) -> bool {
         match op {
             Op::Unknown => true,

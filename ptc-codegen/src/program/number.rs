@@ -15,7 +15,7 @@ pub fn round(value: &BigRational, precision: Precision) -> f64 {
     }
 }
 
-/// Whether a number keeps its digits when it is rounded in `precision`; 0 loses none.
+/// Returns true if a number keeps its digits when it is rounded in `precision`; 0 loses none.
 pub fn is_normal(value: &BigRational, precision: Precision) -> bool {
     let rounded = round(value, precision);
     value.is_zero() || (rounded.is_finite() && rounded.abs() >= precision.least_normal())
@@ -59,8 +59,8 @@ pub fn exact(value: f64) -> Option<BigRational> {
     BigRational::from_f64(value)
 }
 
-/// Whether a double is `value`. Most numbers are no binary fractions, which is seen without the exact value of the double,
-/// whose lowest terms take far longer.
+/// Returns true if a double is exactly `value`. Most numbers are no binary fractions, which is seen without the exact
+/// value of the double, whose lowest terms take far longer.
 pub fn is_exact(near: f64, value: &BigRational) -> bool {
     let denominator = value.denom().magnitude();
     let is_binary =

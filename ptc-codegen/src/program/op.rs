@@ -110,7 +110,7 @@ pub enum Op {
         tail: Vec<Value>,
         /// Weights of z, z^2, ...
         weights: Vec<Value>,
-        /// Whether each product and its sum are rounded once.
+        /// True if each product and its sum are rounded once.
         fused: bool,
     },
     /// An array by loops: the solution of a x = b and behind it det a, as
@@ -129,7 +129,7 @@ pub enum Op {
     Root(Root),
 }
 
-/// By hand, because a ratio hashes its continued fraction, which takes longer than all the rest.
+/// Written by hand, because a ratio hashes its continued fraction, which takes longer than all the rest.
 impl Hash for Op {
     fn hash<H: Hasher>(&self, state: &mut H) {
         std::mem::discriminant(self).hash(state);

@@ -31,12 +31,12 @@ impl Range {
         }
     }
 
-    /// Whether a value is within the limits.
+    /// Returns true if a value is within the limits.
     pub fn contains(self, u: f64) -> bool {
         self.least <= u && u <= self.most
     }
 
-    /// Whether a value is at a limit or beyond, but for a `share` of the limit.
+    /// Returns true if a value is at a limit or beyond, up to a `share` of the limit.
     pub fn nears(self, u: f64, share: f64) -> bool {
         u >= self.most - share * self.most.abs() || u <= self.least + share * self.least.abs()
     }

@@ -1,12 +1,12 @@
-//! Which inputs show in a value: where NaN or infinity of the input leaves the value not finite, a test
-//! of the value is a test of the input.
+//! Inputs that show in a value: where NaN or infinity of the input leaves the value not finite, a test of the value is
+//! a test of the input.
 
 use super::{Input, Op, Program, Stage, Value};
 use crate::expression::Function;
 
 impl Program {
-    /// Whether `value` is not finite whenever `input` is not: sums, products, numerators and both
-    /// sides of a choice pass NaN and infinity on; denominators and library functions may not.
+    /// Returns true if `value` is not finite whenever `input` is not: sums, products, numerators and both sides of a
+    /// choice pass NaN and infinity on; denominators and library functions may not.
     pub fn shows(&self, input: Input, value: Value) -> bool {
         let mut shows = vec![false; value.0 + 1];
         for index in 0..=value.0 {
@@ -27,8 +27,7 @@ impl Program {
         shows[value.0]
     }
 
-    /// Whether a library function, a user-defined law or a loop works on what depends on `source` on
-    /// the way to `value`.
+    /// Returns true if the path from `source` to `value` contains a library function, a user-defined law or a loop.
     pub fn leaves_arithmetic(&self, source: Value, value: Value) -> bool {
         let depends = self.dependents(source, &[], value);
         let is_call = |op: &Op| match op {
@@ -43,12 +42,12 @@ impl Program {
         dependent.any(|v| is_call(&self.get(v).op))
     }
 
-    /// Whether `value` depends on `source` otherwise than through the values `through`.
+    /// Returns true if `value` depends on `source` otherwise than through the values `through`.
     pub fn depends(&self, source: Value, through: &[Value], value: Value) -> bool {
         self.dependents(source, through, value)[value.0]
     }
 
-    /// What depends on `source`, up to `value`; the values `through` are taken not to.
+    /// Returns, for each value up to `value`, true if it depends on `source`; the values `through` are taken not to.
     fn dependents(&self, source: Value, through: &[Value], value: Value) -> Vec<bool> {
         let mut depends = vec![false; value.0.max(source.0) + 1];
         for index in source.0..depends.len() {
@@ -60,7 +59,7 @@ impl Program {
         depends
     }
 
-    /// Whether `value` is time less values that are known before it.
+    /// Returns true if `value` is time less values that are known before it.
     pub fn is_shifted_time(&self, value: Value) -> bool {
         match self.get(value).op {
             Op::Input(Input::Time) => true,

@@ -1,4 +1,4 @@
-//! How far rounding takes a computed value from the same in exact arithmetic.
+//! Bounds of rounding errors: the distance of a computed value from the same in exact arithmetic.
 //!
 //! For a value v of a program let v* be the same in exact arithmetic, and e a bound of |v - v*|. What the errors of the
 //! operands make of an operation without its own rounding:
@@ -18,7 +18,7 @@ use crate::expression::Function;
 use crate::expression::enclosure::{Calls, Range};
 use crate::parameter::Precision;
 
-/// What covers the roundings of one step of a bound.
+/// Factor that covers the roundings of one step of a bound.
 pub(crate) const MORE: f64 = 1.0 + 1e-14;
 
 /// Roundings that a function of the mathematical library is charged with.
@@ -29,7 +29,7 @@ const LIBRARY: f64 = 4.0;
 pub(crate) struct Units {
     /// The largest relative error.
     pub(crate) roundoff: f64,
-    /// What a result that underflows may be off by.
+    /// Largest error of a result that underflows.
     pub(crate) subnormal: f64,
 }
 
@@ -55,7 +55,7 @@ impl Near {
 }
 
 impl Units {
-    /// Those of a precision.
+    /// Returns the units of a precision.
     pub(crate) fn of(precision: Precision) -> Self {
         match precision {
             Precision::F32 => Self { roundoff: 2f64.powi(-24), subnormal: 2f64.powi(-149) },
@@ -63,7 +63,7 @@ impl Units {
         }
     }
 
-    /// Those of operations that round nothing.
+    /// Units of operations that round nothing.
     pub(crate) const EXACT: Self = Self { roundoff: 0.0, subnormal: 0.0 };
 
     /// The same where nothing underflows, so that the errors of a linear law are as large as its states.

@@ -22,7 +22,7 @@ pub(super) struct Kept {
     pub(super) points: VecDeque<(At, Option<Rc<Point>>)>,
 }
 
-/// What the mapping depends on: time-to-go, and the bits of its parameters.
+/// Arguments of the mapping: time-to-go, and the bits of its parameters.
 type At = (BigFloat, Vec<u64>);
 
 impl Kept {

@@ -22,7 +22,7 @@ impl Term {
     }
 }
 
-/// What the leaves of an expression stand for.
+/// Values of the leaves of an expression.
 pub(super) struct Leaves<'a> {
     pub(super) parameter: &'a dyn Fn(Parameter) -> BigFloat,
     pub(super) variable: &'a dyn Fn(Variable) -> Term,

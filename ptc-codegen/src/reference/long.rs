@@ -8,8 +8,8 @@ use crate::algebra::{BigInt, BigRational};
 use crate::expression::Function;
 use crate::expression::enclosure::leading;
 
-/// How the library rounds: the error of one operation is below one unit of the last place either
-/// way, and two precisions that agree bound the sum.
+/// Rounding of the library: the error of one operation is below one unit of the last place either way, and two
+/// precisions that agree bound the sum.
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 const ANY: RoundingMode = RoundingMode::None;
 /// Arguments beyond 2^MAX_EXPONENT give no exponential, sine or cosine.
@@ -34,7 +34,7 @@ impl Arithmetic {
         Some(Self { bits, constants: Consts::new().ok()?, costs: Costs::of(bits), work })
     }
 
-    /// What `compute` gives, if the work for it is left.
+    /// Returns the result of `compute`, or NaN if the work for it is not left.
     fn charged(&mut self, compute: impl FnOnce(&mut Self) -> BigFloat) -> BigFloat {
         if self.work.spend(self.costs.function) { compute(self) } else { NAN }
     }
@@ -152,8 +152,8 @@ impl Arithmetic {
         self.charged(|own| a.atan(own.bits, ANY, &mut own.constants))
     }
 
-    /// Whether a is 0, or so small that its square is below the last place of 1: there sin a and
-    /// atan a are a, and the library would take time with the size of its exponent.
+    /// Returns true if a is 0, or so small that its square is below the last place of 1: there sin a and atan a are a,
+    /// and the library would take time with the size of its exponent.
     fn is_negligible(&self, a: &BigFloat) -> bool {
         let places = i32::try_from(self.bits).unwrap_or(i32::MAX);
         a.is_zero() || a.exponent().is_some_and(|e| e < -places)
@@ -213,12 +213,12 @@ pub(super) fn double(value: f64, bits: usize) -> BigFloat {
     lifted
 }
 
-/// Whether a < b; false where either is no number.
+/// Returns true if a < b; false where either is NaN.
 pub(super) fn below(a: &BigFloat, b: &BigFloat) -> bool {
     a.cmp(b).is_some_and(|order| order < 0)
 }
 
-/// Whether a is a finite number.
+/// Returns true if a is a finite number.
 pub(super) fn is_finite(a: &BigFloat) -> bool {
     !a.is_nan() && !a.is_inf()
 }

@@ -22,12 +22,12 @@ pub(super) struct Mapping {
     expression: Expression,
     subject: Subject,
     n: usize,
-    /// Those it depends on.
+    /// Parameters on which it depends.
     pub(super) parameters: BTreeSet<Parameter>,
 }
 
 impl Mapping {
-    /// That of `spec`, for chains up to this order.
+    /// Returns the mapping of `spec`, for chains up to this order.
     pub(super) fn new(spec: &Spec, order: usize) -> Self {
         let (subject, expression) = match &spec.time_mapping {
             TimeMapping::Family { family, rates } => (Subject::Mu, definition(*family, *rates)),

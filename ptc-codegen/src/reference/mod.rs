@@ -54,12 +54,12 @@ pub struct Call<'a> {
     /// The law of the infinite-time system where it is a function of the user's program: one, or that of each
     /// output.
     pub laws: &'a [Expression],
-    /// What the user's own function gives after the deadline.
+    /// Result of the user-defined function after the deadline.
     pub after: f64,
 }
 
-/// What a call of the controller of `spec`, of one input, should give; `None` where more digits than any
-/// decide.
+/// Returns the expected outcome of a call of the controller of `spec`, of one input; `None` where no number of digits
+/// decides it.
 pub fn evaluate(spec: &Spec, call: &Call<'_>) -> Option<Outcome> {
     Reference::new(spec)?.evaluate(call)
 }
@@ -68,14 +68,14 @@ pub fn evaluate(spec: &Spec, call: &Call<'_>) -> Option<Outcome> {
 /// each precision, and the mapping at the last few times.
 pub struct Reference<'a> {
     spec: &'a Spec,
-    /// That of each chain.
+    /// Design of each chain.
     designs: Vec<Spec>,
-    /// What `init` checks of them counts for each call.
+    /// Run-time parameters: a value that `init` would refuse fails each call.
     run_time: Vec<Parameter>,
     mapping: Mapping,
     /// Exact for every sum of three doubles.
     exact: Arithmetic,
-    /// By the doublings of [`FIRST_BITS`].
+    /// Caches, indexed by the doublings of [`FIRST_BITS`].
     precisions: Vec<Kept>,
     work: Work,
 }
@@ -104,12 +104,13 @@ impl<'a> Reference<'a> {
         })
     }
 
-    /// What a call of a controller of one input should give; `None` where more digits than any decide.
+    /// Returns the expected outcome of a call of a controller of one input; `None` where no number of digits decides
+    /// it.
     pub fn evaluate(&mut self, call: &Call<'_>) -> Option<Outcome> {
         self.evaluate_each(call)?.into_iter().next()
     }
 
-    /// What a call should give for each input; `None` where more digits than any decide.
+    /// Returns the expected outcome of a call for each input; `None` where no number of digits decides it.
     pub fn evaluate_each(&mut self, call: &Call<'_>) -> Option<Vec<Outcome>> {
         let (spec, exact) = (self.spec, &self.exact);
         let parameter = |p| value_of(spec, p, call.parameter);
@@ -230,7 +231,7 @@ fn admitted(spec: &Spec, parameter: Parameter, value: &dyn Fn(Parameter) -> f64)
     }
 }
 
-/// Whether a u is no finite number of the precision.
+/// Returns true if u is not a finite number of the precision.
 fn is_beyond(spec: &Spec, u: f64) -> bool {
     let greatest = match spec.precision {
         Precision::F64 => f64::MAX,

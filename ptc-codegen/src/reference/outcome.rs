@@ -1,4 +1,4 @@
-//! What a call should give: status, u and how far another u is from it.
+//! Expected outcome of a call: status, u and the error of another u.
 
 use astro_float_num::BigFloat;
 
@@ -108,7 +108,7 @@ impl Control {
     }
 }
 
-/// What a call should give.
+/// Expected outcome of a call.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The status.

@@ -1,11 +1,11 @@
-//! What the emitted code may be wrong by: |u - u_ref|/scale, where scale is the sum of the absolute
-//! values of the terms of u. The one place of these numbers, for tests and for self-tests alike.
+//! Tolerance of the emitted code: |u - u_ref|/scale, where scale is the sum of the absolute values of the terms of u.
+//! The one place of these numbers, for tests and for self-tests alike.
 
 use crate::family::Family;
 use crate::parameter::Precision;
 use crate::request::Spec;
 
-/// What a controller of `family` and `precision` may be wrong by, for any order up to 12.
+/// Returns the tolerance of a controller of `family` and `precision`, for any order up to 12.
 pub fn control(family: Family, precision: Precision) -> f64 {
     match (precision, family) {
         // Some 45 roundings of 1.1e-16, in quotients, products and sums without cancellation.

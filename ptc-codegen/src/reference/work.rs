@@ -1,4 +1,4 @@
-//! How much work the long arithmetic may do.
+//! Work budget of the long arithmetic.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -25,7 +25,7 @@ impl Work {
         left > 0
     }
 
-    /// Whether nothing is left.
+    /// Returns true if the budget is used up.
     pub(crate) fn is_spent(&self) -> bool {
         self.0.get() == 0
     }
@@ -37,7 +37,7 @@ pub(super) struct Costs {
     pub(super) sum: u64,
     pub(super) product: u64,
     pub(super) quotient: u64,
-    /// Of a root, a logarithm, and what is computed like one.
+    /// Cost of a root, a logarithm, and a function that is computed like one.
     pub(super) function: u64,
 }
 

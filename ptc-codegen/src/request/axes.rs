@@ -12,7 +12,7 @@ use crate::parameter::{Fixed, Parameter};
 /// here, for each of them, and is empty where they share it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axes {
-    /// How many there are.
+    /// Number of axes.
     pub count: usize,
     /// Gains k_1..k_n of each.
     pub gains: Vec<Vec<Fixed>>,
@@ -29,12 +29,12 @@ pub struct Axes {
     /// Law pi0 of each output of a plant that is not a sum of gains. In these `x_j` are the states of the
     /// plant, and `xi_j` count through the chains of all outputs, one after the other.
     pub laws: Vec<Expression>,
-    /// What each output of a plant follows, with its derivatives up to that of its order.
+    /// Reference of each output of a plant, with its derivatives up to the order of that output.
     pub references: Vec<Vec<Expression>>,
 }
 
 impl Axes {
-    /// Whether an axis has something of its own.
+    /// Returns true if an axis has values of its own.
     pub fn differ(&self) -> bool {
         !self.gains.is_empty()
             || !self.limits.is_empty()
@@ -87,7 +87,7 @@ impl Spec {
         Some(exact.map_or(given, |exact| &exact.coupled))
     }
 
-    /// Whether it is [`Self::as_one_plant`] of axes whose laws know nothing of one another.
+    /// Returns true for [`Self::as_one_plant`] of axes whose laws do not depend on one another.
     pub fn joins_axes(&self) -> bool {
         let of_axes = self.coupled.as_ref().is_some_and(|coupled| coupled.is_of_axes);
         of_axes && self.feedback == Feedback::Linear
@@ -176,7 +176,7 @@ impl Spec {
     }
 }
 
-/// Those of the bounds of the chains of all outputs that are of one; where they share bounds, these.
+/// Returns the bounds of one chain from those of the chains of all outputs; where they share bounds, these.
 fn of_chain<'a>(bounds: &'a [Fixed], orders: &[usize], index: usize) -> &'a [Fixed] {
     let from: usize = orders[..index].iter().sum();
     match bounds.len() == orders.iter().sum::<usize>() {

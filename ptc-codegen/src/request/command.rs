@@ -350,7 +350,7 @@ fn word(flag: &str, value: &dyn fmt::Display) -> String {
     if is_plain(&text) { format!("{flag}={text}") } else { format!("{flag}=\"{text}\"") }
 }
 
-/// Whether no character of a text means something to a shell.
+/// Returns true if no character of a text is special to a shell.
 fn is_plain(text: &str) -> bool {
     text.chars().all(|c| c.is_ascii_alphanumeric() || "_-+.,/".contains(c))
 }

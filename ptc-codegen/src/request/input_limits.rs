@@ -23,21 +23,21 @@ impl Spec {
         Some(Limits { most: axes.limits.get(index)?, least: axes.lower.get(index) })
     }
 
-    /// Whether these limits of u, which may be parameters at run time, are legal; 0 has to be within them where the
-    /// controller gives it after the deadline.
+    /// Returns true if these limits of u, which may be parameters at run time, are legal; 0 has to be within them where
+    /// the controller returns it after the deadline.
     pub fn admits_limits(&self, least: f64, most: f64) -> bool {
         let rests = self.after != After::Zero || (least <= 0.0 && 0.0 <= most);
         !self.u_min || (least < most && rests)
     }
 
-    /// Whether u is not clipped, whatever the run-time parameters are.
+    /// Returns true if u is not clipped, whatever the run-time parameters are.
     pub fn is_unlimited(&self) -> bool {
         let fixed = |parameter| self.fixed.get(&parameter);
         let below = !self.u_min || fixed(Parameter::UMin) == Some(&Fixed::MinusInfinite);
         below && fixed(Parameter::UMax) == Some(&Fixed::Infinite)
     }
 
-    /// Whether a limit of u is left to run time.
+    /// Returns true if a limit of u is left to run time.
     pub fn has_open_limit(&self) -> bool {
         let open = |parameter| !self.fixed.contains_key(&parameter);
         open(Parameter::UMax) || (self.u_min && open(Parameter::UMin))

@@ -17,7 +17,7 @@ pub struct LargerPlant {
     pub outputs: Vec<Expression>,
     /// `x_1`..`x_n` of the law in the same states: the outputs, where the law has no model.
     pub coordinates: Vec<Expression>,
-    /// How many of the states, counted from the last one, are 0 at the start where nothing else is given.
+    /// Number of states, counted from the last one, that are 0 at the start by default.
     pub at_rest: usize,
 }
 
@@ -50,7 +50,7 @@ impl Spec {
 }
 
 impl Spec {
-    /// How many of the states of the plant, counted from the last one, start at 0 where nothing else is given.
+    /// Returns the number of states of the plant, counted from the last one, that start at 0 by default.
     pub fn states_at_rest(&self) -> usize {
         self.larger.as_ref().map_or(0, |larger| larger.at_rest)
     }

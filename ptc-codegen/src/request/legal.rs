@@ -1,4 +1,4 @@
-//! Which values of a parameter are legal.
+//! Legal values of a parameter.
 
 use super::Spec;
 use crate::parameter::{Domain, Parameter, Precision};
@@ -27,7 +27,7 @@ impl Spec {
         if self.bounds.contains_key(&parameter) { None } else { self.ends_of_kind(parameter) }
     }
 
-    /// Those ends, whatever bounds the user gave.
+    /// Returns those ends, whatever bounds the user gave.
     pub(crate) fn ends_of_kind(&self, parameter: Parameter) -> Option<(f64, f64)> {
         // A count, and a hold of 0 samples.
         if self.sampled().is_some() && matches!(parameter, Parameter::Samples | Parameter::Eps) {
@@ -46,7 +46,7 @@ impl Spec {
         }
     }
 
-    /// Whether `value`, a number of the precision, lies between those ends.
+    /// Returns true if `value`, a number of the precision, lies between those ends.
     pub fn keeps_digits(&self, parameter: Parameter, value: f64) -> bool {
         self.ends(parameter).is_none_or(|(least, greatest)| value >= least && value <= greatest)
     }

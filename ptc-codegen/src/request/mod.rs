@@ -45,8 +45,8 @@ pub const MAX_ORDER: usize = 16;
 /// Largest number of rates of `exp_sum`.
 pub const MAX_RATES: usize = 16;
 
-/// Which run-time checks of the inputs of `step` are emitted. A result that is not finite is
-/// [`PTC_E_RANGE`](crate::emit) under each of them.
+/// Run-time checks of the inputs of `step`. A result that is not finite is [`PTC_E_RANGE`](crate::emit) under each of
+/// them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Guard {
     /// Every input and pointer is checked.
@@ -68,7 +68,7 @@ pub enum Feedback {
     Extern,
 }
 
-/// What follows the deadline.
+/// Behaviour after the deadline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum After {
     /// The gains stay as they are at time-to-go eps.
@@ -79,7 +79,7 @@ pub enum After {
     Extern,
 }
 
-/// What is generated.
+/// Program to generate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum What {
     /// The controller.
@@ -90,7 +90,7 @@ pub enum What {
     Observer,
 }
 
-/// What a call of the controller is given beside the state.
+/// Clock argument of a call of the controller, besides the state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Clock {
     /// Time t.

@@ -1,4 +1,4 @@
-//! What a request has to be for those who do not know every kind of it.
+//! Requirements on a request, for features that do not support every kind of it.
 
 use super::{Reference, Spec, What};
 use crate::diagnostic::{Diagnostic, Diagnostics};

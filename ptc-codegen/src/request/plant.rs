@@ -17,13 +17,13 @@ impl Spec {
         model.map_or(self.n, |model| model.states.len())
     }
 
-    /// Whether the plant is a model, whose states and inputs have names of their own.
+    /// Returns true if the plant is a model, whose states and inputs have names of their own.
     pub fn has_model(&self) -> bool {
         self.model.is_some() || self.coupled.is_some() || self.larger.is_some()
     }
 
-    /// How many variables the expressions of the plant have: its states, and behind them its inputs
-    /// where there are several.
+    /// Returns the number of variables in the expressions of the plant: its states, and behind them its inputs where
+    /// there are several.
     pub fn variables(&self) -> usize {
         self.states() + self.coupled.as_ref().map_or(0, |coupled| coupled.inputs.len())
     }
@@ -101,7 +101,7 @@ impl Spec {
         if errors.is_empty() { self.coordinates().cloned().collect() } else { errors }
     }
 
-    /// How many laws a function of the user's program gives at once, where that is more than one.
+    /// Returns the number of laws that a user-defined function computes at once, if more than one.
     pub fn laws_at_once(&self) -> Option<usize> {
         self.coupled.as_ref().map(|coupled| coupled.outputs.len()).filter(|outputs| *outputs > 1)
     }

@@ -1,4 +1,4 @@
-//! What a design promises beyond the code.
+//! Promises of a design beyond the code.
 
 use num_traits::ToPrimitive;
 
@@ -6,7 +6,7 @@ use crate::algebra::BigRational;
 use crate::linear::Delay;
 use crate::parameter::Fixed;
 
-/// What the design promises beyond the code, for the checks at generation.
+/// Promises of the design beyond the code, for the checks at generation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Promises {
     /// Sample period of the loop, s.
@@ -26,13 +26,13 @@ pub struct Promises {
     /// The least and the greatest true input gain in parts of the known one; empty where they are the
     /// same.
     pub g_error: Vec<Fixed>,
-    /// How early or late a sample may be, s.
+    /// Largest deviation of a sample from its time, early or late, s.
     pub jitter: Option<Fixed>,
     /// Factor of the input gain, up and down, that a chosen eps tolerates.
     pub margin_gain: Option<Fixed>,
     /// Samples of added delay that a chosen eps tolerates.
     pub margin_delay: Option<Fixed>,
-    /// By how much u acts late.
+    /// Delay with which u acts.
     pub delay: Option<Delay>,
     /// Bounds of |x_i| at the start; empty where they are not given.
     pub x0_max: Vec<Fixed>,
@@ -40,8 +40,8 @@ pub struct Promises {
     pub x_max: Vec<Fixed>,
     /// Checks that may fail.
     pub allow: Vec<String>,
-    /// What is known of the plant's f and g, from the table `[plant]`; `None` for a chain with f = 0
-    /// and the controller's own g.
+    /// Bounds of the plant's f and g, from the table `[plant]`; `None` for a chain with f = 0 and the controller's own
+    /// g.
     pub plant: Option<PlantBounds>,
     /// A resonance of the plant that the law does not know, from the table `[plant]`.
     pub resonance: Option<Resonance>,
@@ -63,7 +63,7 @@ pub struct Resonance {
 /// A side of the spring: u acts on the motor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// Where u acts.
+    /// The side on which u acts.
     Motor,
     /// The other one.
     Load,
@@ -98,9 +98,9 @@ pub enum PlantBounds {
     Bounded {
         /// The middle of f.
         middle: BigRational,
-        /// How far f may be from there for all of a run.
+        /// Largest constant deviation of f from the middle.
         constant: BigRational,
-        /// How far it may be from that, as any signal.
+        /// Largest further deviation of f, as any signal.
         varying: BigRational,
         /// The least and the greatest true g; `None` for the controller's own.
         gain: Option<[BigRational; 2]>,

@@ -1,10 +1,10 @@
-//! What the output follows, and what of it a call is given.
+//! Reference of the output, and the part of it that a call is given.
 
 use super::Spec;
 use crate::collect::listed;
 use crate::expression::Expression;
 
-/// What `x_1` follows in place of 0: the law sees the tracking error `e_i = x_i - r^(i-1)(t)`.
+/// Reference of `x_1`, in place of 0: the law sees the tracking error `e_i = x_i - r^(i-1)(t)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reference {
     /// r(t) and its derivatives up to that of order n.
@@ -14,7 +14,7 @@ pub enum Reference {
 }
 
 impl Reference {
-    /// Whether it changes with time, as far as is known.
+    /// Returns true if it may change with time.
     pub fn moves(&self) -> bool {
         match self {
             Self::Known(derivatives) => {
@@ -26,7 +26,7 @@ impl Reference {
 }
 
 impl Spec {
-    /// How many values of the reference a call is given: r and its derivatives, or none. Of several
+    /// Returns the number of values of the reference that a call is given: r and its derivatives, or none. With several
     /// outputs it is given so many for each, as many as the highest order takes.
     pub fn references(&self) -> usize {
         if self.reference != Some(Reference::Input) {
@@ -47,15 +47,15 @@ impl Spec {
         listed(own.chain(one))
     }
 
-    /// How many numbers a call is given beside time: the state, and behind it the reference, or that of each
-    /// output.
+    /// Returns the number of values that a call is given besides time: the state, and behind it the reference, or that
+    /// of each output.
     pub fn given(&self) -> usize {
         let outputs = self.coupled.as_ref().map_or(1, |coupled| coupled.outputs.len());
         self.states() + outputs * self.references()
     }
 
-    /// Whether a call reads the one of these at `place`: all outputs are given as much of a reference as the
-    /// highest order takes.
+    /// Returns true if a call reads the value at `place`: all outputs are given as much of a reference as the highest
+    /// order takes.
     pub fn reads(&self, place: usize) -> bool {
         let behind = place.checked_sub(self.states());
         let (Some(coupled), Some(behind)) = (&self.coupled, behind) else { return true };

@@ -10,14 +10,14 @@ use crate::linear::{Chains, Delay, Following, Linear, Several};
 use crate::model::{Coupled, Model};
 use crate::parameter::{Fixed, Parameter};
 
-/// What a controller in samples needs beside the law.
+/// Values that a controller in samples needs besides the law.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sampled {
     /// The time between a measurement and the input that follows from it.
     pub delay: Delay,
     /// The plant where it is not a chain.
     pub linear: Option<Linear>,
-    /// Where its output follows a reference.
+    /// State and input for which its output follows a reference.
     pub follows: Option<Following>,
     /// A linear plant with several inputs, sampled exactly.
     pub exact: Option<Box<Exact>>,
@@ -25,13 +25,13 @@ pub struct Sampled {
     pub gain: BigRational,
     /// Values that are measured: x1..x_m of a chain, y = C x of another plant.
     pub measured: usize,
-    /// Whether a constant that is added to u is estimated and cancelled.
+    /// True if a constant that is added to u is estimated and cancelled.
     pub disturbance: bool,
     /// The greatest exponent p = -Re(pole)/a of the controller; `None` if gains or a are open.
     pub greatest: Option<BigRational>,
     /// The observer; `None` if every state is measured.
     pub observer: Option<Observer>,
-    /// Whether eps is 0 because it was left open.
+    /// True if eps is 0 because it was left open.
     pub leaves_eps: bool,
 }
 
@@ -70,7 +70,7 @@ impl Sampled {
         (0..=inputs).map(move |age| &latest - whole(age))
     }
 
-    /// What the states follow, and r^(n) of a chain or the input on the reference, from r, r', ..., r^(n).
+    /// Returns the reference of the states, and r^(n) of a chain or the input on the reference, from r, r', ..., r^(n).
     pub fn followed(&self, derivatives: &[Expression]) -> Vec<Expression> {
         let Some(follows) = &self.follows else { return derivatives.to_vec() };
         let term = |(weight, r): (&BigRational, &Expression)| {
@@ -90,7 +90,7 @@ impl Sampled {
         if self.follows.is_some() { ["x_r", "u_r"] } else { ["reference", "rho"] }
     }
 
-    /// Whether there is an observer.
+    /// Returns true if there is an observer.
     pub fn observes(&self) -> bool {
         self.observer.is_some()
     }
@@ -100,7 +100,7 @@ impl Sampled {
         if self.linear.is_some() { 1 } else { self.measured }
     }
 
-    /// Whether the state itself is measured.
+    /// Returns true if the state itself is measured.
     pub fn measures_states(&self) -> bool {
         !self.observes() && self.linear.as_ref().is_none_or(Linear::measures_states)
     }
@@ -140,7 +140,7 @@ impl Spec {
         self.sampled().map_or_else(all, |own| own.measured)
     }
 
-    /// What a controller in samples knows; `None` if the clock is time.
+    /// Returns the values of a controller in samples; `None` if the clock is time.
     pub fn sampled(&self) -> Option<&Sampled> {
         match &self.clock {
             Clock::Time => None,
@@ -166,12 +166,12 @@ impl Spec {
         self.sampled()?.exact.as_deref()
     }
 
-    /// Whether the states of a linear plant follow a reference of its output.
+    /// Returns true if the states of a linear plant follow a reference of its output.
     pub fn states_follow(&self) -> bool {
         self.sampled().is_some_and(|own| own.follows.is_some())
     }
 
-    /// Whether eps is left to the checks.
+    /// Returns true if eps is left to the checks.
     pub fn leaves_eps(&self) -> bool {
         match self.sampled() {
             Some(sampled) => sampled.leaves_eps,
@@ -193,7 +193,7 @@ impl Spec {
 pub struct Observer {
     /// Its poles in stretched time.
     pub poles: Vec<(BigRational, BigRational)>,
-    /// How many of them belong to each measured value.
+    /// Number of poles for each measured value.
     pub blocks: Vec<usize>,
     /// The gains that its poles give; of a linear plant those of each row of C, one after the other.
     pub gains: Vec<BigRational>,
@@ -206,11 +206,11 @@ pub struct Observer {
     /// The poles of the observer from there on, in 1/s and in the order of those before; empty where
     /// its last gains stay.
     pub after: Vec<(BigRational, BigRational)>,
-    /// Which readings correct the estimates.
+    /// Gate for the readings that correct the estimates.
     pub gate: Gate,
 }
 
-/// Which readings an observer believes; the default believes each that is finite.
+/// Gate for the readings of an observer; the default accepts every finite one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Gate {
     /// Bounds of |y - predicted y|, one for all measured values or one for each; empty without.

@@ -22,15 +22,15 @@ pub struct Spec {
     pub name: Option<String>,
     /// Unit of x1, where the design names it.
     pub units: Option<String>,
-    /// What is generated.
+    /// Program to generate.
     pub what: What,
-    /// What a call is given beside the state.
+    /// Clock argument of a call, besides the state.
     pub clock: Clock,
     /// Floating-point type.
     pub precision: Precision,
-    /// Whether products and sums are fused: one rounding for both.
+    /// True if products and sums are fused: one rounding for both.
     pub fma: bool,
-    /// Whether polynomials are evaluated as trees: shorter chains of operations, a few more of them.
+    /// True if polynomials are evaluated as trees: shorter chains of operations, a few more of them.
     pub latency: bool,
     /// Run-time checks.
     pub guard: Guard,
@@ -40,7 +40,7 @@ pub struct Spec {
     pub drift: Option<Expression>,
     /// Input gain g(x, t) of the plant; none for g = 1.
     pub input_gain: Option<Expression>,
-    /// What x_1 follows; none for 0.
+    /// Reference of x_1; `None` for 0.
     pub reference: Option<Reference>,
     /// The axes that share the deadline; none for one chain.
     pub axes: Option<Axes>,
@@ -50,19 +50,19 @@ pub struct Spec {
     pub coupled: Option<Box<Coupled>>,
     /// A plant with other states than the law, where the design is seen with it; none for what emits.
     pub larger: Option<Box<LargerPlant>>,
-    /// What follows the deadline.
+    /// Behaviour after the deadline.
     pub after: After,
     /// Parameters fixed at generation; all others are run-time parameters.
     pub fixed: BTreeMap<Parameter, Fixed>,
     /// Bounds of run-time parameters that the user gave, least and greatest value.
     pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
-    /// Whether u has a lower limit of its own; else it is -u_max.
+    /// True if u has a lower limit of its own; otherwise it is -u_max.
     pub u_min: bool,
     /// The poles from which the gains were computed; empty where gains were given.
     pub poles: Vec<(BigRational, BigRational)>,
     /// Lists of numbers as they were written, by their keys, and the names of the states of a linear plant.
     pub written: BTreeMap<&'static str, String>,
-    /// What the checks hold the design to.
+    /// Promises that the checks examine.
     pub promises: Promises,
     /// The engine that expands a mapping of the user's, where it is not the library's own: the forms
     /// of a family are the same from every engine.
@@ -132,7 +132,7 @@ impl Spec {
         }
     }
 
-    /// Whether stretched time is the root of an equation, found by an iteration.
+    /// Returns true if stretched time is the root of an equation, found by an iteration.
     pub fn is_iterated(&self) -> bool {
         match &self.time_mapping {
             TimeMapping::Family { family, .. } => family.is_iterated(),
@@ -180,7 +180,7 @@ impl Spec {
         )
     }
 
-    /// Whether states are latched at the start.
+    /// Returns true if states are latched at the start.
     pub fn latches(&self) -> bool {
         self.expressions().any(|e| {
             e.any(&|e| {

@@ -4,8 +4,8 @@ use super::controller::Builder;
 use crate::code::{Expr, Statement};
 
 impl Builder<'_> {
-    /// What the law of each output wants of the last rate of its chain, from the coordinates of the chains.
-    /// They count down together, and those that change to deadbeat at the same sample decide it once.
+    /// Returns the statements of the law of each output, which demands the last rate of its chain, from the coordinates
+    /// of the chains. They count down together, and those that change to deadbeat at the same sample decide it once.
     pub(super) fn laws(&mut self, samples: &Expr) -> Vec<Statement> {
         let of_plant = (self.spec, self.sampled);
         let mut all = Vec::new();

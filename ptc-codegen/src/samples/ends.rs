@@ -1,4 +1,4 @@
-//! Where the gains of a law and of an observer end, in samples to go.
+//! Ends of the gains of a law and of an observer, in samples to go.
 
 use super::rows::deadbeat_from;
 use crate::algebra::{BigInt, BigRational};
@@ -34,7 +34,7 @@ pub(crate) fn observer_held(observer: &Observer, samples: u32) -> BigRational {
     part.max(BigRational::from_integer(switch(observer) + BigInt::from(1)))
 }
 
-/// Whether what is measured is known to be inexact.
+/// Returns true if the measurement is known to be inexact.
 pub(crate) fn is_noisy(spec: &Spec) -> bool {
     let promises = &spec.promises;
     let any = |bounds: &[Fixed]| {

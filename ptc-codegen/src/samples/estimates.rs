@@ -26,7 +26,8 @@ pub(super) struct Named {
 }
 
 impl<'a> Builder<'a> {
-    /// What the observer estimates: of a chain x_m, ..., x_n, else all states, and the disturbance.
+    /// Returns the names of the estimates of the observer: x_m, ..., x_n of a chain, otherwise all states, and the
+    /// disturbance.
     pub(super) fn estimated(&self) -> Vec<String> {
         let states = self.sampled.first_estimated()..=self.spec.n;
         let disturbance = self.sampled.disturbance.then(|| "d".to_owned());

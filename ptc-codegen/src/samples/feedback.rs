@@ -194,7 +194,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What is added to u in the plant, known or estimated.
+    /// Returns the known or estimated offset that is added to u in the plant.
     fn offset(&mut self) -> Expr {
         let known = self.force();
         match self.sampled.disturbance {

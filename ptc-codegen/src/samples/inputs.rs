@@ -96,7 +96,7 @@ impl Builder<'_> {
         (body, (1..=self.designs.len()).map(law).collect())
     }
 
-    /// What it does, the state that it is given, and what it gives, in words.
+    /// Describes the function, its argument and its result in words.
     fn about(&self) -> [String; 3] {
         let follows = self.spec.references() > 0;
         let Some(coupled) = self.spec.decoupled() else {

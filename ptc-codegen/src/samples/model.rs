@@ -11,11 +11,11 @@ use super::staged::{Names, Staged};
 use crate::code::{Expr, Shape, Statement};
 use crate::lower::at_sample;
 
-/// What is computed of the model so far.
+/// State of the computation of the model at a sample.
 pub(super) struct AtSample(Staged);
 
 impl AtSample {
-    /// Of the model of the builder's spec.
+    /// Begins the computation of the model of the builder's spec.
     pub(super) fn new(builder: &Builder<'_>) -> Self {
         let (coordinates, wanted) = match builder.spec.decoupled() {
             None => ((1..=builder.spec.n).map(|j| format!("x{j}")).collect(), vec!["w".to_owned()]),

@@ -22,8 +22,8 @@ pub struct Numbers {
 }
 
 impl Numbers {
-    /// Those of the law of a chain, a model or a linear plant with one input; `None` where a number is left to run
-    /// time.
+    /// Returns the numbers of the law of a chain, a model or a linear plant with one input; `None` where a number is
+    /// left to run time.
     pub fn of(spec: &Spec) -> Option<Self> {
         let sampled = spec.sampled().filter(|_| spec.axes.is_none())?;
         let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);

@@ -14,7 +14,7 @@ use crate::linear::{Matrix, Outputs, Pair, binomial, dot, factorial};
 /// c_{0,k}, ..., c_{m-1,k-m+1}: what gains at sample k are made of.
 #[derive(Clone, Debug)]
 pub(super) struct Recurrence {
-    /// Of each c the coefficients q_1..q_m with c = constant - sum_j q_j/((M-j+1)...(M-m+1)).
+    /// Coefficients q_1..q_m of each c with c = constant - sum_j q_j/((M-j+1)...(M-m+1)).
     law: Vec<Vec<BigRational>>,
     constant: Vec<BigRational>,
     /// All c at 0, 1, ..., m - 1 samples below the instant at which deadbeat takes over.
@@ -24,8 +24,8 @@ pub(super) struct Recurrence {
 }
 
 impl Recurrence {
-    /// That of the `rows` of a law; `switch` is M at which deadbeat takes over, and `after` holds the
-    /// coefficients of the polynomial that follows.
+    /// Builds the recurrence from the `rows` of a law; `switch` is M at which deadbeat takes over, and `after` holds
+    /// the coefficients of the polynomial that follows.
     pub(super) fn new(
         rows: &[BigRational],
         switch: &BigInt,
@@ -52,13 +52,13 @@ impl Recurrence {
 /// The gains of an observer for one measured value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Injection {
-    /// Of each state the coefficients q_1..q_m with L = sum_j q_j/((M-j+1)...(M-m+1)), then what is
-    /// added at every M.
+    /// Coefficients q_1..q_m of each state with L = sum_j q_j/((M-j+1)...(M-m+1)), then the constant that is added at
+    /// every M.
     pub(super) law: Vec<(Vec<BigRational>, BigRational)>,
-    /// Of each state its gain at 0, 1, ..., m - 1 samples below the instant at which deadbeat takes
-    /// over; the last one stays.
+    /// Gain of each state at 0, 1, ..., m - 1 samples below the instant at which deadbeat takes over; the last one
+    /// stays.
     pub(super) end: Vec<Vec<BigRational>>,
-    /// Of each state its gain once the estimates are exact, where it is another one then.
+    /// Gain of each state once the estimates are exact, where it is another one then.
     pub(super) after: Option<Vec<BigRational>>,
 }
 

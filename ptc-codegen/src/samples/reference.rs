@@ -21,7 +21,7 @@ use crate::parameter::Parameter;
 use crate::request::{Reference, Spec};
 
 impl Builder<'_> {
-    /// What a call is given of the reference, where it is.
+    /// Returns the reference argument of a call, if it has one.
     pub(super) fn reference(&self) -> Option<Variable> {
         let count = Some(self.spec.references()).filter(|count| *count > 0)?;
         if self.designs.is_empty() {
@@ -41,7 +41,7 @@ impl Builder<'_> {
         Some(Variable::new("r", Shape::Lists(orders.len(), count), about))
     }
 
-    /// What a call is given of the reference of each output, and reads: up to that of its order.
+    /// Returns the elements of the reference of each output that a call is given and reads: up to that of its order.
     pub(super) fn given_references(&self) -> Vec<Vec<Expr>> {
         let columns = self.spec.references();
         let r = || "r".to_owned();

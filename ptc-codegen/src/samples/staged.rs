@@ -10,15 +10,15 @@ use crate::program::{Input, Op, Program, Stage, Value, passes};
 
 /// The names of what a program computes, and is given.
 pub(super) struct Names {
-    /// Of the values that it watches.
+    /// Names of the values that it watches.
     pub(super) watched: Vec<String>,
-    /// Of the local values that stand for what is wanted of each output.
+    /// Names of the local values for the wanted rate of each output.
     pub(super) wanted: Vec<String>,
-    /// What stands before the numbers of other values: of fields, and of local values.
+    /// Prefixes of the numbers of other values: of fields, and of local values.
     pub(super) letters: [&'static str; 2],
 }
 
-/// What is computed of a program so far.
+/// State of the computation of a program.
 pub(super) struct Staged {
     program: Program,
     names: Names,
@@ -27,12 +27,12 @@ pub(super) struct Staged {
     known: BTreeMap<Value, Expr>,
     /// All that has been known, given away or not.
     done: BTreeSet<Value>,
-    /// How many have a name of their own.
+    /// Number of values that have a name of their own.
     named: usize,
 }
 
 impl Staged {
-    /// Of a program whose time is the local value t.
+    /// Begins the computation of a program whose time is the local value t.
     pub(super) fn new(program: Program, names: Names) -> Self {
         let program = passes::optimise(program, &mut |_, _| {});
         let mut uses: BTreeMap<_, usize> = BTreeMap::new();
@@ -72,8 +72,8 @@ impl Staged {
         (body, roots.iter().map(|root| self.expression(*root)).collect())
     }
 
-    /// What stands for a value. That of the only user is given away: the terms of a sum would be copied
-    /// with each term that is added.
+    /// Returns the expression of a value. For the only user it is moved out: the terms of a sum would be copied with
+    /// each term that is added.
     fn expression(&mut self, value: Value) -> Expr {
         let known = match self.uses.get(&value) {
             Some(1) => self.known.remove(&value),

@@ -96,7 +96,7 @@ impl Maker<'_> {
         never
     }
 
-    /// Of inputs that follow from all outputs: the tests of each u that no call makes true, or false.
+    /// Returns, for inputs that depend on all outputs, the tests of each u that no call makes true, or false.
     fn never_of_inputs(&self, sessions: &[Session]) -> Vec<(String, &'static str)> {
         let calls = || sessions.iter().flat_map(|session| &session.calls);
         let mut never = Vec::new();

@@ -1,5 +1,5 @@
-//! What the sessions of a self-test are made from: parameters, times and states, and what the
-//! definition says of them.
+//! Maker of the sessions of a self-test: parameters, times and states, and the results that the definition gives for
+//! them.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -17,7 +17,7 @@ use crate::program::range::Range;
 use crate::reference::{self, Outcome, Reference, Status, tolerance};
 use crate::request::{After, Spec};
 
-/// What the sessions are made from.
+/// Maker of the sessions.
 pub(super) struct Maker<'a> {
     pub(super) controller: &'a Controller<'a>,
     /// A machine of its program that has computed nothing yet.
@@ -28,7 +28,7 @@ pub(super) struct Maker<'a> {
     pub(super) reference: RefCell<Reference<'a>>,
     /// The branches that were taken so far.
     pub(super) taken: BTreeSet<Decision>,
-    /// What `init` and `arm` check of what they compute.
+    /// Checks of `init` and `arm` on their results.
     pub(super) checked: [Vec<Condition>; 2],
 }
 
@@ -58,7 +58,7 @@ impl<'a> Maker<'a> {
         settle(start + (tau - to_go), self.spec().precision).max(start)
     }
 
-    /// What the definition says of a call; `None` if it does not say it for certain.
+    /// Returns the outcome of a call by the definition; `None` if it is not certain.
     pub(super) fn expected(&self, session: &Session, t: f64, x: &[f64]) -> Option<Vec<Outcome>> {
         let spec = self.spec();
         let laws = own_laws(spec);
@@ -109,8 +109,8 @@ impl<'a> Maker<'a> {
         Some(Call { t, x: x.to_vec(), status, inputs, axis })
     }
 
-    /// Whether the program has a number for each input that the definition clips: a g that the definition keeps, exp(-x1^2)
-    /// of a great x1, may be 0 in its precision, and gains with which u is a sum may leave it.
+    /// Returns true if the program has a number for each input that the definition clips: a g that the definition
+    /// keeps, exp(-x1^2) of a great x1, may be 0 in its precision, and gains with which u is a sum may leave it.
     fn is_in_range(&self, session: &Session, t: f64, x: &[f64], expected: &[Outcome]) -> bool {
         let seen = self.trial(session, t, x);
         let each = seen.each.iter().map(|(status, _)| *status);
@@ -118,7 +118,7 @@ impl<'a> Maker<'a> {
         clipped.all(|(status, _)| status != Status::Range) && seen.axis != Some(Status::Range)
     }
 
-    /// What an input must be; `None` where rounding decides what it is.
+    /// Returns the expected value of an input; `None` where rounding decides it.
     fn wanted(
         &self,
         session: &Session,
@@ -185,7 +185,7 @@ impl<'a> Maker<'a> {
         Some(status)
     }
 
-    /// Whether `init` takes the parameters: neither a coefficient nor the deadline leaves the range.
+    /// Returns true if `init` accepts the parameters: neither a coefficient nor the deadline leaves the range.
     pub(super) fn is_taken(&self, session: &Session) -> bool {
         let zeros = vec![0.0; self.spec().given()];
         let start = self.parameter(session, Parameter::StartTime);

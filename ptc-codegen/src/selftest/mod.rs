@@ -1,4 +1,4 @@
-//! What a self-test of a controller asks: parameters, calls, and what each must give.
+//! Self-test of a controller: parameters, calls, and the expected results.
 //!
 //! What must come is computed in long arithmetic from the definition ([`crate::reference`]). The
 //! program decides nothing but which calls are worth asking: those that take a branch of the emitted
@@ -37,20 +37,20 @@ pub struct Call {
     pub x: Vec<f64>,
     /// The status that it must give.
     pub status: Status,
-    /// What it must give for each input.
+    /// Expected result for each input.
     pub inputs: Vec<Wanted>,
     /// The status of `axis` after `tick`; `None` if they are not called.
     pub axis: Option<Status>,
 }
 
-/// What a call must give for an input.
+/// Expected result of a call for an input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// Its status, of several inputs.
     pub status: Status,
     /// u.
     pub u: f64,
-    /// What u may be wrong by.
+    /// Largest allowed error of u.
     pub tolerance: f64,
 }
 
@@ -77,11 +77,11 @@ pub struct Session {
 /// A condition of the emitted code that no input makes false.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Always {
-    /// Of the [checks](crate::controller::checked) of `init`, by its index.
+    /// One of the [checks](crate::controller::checked) of `init`, by its index.
     Init(usize),
-    /// Of those of `arm`.
+    /// One of the checks of `arm`.
     Arm(usize),
-    /// That a factor of a product is not 0: the check of the product in `init`, and the factor.
+    /// The condition that a factor of a product is not 0: the check of the product in `init`, and the factor.
     NotZero(usize, usize),
     /// Another, as it is emitted in C.
     Written(String),
@@ -99,15 +99,15 @@ pub struct Unreachable {
 /// A self-test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SelfTest {
-    /// What must work, the first of them an undisturbed approach to the deadline.
+    /// Sessions that must succeed, the first of them an undisturbed approach to the deadline.
     pub sessions: Vec<Session>,
     /// Parameters that `init` must refuse.
     pub refused: Vec<Vec<f64>>,
     /// Starts with states that `arm` must refuse to latch; with the first of them so must `init`.
     pub refused_states: Vec<(f64, Vec<f64>)>,
-    /// Whether a start time can make the deadline overflow with the parameters alone.
+    /// True if a start time can make the deadline overflow with the parameters alone.
     pub tau_is_kept: bool,
-    /// What is checked and cannot fail.
+    /// Checks that cannot fail.
     pub unreachable: Vec<Unreachable>,
 }
 
@@ -136,7 +136,7 @@ impl SelfTest {
         }
     }
 
-    /// That of one plant.
+    /// Builds the self-test of one plant.
     fn of(controller: &Controller<'_>) -> Result<Self, Vec<Diagnostic>> {
         let spec = controller.spec();
         let chosen = parameters::Chosen::new(controller);
@@ -179,7 +179,7 @@ impl SelfTest {
 /// The work of a self-test: that of the long arithmetic, and of the trials of the program.
 struct Trials {
     work: Work,
-    /// Of one trial.
+    /// Work of one trial.
     steps: u64,
 }
 
@@ -222,7 +222,7 @@ pub fn own_laws(spec: &Spec) -> Vec<Expression> {
     (1..).take(orders.len()).map(law).collect()
 }
 
-/// What it substitutes after the deadline: t/8 - x_1.
+/// Law that it substitutes after the deadline: t/8 - x_1.
 pub fn own_rest(t: f64, x: &[f64]) -> f64 {
     t / 8.0 - x[0]
 }

@@ -15,7 +15,7 @@ use crate::request::Spec;
 /// Sets that are tried.
 const TRIALS: usize = 3000;
 
-/// What was found.
+/// Results of the search.
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) parameters: Vec<Vec<f64>>,

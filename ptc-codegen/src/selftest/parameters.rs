@@ -66,7 +66,7 @@ impl<'a> Chosen<'a> {
         self.greatest(parameter).map_or(value, |bound| value.min(bound))
     }
 
-    /// What is chosen for an undisturbed run; eps as a part of tau.
+    /// Returns the value for an undisturbed run; eps as a part of tau.
     fn usual(&self, parameter: Parameter, eps: f64) -> f64 {
         #[allow(clippy::cast_precision_loss)]
         let number = |i: usize| i as f64;

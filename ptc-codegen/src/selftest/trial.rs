@@ -28,11 +28,11 @@ pub(super) struct Trial<'a> {
     pub(super) x: &'a [f64],
 }
 
-/// What came of it: as the emitted code behind a guard that lets everything pass.
+/// Outcome of a trial: as of the emitted code behind a guard that lets everything pass.
 pub(super) struct Seen {
     /// Status of `step`.
     pub(super) step: Status,
-    /// That of each input, and its u before it is clipped.
+    /// Status of each input, and its u before it is clipped.
     pub(super) each: Vec<(Status, f64)>,
     /// Status of `axis`, where there is one.
     pub(super) axis: Option<Status>,
@@ -70,7 +70,7 @@ impl Trial<'_> {
         self.chosen.place(wanted).map_or(f64::NAN, |at| self.parameters[at])
     }
 
-    /// What values of the program are.
+    /// Returns the numbers of values of the program.
     pub(super) fn numbers(&self, values: &[Value]) -> Vec<f64> {
         let input = |input| self.input(input, &[]);
         Interpreter::on(self.program(), self.machine.clone(), &input).values(values)

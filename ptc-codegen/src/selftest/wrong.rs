@@ -7,7 +7,7 @@ use crate::program::number::settle;
 use crate::reference::Status;
 use crate::request::Guard;
 
-/// What a number may be that is none.
+/// Values that are not finite numbers.
 const WRONG: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 impl Maker<'_> {
@@ -53,8 +53,8 @@ impl Maker<'_> {
         }
     }
 
-    /// What a call must give beside what is wrong: an axis whose own state is finite has its own status. `None`
-    /// where rounding decides what that is.
+    /// Returns the expected results of a call with a wrong argument: an axis whose own state is finite has its own
+    /// status. `None` where rounding decides it.
     fn beside(
         &self,
         session: &Session,

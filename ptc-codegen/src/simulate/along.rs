@@ -16,7 +16,7 @@ pub(crate) struct Along {
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
     control: Option<Slot>,
-    /// What is accumulated along the run, behind these.
+    /// Slots of the integrals along the run, behind these.
     integrals: Vec<Option<Slot>>,
 }
 
@@ -56,7 +56,7 @@ impl Along {
         self.machine.run(Stage::Arm, None);
     }
 
-    /// What has been accumulated, before [`at`](Self::at).
+    /// Sets the accumulated integrals, before [`at`](Self::at).
     pub(crate) fn accumulated(&mut self, integrals: &[f64]) {
         for (slot, integral) in self.integrals.iter().zip(integrals) {
             self.machine.set(*slot, *integral);

@@ -1,4 +1,4 @@
-//! What is around a sampled controller: its samples, its sensors, its actuator.
+//! Environment of a sampled controller: its samples, its sensors, its actuator.
 
 use num_traits::ToPrimitive;
 
@@ -30,7 +30,7 @@ pub struct Loop {
     pub jitter: f64,
     /// Seed of all that is drawn, which is the same on any machine.
     pub seed: u64,
-    /// By how much u acts late.
+    /// Input delay.
     pub delay: Delay,
     /// Time after t0 at which the run ends, in s; tau if `None`.
     pub until: Option<f64>,
@@ -61,7 +61,7 @@ impl Default for Loop {
 }
 
 impl Loop {
-    /// What a design says of the loop in which its controller runs; `None` without a sample period.
+    /// Returns the loop in which the controller of a design runs; `None` without a sample period.
     pub fn of(spec: &Spec) -> Option<Self> {
         let promises = &spec.promises;
         let number = |value: &Option<Fixed>| value.as_ref()?.number()?.to_f64();
@@ -90,7 +90,7 @@ impl Loop {
         self.arm_at.iter().map(sample).filter(within).fold(0.0, f64::max)
     }
 
-    /// Whether anything in it is drawn at each sample.
+    /// Returns true if anything in it is drawn at each sample.
     pub fn is_drawn(&self) -> bool {
         let noise = self.noise.iter().chain(&self.noise_rms);
         noise.chain([&self.jitter]).any(|size| *size > 0.0)

@@ -1,4 +1,4 @@
-//! Whether a run is that of the sampled loop.
+//! Choice between the sampled loop and a law that acts at every instant.
 
 use num_traits::ToPrimitive;
 
@@ -36,7 +36,7 @@ impl Loop {
         (length / self.period > SAMPLES.most as f64).then(|| SAMPLES.beyond(&subject))
     }
 
-    /// How many samples a run of `length` seconds has, where nothing else ends it.
+    /// Returns the number of samples of a run of `length` seconds, where nothing else ends it.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn samples(&self, length: f64) -> u64 {
         (self.until.unwrap_or(length) / self.period).ceil() as u64 + 1

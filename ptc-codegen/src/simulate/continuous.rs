@@ -20,8 +20,8 @@ use crate::request::Spec;
 /// The law of Theorem 1 with its plant: no eps, no sample period; u is clipped to its limits where the
 /// design fixes one.
 ///
-/// What a plant whose g is another than the controller's adds to the associated system is
-/// g_plant u - g u_law beside f. Where u is clipped, Theorem 1 says nothing: xi is there what BB_n
+/// A plant whose g differs from the controller's adds g_plant u - g u_law beside f to the associated
+/// system. Where u is clipped, Theorem 1 says nothing: xi is there what BB_n
 /// makes of the plant's x, as every error of xi would grow like kappa'^n.
 #[derive(Clone, Debug)]
 pub struct Continuous {
@@ -32,16 +32,16 @@ pub struct Continuous {
     kinks: Vec<Kink>,
     /// Sides on which the kinks are held.
     above: Vec<bool>,
-    /// What an integration computes, many times for each instant that is looked at.
+    /// Points of the integration, computed many times for each instant that is looked at.
     rates: Point,
     distances: Point,
     outputs: Point,
     /// From xi to x.
     back: Point,
     states: Vec<Value>,
-    /// Whether xi is integrated, not x.
+    /// True if xi is integrated, false if x is.
     infinite: bool,
-    /// Whether u has a lower limit of its own, and its limits.
+    /// True if u has a lower limit of its own; the limits of u.
     u_min: bool,
     limits: Range,
     x: Vec<f64>,
@@ -56,7 +56,7 @@ struct Point {
     state: Vec<Option<Slot>>,
 }
 
-/// Where u is far below what its terms cancel to, x is the better conditioned form.
+/// Ratio of the terms of u to its limit above which u cancels so much that x is the better conditioned form.
 const CANCELLED: f64 = 1e4;
 
 /// After this long in sigma the form of a state is chosen anew.
@@ -116,7 +116,7 @@ impl Continuous {
         }
     }
 
-    /// Whether u is clipped, on the sides that are held.
+    /// Returns true if u is clipped, on the sides that are held.
     fn clipped(&self) -> bool {
         let [below, wanted] = self.closed.wanted();
         let control = self.closed.control();

@@ -30,17 +30,17 @@ pub struct Controller {
     after: After,
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
-    /// Where t0 and the state at the start are.
+    /// Slots of t0 and of the state at the start.
     begin: (Option<Slot>, Vec<Option<Slot>>),
     spec: Spec,
-    /// What is left to run time.
+    /// Parameters left to run time.
     open: Vec<Parameter>,
     /// Parameters of the machines, and of what computes the checks.
     given: [Given<Slot>; 2],
-    /// What `init` checks of what it computes, and what computes that.
+    /// Conditions that `init` checks, and the machine that computes their values.
     checks: Vec<Condition>,
     checked: Machine,
-    /// What `arm` computes.
+    /// Values that `arm` computes.
     armed: Vec<Value>,
     start: f64,
 }
@@ -98,7 +98,7 @@ impl Controller {
         (&self.program, &self.kinks)
     }
 
-    /// What follows the deadline.
+    /// Returns the behaviour after the deadline.
     pub(super) fn after(&self) -> After {
         self.after
     }
@@ -124,7 +124,7 @@ impl Controller {
         if self.arm(start, x0) { Ok(()) } else { Err(Failure::not_armed(start)) }
     }
 
-    /// Whether the parameters that are left to run time are in their domains.
+    /// Checks that the parameters that are left to run time are in their domains.
     ///
     /// # Errors
     /// One that is not.
@@ -168,7 +168,7 @@ impl Controller {
         )
     }
 
-    /// What `init` checks, and what has to be finite after `arm`.
+    /// Returns the conditions that `init` checks, and the values that have to be finite after `arm`.
     pub(super) fn conditions(&self) -> (&[Condition], &[Value]) {
         (&self.checks, &self.armed)
     }
@@ -273,7 +273,7 @@ impl Controller {
     }
 }
 
-/// Whether checks hold of what `init` computed.
+/// Returns true if the checks hold for the values that `init` computed.
 pub(super) fn holds(
     checks: &[Condition],
     precision: Precision,
@@ -285,7 +285,7 @@ pub(super) fn holds(
     })
 }
 
-/// Whether a simulation has all of the controller: no function of the user's program.
+/// Checks that a simulation has all of the controller: no function of the user's program.
 pub(super) fn has_text(spec: &Spec, after: bool) -> Result<(), Failure> {
     if spec.sampled().is_some() {
         return Err(Failure::input(

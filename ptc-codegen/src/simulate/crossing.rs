@@ -1,4 +1,4 @@
-//! Whether functions that are positive at the begin of a step become negative in it.
+//! Detection of functions that are positive at the begin of a step and become negative in it.
 
 /// Points of a step at which its functions are known, evenly from its begin to its end.
 pub(super) const NODES: usize = 7;
@@ -9,7 +9,7 @@ pub(super) const PART: f64 = 1e-11;
 /// Rounding of a function, as a part of its size.
 const ROUNDED: f64 = 1e-9;
 
-/// What is seen of a step.
+/// Observation of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Step {
     /// Every function stays positive.
@@ -48,8 +48,8 @@ pub(super) fn look(table: &[Vec<f64>], slides: bool) -> Step {
     first.map_or(Step::Clear, |node| Step::Event { node })
 }
 
-/// Whether the cubic through every other node misses the nodes between by so much that the sign
-/// before node `before` is not certain. The rounding of a function is that of a size of at least `least`.
+/// Returns true if the cubic through every other node misses the nodes between by so much that the sign before node
+/// `before` is not certain. The rounding of a function is that of a size of at least `least`.
 fn coarse(values: &[f64; NODES], before: usize, least: f64) -> bool {
     let [a, b, c, d] = [values[0], values[2], values[4], values[6]];
     let between = [

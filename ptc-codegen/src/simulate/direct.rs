@@ -20,7 +20,7 @@ pub struct Direct {
     /// The program that is emitted in f32: integrated in f64, it has to accept every instant that is looked at.
     emitted: Option<Controller>,
     motion: Motion,
-    /// What the controller is given of a plant with other states than the law.
+    /// Inputs of the controller for a plant with other states than the law.
     outputs: Option<Outputs>,
 }
 
@@ -45,7 +45,7 @@ impl Direct {
     }
 }
 
-/// What the controller is given in a state of the plant.
+/// Returns the input of the controller in a state of the plant.
 fn given<'a>(outputs: &'a mut Option<Outputs>, t: f64, x: &'a [f64]) -> &'a [f64] {
     match outputs {
         Some(outputs) => outputs.at(t, x),

@@ -2,27 +2,27 @@
 
 use std::fmt;
 
-/// What a run that ended early says of its loop.
+/// Conclusion about the loop from a run that ended early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// Nothing: a value or the design is wrong.
+    /// None: a value or the design is wrong.
     Input,
     /// The loop leaves the range of numbers.
     Range,
-    /// Nothing: the integration could not be finished, and the rest of the run is undecided.
+    /// None: the integration could not be finished, and the rest of the run is undecided.
     Unfinished,
 }
 
 /// Why a run ended early.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// What it says of the loop.
+    /// Conclusion about the loop.
     pub cause: Cause,
     /// Instant t in s that the run reached; `None` where it did not begin.
     pub at: Option<f64>,
-    /// What happened, and when.
+    /// Event and its time.
     pub message: String,
-    /// What may help.
+    /// Suggested remedy.
     pub help: String,
 }
 

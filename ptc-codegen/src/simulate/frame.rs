@@ -1,4 +1,4 @@
-//! What is around a sampled controller along one run: when its samples are taken, and what its sensors draw.
+//! Environment of a sampled controller along one run: the times of its samples, and the random errors of its sensors.
 
 use num_traits::ToPrimitive;
 use rand_pcg::Pcg64Mcg;
@@ -21,7 +21,7 @@ pub(super) struct Frame<'a> {
     now: f64,
     /// Part of a sample after which the next input takes over.
     part: f64,
-    /// Whether sensors give the state as it is.
+    /// True if sensors give the state as it is.
     pub(super) exact: bool,
 }
 

@@ -15,7 +15,7 @@ use crate::program::{Input, Op, Program, Stage, Value};
 /// The rates x' = A x + B u + c + sines, with what they come to over some lengths of time.
 #[derive(Clone, Debug)]
 pub(super) struct Held {
-    /// How the rates come about, of a program all of whose values they are.
+    /// Composition of the rates, for a program all of whose values they are.
     sums: Vec<Sum>,
     /// The values that the rates are made of, operands first.
     needed: Vec<usize>,
@@ -50,8 +50,8 @@ struct Wave {
     column: Vec<f64>,
 }
 
-/// What a length of time makes of a state, of a constant in the rates, of the inputs, and of the sine and the cosine
-/// of each wave at its beginning.
+/// Effect of a length of time on a state: of the state, of a constant in the rates, of the inputs, and of the sine and
+/// the cosine of each wave at its beginning.
 #[derive(Clone, Debug)]
 struct Over {
     whole: Rows,
@@ -60,7 +60,7 @@ struct Over {
     waves: Vec<[Vec<f64>; 2]>,
 }
 
-/// What a row of a plant without waves comes to: a row of E, one of F B, and a number of F c.
+/// Row of a plant without waves over a length of time: a row of E, one of F B, and a number of F c.
 pub(super) type Row<'a> = (&'a [f64], &'a [f64], f64);
 
 /// Lengths that are kept: a sample, its parts and those beside a delay.
@@ -177,7 +177,7 @@ impl Held {
         Some(next)
     }
 
-    /// What its rows come to over `length` s, and over which length that is, where one that [`is_same`] was kept;
+    /// Returns the rows over `length` s, and the length to which they belong, which may be a kept one that [`is_same`];
     /// `None` where there are waves, or the exponential is beyond its numbers.
     pub(super) fn rows(&mut self, length: f64) -> Option<(f64, impl Iterator<Item = Row<'_>>)> {
         let place = self.place(length)?;
@@ -192,7 +192,7 @@ impl Held {
         rows.map(|((whole, of_inputs), constant)| (&**whole, &**of_inputs, constant))
     }
 
-    /// Where what a length comes to is kept.
+    /// Returns the place at which the effect of a length is kept.
     fn place(&mut self, length: f64) -> Option<usize> {
         if let Some(place) = self.over.iter().position(|(own, _)| is_same(*own, length)) {
             return Some(place);
@@ -206,7 +206,7 @@ impl Held {
     }
 }
 
-/// Whether a length is another one but for the rounding of the times between which it is.
+/// Returns true if a length equals another one except for the rounding of the times between which it is.
 pub(super) fn is_same(own: f64, length: f64) -> bool {
     (own - length).abs() <= SAME * length
 }
@@ -217,7 +217,7 @@ fn dot(row: &[f64], v: &[f64]) -> f64 {
 }
 
 impl Numbers {
-    /// Whether any length comes to the same as of another plant.
+    /// Returns true if any length has the same effect as for another plant.
     fn moves_as(&self, other: &Self) -> bool {
         let moves = |(a, b): (&Wave, &Wave)| a.rate == b.rate && a.column == b.column;
         self.rates == other.rates
@@ -225,7 +225,7 @@ impl Numbers {
             && self.waves.iter().zip(&other.waves).all(moves)
     }
 
-    /// What the plant comes to over a length.
+    /// Computes the effect of a length on the plant.
     fn over(&self, length: f64) -> Option<Over> {
         let (whole, integral) = flow(&self.rates, length)?;
         let n = self.rates.len();

@@ -14,9 +14,9 @@ pub(super) struct Inputs {
     controls: Vec<Value>,
     /// The limits that all u share.
     shared: Limits,
-    /// Those of each u in their place; empty where they share them.
+    /// Limits of each u, in order; empty where they share them.
     own: Vec<Range>,
-    /// Whether each u is held above and below its limits.
+    /// Sides, above and below its limits, on which each u is held.
     within: Vec<[bool; 2]>,
     /// The determinant of the decoupling matrix, where it is no number.
     determinant: Option<(Value, Pole)>,
@@ -29,7 +29,7 @@ pub(super) struct Inputs {
 const GROWN: f64 = 0.01;
 
 impl Inputs {
-    /// Those of a program.
+    /// Collects the inputs of a program.
     pub(super) fn new(program: &Program) -> Self {
         let controls = program.controls();
         Self {
@@ -43,7 +43,7 @@ impl Inputs {
         }
     }
 
-    /// What is read of the program.
+    /// Returns the values that are read from the program.
     pub(super) fn values(&self) -> impl Iterator<Item = Value> {
         let determinant = self.determinant.iter().map(|(value, _)| *value);
         self.controls.iter().copied().chain(determinant)
@@ -64,7 +64,7 @@ impl Inputs {
         self.own.get(input).copied().unwrap_or_else(shared)
     }
 
-    /// Whether a u may have limits.
+    /// Returns true if a u may have limits.
     fn is_limited(&self) -> bool {
         self.shared.of_u().next().is_some()
     }
@@ -99,7 +99,7 @@ impl Inputs {
         saturated
     }
 
-    /// Whether every u is finite before it is clipped.
+    /// Returns true if every u is finite before it is clipped.
     pub(super) fn are_finite(&self, machine: &Machine) -> bool {
         self.controls.iter().all(|control| machine.get(*control).is_finite())
     }

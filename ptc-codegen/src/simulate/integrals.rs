@@ -18,10 +18,10 @@ use crate::request::Spec;
 pub(super) struct Integrals {
     along: Along,
     integrands: Vec<Value>,
-    /// Where they are not smooth: no step leads across, as one that begins with nothing accumulated is not
-    /// accurate to a part of what it adds.
+    /// Kinks of the integrands: no step leads across, as one that begins with nothing accumulated is not accurate to a
+    /// part of what it adds.
     kinks: Vec<Kink>,
-    /// Whether one had no value where the plant has one.
+    /// True if one had no value where the plant has one.
     lost: bool,
 }
 

@@ -20,7 +20,7 @@ pub(super) struct Mechanics {
 const ROUNDING: f64 = 1e-14;
 
 impl Mechanics {
-    /// Those of the values of M, row by row, and of the bias behind it.
+    /// Creates the equations from the values of M, row by row, and of the bias behind it.
     pub(super) fn new(values: &[Value], inputs: usize) -> Self {
         let (inertia, bias) = values.split_at(inputs * inputs);
         Self {

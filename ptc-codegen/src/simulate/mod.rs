@@ -87,7 +87,7 @@ pub struct Sample<'a> {
     pub status: Status,
 }
 
-/// How exactly a run is integrated.
+/// Accuracy of the integration of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
     /// Bound of the error of a step, as a part of each state.
@@ -99,7 +99,7 @@ pub struct Accuracy {
 }
 
 impl Default for Accuracy {
-    /// What a printed digit needs: 1e-12, and no bound from which on a state is not followed.
+    /// Returns the accuracy that printed digits need: 1e-12, and no bound from which on a state is not followed.
     fn default() -> Self {
         Self { relative: 1e-12, absolute: 1e-280, steps: 200_000 }
     }

@@ -21,7 +21,7 @@ pub(super) struct Slide {
     pub(super) kink: usize,
     /// The component whose rates on both sides differ most in what they do to the distance.
     pub(super) pivot: usize,
-    /// Whether another rate jumps too.
+    /// True if another rate jumps too.
     pub(super) several: bool,
 }
 
@@ -57,7 +57,7 @@ pub(super) fn field(
 /// The motion along a jump at a point.
 pub(super) struct Tangent {
     rates: State,
-    /// How far it is from the rates of the mode to those beyond the jump: 0 to 1.
+    /// Position between the rates of the mode and those beyond the jump: 0 to 1.
     pub(super) part: f64,
 }
 
@@ -122,8 +122,8 @@ fn of_side(
     system.rates(s, state, rates);
 }
 
-/// What is positive as long as a mode lasts: the distances from the kinks, and of a slide, whose kinks
-/// do not count, how far it is to both sides.
+/// Computes the margins, which are positive as long as a mode lasts: the distances from the kinks, and for a slide,
+/// whose kinks do not count, the distance to both sides.
 pub(super) fn margins(
     system: &mut dyn Piecewise,
     mode: &Mode,
@@ -221,7 +221,7 @@ fn meet(
     Ok(slide(system, (s, state), from.to_vec(), (to, which, surface)))
 }
 
-/// Whether rate `i` of two sides of a kink differs.
+/// Returns true if rate `i` of two sides of a kink differs.
 fn jumps(here: &State, there: &State, i: usize) -> bool {
     let within = (here[i] - there[i]).abs() <= 1e-9 * (here[i].abs() + there[i].abs());
     !within

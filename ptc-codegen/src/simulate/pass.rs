@@ -11,10 +11,10 @@ use super::solver::finite;
 /// Functions of point and state that are positive until an event.
 pub(super) type Monitor<'a> = &'a dyn Fn(f64, &State, &mut Vec<f64>);
 
-/// What sees the state at each point.
+/// Observer of the state at each point.
 pub(super) type Visit<'a> = &'a mut dyn FnMut(usize, f64, &State);
 
-/// Where a piece of a run ends.
+/// End of a piece of a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reached {
     pub(super) at: f64,
@@ -35,7 +35,7 @@ pub(super) enum End {
     Event(usize),
 }
 
-/// What is left of a run.
+/// Remainder of a run.
 pub(super) struct Pass<'a> {
     pub(super) points: &'a [f64],
     pub(super) next: usize,
@@ -45,9 +45,9 @@ pub(super) struct Pass<'a> {
     pub(super) until: f64,
     /// Longest step over which the functions of the monitor are resolved.
     pub(super) longest: f64,
-    /// Whether the steps stay too small to come to an end.
+    /// True if the steps stay too small to come to an end.
     pub(super) stalled: bool,
-    /// Whether the last two functions of the monitor are the parts of a slide.
+    /// True if the last two functions of the monitor are the parts of a slide.
     pub(super) slides: bool,
 }
 
@@ -57,11 +57,11 @@ const ASKED: usize = 5000;
 /// Steps that a rest of a run may take at the pace of the last ones asked for.
 const HOPELESS: f64 = 1e9;
 
-/// How many times the pace grows from one question to the next where a run leaves what it had to resolve: it passes a
-/// point at which f oscillates without end, but not one that the state runs into.
+/// Growth of the pace from one question to the next at which a run leaves what it had to resolve: it passes a point at
+/// which f oscillates without end, but not one that the state runs into.
 const RECOVERING: f64 = 2.0;
 
-/// Where a piece stops, and why it does not go on: no failure where only the steps are used up.
+/// End of a piece, and the reason why it does not go on: no failure where only the steps are used up.
 pub(super) type Stopped = (Reached, Option<Failure>);
 
 impl Pass<'_> {
@@ -250,8 +250,8 @@ impl Pass<'_> {
     }
 }
 
-/// How far the root of a function is from the end of a step, by its slope there; NaN where it rises. What is not above
-/// `least` counts as 0.
+/// Returns the distance of the root of a function from the end of a step, by its slope there; NaN where it rises. What
+/// is not above `least` counts as 0.
 fn distance(
     method: &mut dyn Method,
     monitor: Monitor<'_>,
@@ -275,7 +275,7 @@ fn distance(
     }
 }
 
-/// Where a node is, as a part of the step.
+/// Returns the position of a node, as a part of the step.
 #[allow(clippy::cast_precision_loss)]
 fn share(node: usize) -> f64 {
     node as f64 / (NODES - 1) as f64

@@ -15,7 +15,7 @@ pub struct Changes<'a> {
 }
 
 impl<'a> Changes<'a> {
-    /// Of a run of length `tau`.
+    /// Returns the pieces of a run of length `tau`.
     pub fn of(pieces: &'a [Piece], tau: f64) -> Self {
         Self { pieces, tau, piece: 0 }
     }

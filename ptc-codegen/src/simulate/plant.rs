@@ -21,7 +21,7 @@ pub(super) struct Motion {
     rates: Vec<Value>,
     /// The equations from which the rates of a mechanical plant follow.
     mechanics: Option<Mechanics>,
-    /// Where they are linear while the inputs are held, what they come to over a time.
+    /// Effect of a time on the plant, where it is linear while the inputs are held.
     held: Option<Held>,
     inputs: usize,
     order: usize,
@@ -52,7 +52,7 @@ impl Motion {
         }
     }
 
-    /// Whether it is linear while its inputs are held, beside sines of time.
+    /// Returns true if it is linear while its inputs are held, beside sines of time.
     pub(super) fn is_held(&self) -> bool {
         self.held.is_some()
     }
@@ -82,7 +82,7 @@ impl Motion {
         self.held.as_mut()?.after(&mut self.along, (x, u), (from, to - from))
     }
 
-    /// What its rows come to over a time in which the inputs are held; `None` where only [`Self::after`] gives it.
+    /// Returns its rows over a time in which the inputs are held; `None` where only [`Self::after`] gives it.
     pub(super) fn rows(&mut self, length: f64) -> Option<(f64, impl Iterator<Item = Row<'_>>)> {
         self.held.as_mut()?.rows(length)
     }

@@ -25,7 +25,7 @@ impl Pole {
         self.now
     }
 
-    /// Whether it is almost 0.
+    /// Returns true if it is almost 0.
     pub(super) fn is_near(&self) -> bool {
         self.now.abs() <= NEAR * self.largest
     }

@@ -27,7 +27,7 @@ pub struct Row {
     pub status: Status,
     /// Each control u, as it acts on the plant.
     pub u: Vec<f64>,
-    /// Whether it was asked for.
+    /// True if it was asked for.
     pub reported: bool,
 }
 
@@ -44,20 +44,20 @@ impl Row {
         }
     }
 
-    /// Whether the controller refused the call.
+    /// Returns true if the controller refused the call.
     pub fn is_refused(&self) -> bool {
         matches!(self.status, Status::Range | Status::Input)
     }
 }
 
-/// What is asked of a run that acts at every instant.
+/// Request for a run that acts at every instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Asked {
     /// The state at t0.
     pub x0: Vec<f64>,
-    /// Where to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
+    /// Points to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
     pub at: Vec<(f64, f64)>,
-    /// Whether the rest of the run is kept too.
+    /// True if the rest of the run is kept too.
     pub whole: bool,
 }
 

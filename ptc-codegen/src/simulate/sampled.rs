@@ -27,16 +27,16 @@ use crate::samples;
 pub struct Sampled {
     n: usize,
     inputs: usize,
-    /// How many values are measured.
+    /// Number of measured values.
     measured: usize,
     controller: Kind,
     moved: Moved,
-    /// What the controller is given of a plant with other states than the law.
+    /// Inputs of the controller for a plant with other states than the law.
     outputs: Option<Outputs>,
     integrals: Option<Integrals>,
 }
 
-/// What the controller is given beside the measurement.
+/// Input of the controller beside the measurement.
 #[derive(Clone, Debug)]
 enum Kind {
     Time(Box<Controller>),
@@ -79,7 +79,7 @@ impl Running<'_> {
     }
 }
 
-/// Where all states are below the first, and u below the second, they count as 0.
+/// Bounds of all states and of u below which they count as 0.
 const NOTHING: [f64; 2] = [1e-100, 1e-80];
 
 impl Sampled {

@@ -1,4 +1,4 @@
-//! What both sides of Theorem 1 share: a run in sigma = -ln(T/tau) that stops where it is looked at.
+//! Common part of both sides of Theorem 1: a run in sigma = -ln(T/tau) that stops where it is looked at.
 
 use super::integrals::Integrals;
 use super::method::State;
@@ -24,7 +24,7 @@ pub trait Side {
     /// A parameter without a value.
     fn give(&mut self, values: &Values) -> Result<(), Failure>;
 
-    /// What is integrated: `order` components, by sigma, with the kinks held as chosen.
+    /// Computes the rates of the `order` components by sigma, with the kinks held as chosen.
     fn rates(&mut self, at: At, state: &State, rates: &mut State);
 
     /// Number of components.
@@ -59,7 +59,7 @@ pub trait Side {
     /// Hands over the plant and its control.
     fn tell(&mut self, at: At, state: &State, visit: &mut dyn FnMut(Sample<'_>));
 
-    /// Whether an error below the relative accuracy of the states before it counts as nothing.
+    /// Returns true if an error below the relative accuracy of the states before it counts as nothing.
     fn floors(&self) -> bool;
 
     /// An error that counts as nothing where the loop is stiff, of a run that began with `most`.
@@ -181,7 +181,7 @@ struct OnSigma<'a, S> {
     most: f64,
     /// T/tau at which the state is handed over.
     shares: &'a [f64],
-    /// Where the run stands.
+    /// Position of the run.
     reached: (&'a mut f64, &'a mut State),
     visit: &'a mut dyn FnMut(Sample<'_>),
 }

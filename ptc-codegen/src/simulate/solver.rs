@@ -1,7 +1,7 @@
 //! Adaptive integration of a smooth system with a stop at given points and at events: Dormand and
 //! Prince's methods of order 8 and 5, and Radau IIA of order 5 where the loop is stiff.
 //!
-//! Where mu' decays like a power, stretched time reaches 1e9 s and more while time-to-go falls to
+//! If mu' decays like a power, stretched time reaches 1e9 s and more while time-to-go falls to
 //! 1e-9 tau; there an explicit method would take a step for every time constant of the loop.
 // A piece that ends early hands over its state, once.
 #![allow(clippy::result_large_err)]
@@ -28,26 +28,26 @@ pub(super) enum First {
     Fifth,
 }
 
-/// How a smooth piece of a run is integrated.
+/// Settings for the integration of a smooth piece of a run.
 pub(super) struct Piece<'a> {
     pub(super) first: First,
     pub(super) accuracy: Accuracy,
-    /// Whether an error below the relative accuracy of the states before it counts as nothing.
+    /// True if an error below the relative accuracy of the states before it counts as nothing.
     pub(super) floors: bool,
-    /// Where the loop is stiff, an error below this counts as nothing, as else a state that decays
-    /// would be followed for hundreds of time constants.
+    /// Error that counts as nothing where the loop is stiff, as else a state that decays would be followed for hundreds
+    /// of time constants.
     pub(super) nothing: &'a dyn Fn(f64) -> f64,
     pub(super) monitor: Option<Monitor<'a>>,
 }
 
-/// Where a piece begins.
+/// Start of a piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Begin {
     pub(super) at: f64,
     pub(super) state: State,
     /// First step.
     pub(super) step: f64,
-    /// Whether it was stiff before.
+    /// True if it was stiff before.
     pub(super) stiff: bool,
 }
 
@@ -145,7 +145,7 @@ fn undecided(
     last.unwrap_or_else(Failure::range)
 }
 
-/// By the explicit method; without a failure where only its steps are used up.
+/// Integrates by the explicit method; without a failure where only its steps are used up.
 fn explicit<const N: usize>(
     system: &Rates<'_>,
     begin: Begin,
@@ -177,7 +177,7 @@ fn begun<'a>(
     method(begin).map_err(|failure| (here, Some(failure)))
 }
 
-/// By the implicit method.
+/// Integrates by the implicit method.
 fn implicit<const N: usize>(
     system: &Rates<'_>,
     mut begin: Begin,

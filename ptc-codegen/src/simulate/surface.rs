@@ -5,9 +5,9 @@ use super::switching::Piecewise;
 
 /// A surface at a point of it.
 pub(super) struct Surface {
-    /// Whether each kink lies on it.
+    /// True for each kink that lies on it.
     pub(super) members: Vec<bool>,
-    /// Whether each faces the way of the first.
+    /// True for each kink that faces the way of the first.
     pub(super) along: Vec<bool>,
     /// Slope of the distance by each state.
     slopes: State,
@@ -80,7 +80,7 @@ impl Surface {
         self.slope + self.slopes.dot(rates)
     }
 
-    /// What the rounding of a rate of the distance may be.
+    /// Returns the possible rounding of a rate of the distance.
     pub(super) fn noise(&self, rates: &State) -> f64 {
         1e-9 * (self.slope.abs() + self.slopes.abs().dot(&rates.abs()))
     }

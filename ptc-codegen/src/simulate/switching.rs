@@ -54,7 +54,7 @@ pub(super) trait Piecewise {
         (*state, f64::INFINITY)
     }
 
-    /// Whether an error below the relative accuracy of the states before it counts as nothing.
+    /// Returns true if an error below the relative accuracy of the states before it counts as nothing.
     fn floors(&self) -> bool;
 
     /// An error that counts as nothing where the system is stiff.
@@ -79,7 +79,7 @@ const EVENTS: usize = 20_000;
 /// Most events at one instant, for each kink.
 const AT_ONCE: usize = 4;
 
-/// How far ahead of an event a barrier counts as met.
+/// Distance ahead of an event at which a barrier counts as met.
 const AHEAD: f64 = 1e-6;
 
 impl Walk {
@@ -205,8 +205,8 @@ impl Walk {
     }
 }
 
-/// What ends the run at an event: a kink that no run crosses, or one just ahead, close to which others are
-/// met too.
+/// Returns the failure that ends the run at an event: a kink that no run crosses, or one just ahead, close to which
+/// others are met too.
 fn met(
     system: &mut dyn Piecewise,
     mode: &Mode,

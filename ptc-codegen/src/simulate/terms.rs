@@ -2,10 +2,10 @@
 
 use crate::program::Value;
 
-/// How a value depends on state, inputs and time.
+/// Dependence of a value on state, inputs and time.
 #[derive(Clone, Debug)]
 pub(super) enum Sum {
-    /// Not at all.
+    /// No dependence.
     Constant(Value),
     State(usize),
     Control,
@@ -20,7 +20,7 @@ pub(super) enum Sum {
     Fused(usize, usize, usize),
     /// The sine of what goes with time alone, and whether it is a cosine.
     Wave(usize, bool),
-    /// In another way.
+    /// Any other dependence.
     Other,
 }
 
@@ -80,7 +80,7 @@ impl Terms {
         &self.slopes[place * self.width..][..self.width]
     }
 
-    /// What a wave is times in a value.
+    /// Returns the factor of a wave in a value.
     pub(super) fn factor(&self, place: usize, wave: usize) -> f64 {
         let own = self.waves[place].iter().filter(|(own, _)| *own == wave);
         own.map(|(_, factor)| factor).sum()

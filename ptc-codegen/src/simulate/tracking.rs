@@ -1,4 +1,4 @@
-//! How far the plant is from the reference.
+//! Distance of the plant from the reference.
 
 use super::{Along, Failure, Values};
 use crate::lower::observed;

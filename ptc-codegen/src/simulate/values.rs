@@ -1,4 +1,4 @@
-//! What a run needs to know: the value of every parameter and symbol.
+//! Values that a run needs to know: those of every parameter and symbol.
 
 use std::sync::Arc;
 
@@ -14,13 +14,14 @@ use crate::request::Spec;
 /// The values of the parameters of a controller and the symbols of its plant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Values {
-    /// What has a value, in order. Copies share it, so that a place that was looked up once serves them all.
+    /// Parameters that have a value, in order. Copies share it, so that a place that was looked up once serves them
+    /// all.
     names: Arc<[Parameter]>,
     numbers: Vec<f64>,
 }
 
 impl Values {
-    /// What the design and the plant fix. The start is at 0 and u without a bound unless they say
+    /// Collects the values that the design and the plant fix. The start is at 0 and u without a bound unless they say
     /// otherwise.
     pub fn of(spec: &Spec, plant: &Plant) -> Self {
         let mut values = map([

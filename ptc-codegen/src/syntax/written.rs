@@ -5,7 +5,7 @@ use std::fmt::{self, Display};
 use super::{Argument, Node, Operator, Value};
 use crate::parameter::Fixed;
 
-/// How strongly an operator binds its operands, weakest first.
+/// Precedence of an operator, weakest first.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Level {
     Sum,

@@ -146,7 +146,7 @@ impl Candidate {
         Self { clock, orders, plan, spacing, unit, range, first }
     }
 
-    /// What it is at a speed, all numbers to four digits.
+    /// Returns the choice at a speed, all numbers to four digits.
     pub(super) fn at(&self, speed: f64) -> Choice {
         let pole = |i: usize, spacing: f64| {
             #[allow(clippy::cast_precision_loss)]

@@ -6,7 +6,7 @@ use super::candidate::reason;
 use super::wish::Choice;
 
 /// `text` with what was chosen, each with a comment that says why, and `head` as a comment above.
-/// Where nothing was chosen it is `text` itself.
+/// It is `text` itself if nothing was chosen.
 ///
 /// # Errors
 /// `text` is no TOML.

@@ -43,7 +43,7 @@ pub(super) fn least<B>(
 mod tests {
     use super::*;
 
-    /// Where the function was evaluated.
+    /// Returns the points at which the function was evaluated.
     fn asked(least_at: f64) -> Vec<f64> {
         let mut asked = Vec::new();
         let ended = least::<()>((2.0, 64.0), 3.0, &mut |x| {

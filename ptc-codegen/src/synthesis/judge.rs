@@ -20,14 +20,14 @@ pub const ROOM: f64 = 0.02;
 /// Fewest runs of the search that follows fresh draws.
 const SEARCH: usize = 200;
 
-/// What verifying a loop gave.
+/// Result of verifying a loop.
 #[derive(Clone, Debug)]
 pub struct Assessment {
     /// For each objective its worst excess, and the scenario that has it.
     pub worst: Vec<(f64, Scenario)>,
     /// For each objective the verdict: of the fresh draws, where it is not proved.
     pub verdicts: Vec<verify::Verdict>,
-    /// Whether each objective is proved, or keeps [`ROOM`].
+    /// True for each objective that is proved, or keeps [`ROOM`].
     pub keeps: Vec<bool>,
     /// The largest difference of the two sides of Theorem 1.
     pub difference: f64,
@@ -36,7 +36,7 @@ pub struct Assessment {
 }
 
 impl Assessment {
-    /// Whether every objective is proved, or holds in fresh draws and keeps its room.
+    /// Returns true if every objective is proved, or holds in fresh draws and keeps its room.
     pub fn holds(&self) -> bool {
         let all = self.verdicts.iter().zip(&self.keeps);
         !self.verdicts.is_empty() && all.clone().all(|(verdict, keeps)| verdict.holds() && *keeps)
@@ -57,8 +57,7 @@ pub(super) fn first(campaign: &Campaign) -> Vec<Scenario> {
     draws.chain(corners.into_iter().step_by(stride)).collect()
 }
 
-/// What one scenario says: the excess of each objective, the difference of the sides, and why it could
-/// not be finished.
+/// Result of one scenario: the excess of each objective, the difference of the sides, and why it could not be finished.
 pub(super) type Look = (Vec<f64>, f64, Option<Failure>);
 
 /// The scenarios, run.
@@ -82,7 +81,7 @@ pub(super) fn refuted(campaign: &Campaign) -> Vec<f64> {
     (0..campaign.objectives.len()).map(|objective| excess(proofs.get(objective))).collect()
 }
 
-/// What `verify` finds of a loop. It ends early where an objective fails.
+/// Verifies a loop as `verify` does. It ends early where an objective fails.
 pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
     let corners = Corners::run(campaign, trial, &|| ());
     let mut assessment = Assessment {
@@ -154,7 +153,7 @@ impl Assessment {
         }
     }
 
-    /// Whether it is known already that the loop will not do.
+    /// Returns true if it is known already that the loop will not do.
     fn fails(&self, campaign: &Campaign) -> bool {
         self.difference > campaign.tolerance
             || self.unfinished.is_some()

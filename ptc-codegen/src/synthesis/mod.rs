@@ -8,9 +8,9 @@
 //! one by golden section: where poles are too slow the state is late, where they are too fast it
 //! overshoots and requires a large u, so the worst excess of the objectives falls and then rises.
 //!
-//! What is tried runs on few scenarios first. What passes is verified as `verify` does, and where that
-//! finds a counterexample, the scenario is one of those that everything else has to pass first. What
-//! holds then is proved; an objective that is not has to hold in draws of another seed, by which
+//! Candidates run on few scenarios first. Those that pass are verified as `verify` does; a counterexample
+//! that this finds is one of the scenarios that all others have to pass first. The objectives that hold
+//! then are proved; one that is not has to hold in draws of another seed, by which
 //! nothing was chosen, and to keep a part of its bound free.
 
 mod candidate;
@@ -32,18 +32,18 @@ use crate::simulate::Failure;
 use crate::verify::Scenario;
 use candidate::candidates;
 
-/// What became of a wish.
+/// Result of a wish.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was tried last, and verified, or what came nearest; `None` if no try was allowed.
+    /// Probe that was tried last, and verified, or came nearest; `None` if no try was allowed.
     pub best: Option<Probe>,
-    /// What is known of the best one, where every objective holds.
+    /// Assessment of the best one, where every objective holds.
     pub assessment: Option<Assessment>,
-    /// What else was tried.
+    /// Other probes that were tried.
     pub others: Vec<Probe>,
     /// Tries that were taken.
     pub tries: usize,
-    /// Whether they were used up before all candidates were through.
+    /// True if the tries were used up before all candidates were through.
     pub used_up: bool,
 }
 
@@ -86,7 +86,7 @@ enum End {
     Broken(Failure),
 }
 
-/// What is known while a wish is worked on.
+/// State of the work on a wish.
 struct Search<'a> {
     wish: &'a Wish<'a>,
     most: usize,

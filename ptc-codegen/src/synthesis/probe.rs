@@ -9,9 +9,9 @@ use crate::verify::{Campaign, Scenario, Trial};
 /// A choice that was tried.
 #[derive(Debug)]
 pub struct Probe {
-    /// What was chosen.
+    /// Choice that was tried.
     pub choice: Choice,
-    /// What is verified with it.
+    /// Campaign that verifies it.
     pub campaign: Campaign,
     /// The loops; `None` if a check refuses them.
     trial: Result<Trial, Refused>,
@@ -23,7 +23,7 @@ pub struct Probe {
     pub unfinished: Option<Failure>,
     /// For each objective whether it is proved or keeps its room, where all were found to hold.
     pub keeps: Vec<bool>,
-    /// Of the scenarios that are run first, how many have been.
+    /// Number of the scenarios to run first that have been run.
     seen: usize,
 }
 
@@ -72,8 +72,8 @@ impl Probe {
         }
     }
 
-    /// What all scenarios, the search, the proof and fresh draws say, of which it keeps the worst
-    /// ones; `None` if it is refused.
+    /// Assesses the choice by all scenarios, the search, the proof and fresh draws, and keeps the worst scenarios;
+    /// `None` if it is refused.
     pub(super) fn assess(&mut self) -> Option<Assessment> {
         let trial = self.trial.as_ref().ok()?;
         let assessment = judge::assess(&self.campaign, trial);
@@ -97,7 +97,7 @@ impl Probe {
         self.worst.iter().map(|(excess, _)| *excess).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether the two sides of Theorem 1 differ by more than they may.
+    /// Returns true if the two sides of Theorem 1 differ by more than they may.
     pub fn sides_differ(&self) -> bool {
         self.difference > self.campaign.tolerance
     }

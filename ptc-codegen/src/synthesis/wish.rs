@@ -1,4 +1,4 @@
-//! What a design file requires and what it leaves open.
+//! Requirements of a design file, and what it leaves open.
 
 use num_traits::ToPrimitive;
 
@@ -30,7 +30,7 @@ pub struct Wish<'a> {
     order_in_samples: Option<usize>,
 }
 
-/// What is chosen, as a design file spells it, without what is given there.
+/// Chosen values, as a design file spells them, without those given there.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Choice {
     /// The clock, where it is not that of time.
@@ -145,7 +145,7 @@ impl<'a> Wish<'a> {
         Ok(wish)
     }
 
-    /// What is to be verified, with a mapping and poles in place of what is missing.
+    /// Returns the campaign to verify, with a mapping and poles in place of the missing ones.
     pub fn campaign(&self) -> &Campaign {
         &self.campaign
     }
@@ -160,17 +160,17 @@ impl<'a> Wish<'a> {
         self.order_in_samples
     }
 
-    /// Whether the given clock is in samples.
+    /// Returns true if the given clock is in samples.
     pub fn is_in_samples(&self) -> bool {
         self.spec.sampled().is_some()
     }
 
-    /// Whether the mapping is to be chosen.
+    /// Returns true if the mapping is to be chosen.
     pub fn leaves_mapping(&self) -> bool {
         !gives(self.entries, MAPPING)
     }
 
-    /// Whether the poles are to be chosen.
+    /// Returns true if the poles are to be chosen.
     pub fn leaves_law(&self) -> bool {
         !gives(self.entries, LAW)
     }

@@ -8,7 +8,7 @@ use super::objective::Kind;
 /// Relative accuracy to which a value counts as known: the error per step of an integrated run.
 pub const ALLOWANCE: f64 = 1e-9;
 
-/// How a value compares with its bound.
+/// Comparison of a value with its bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Comparison {
     /// The bound is kept.
@@ -30,7 +30,7 @@ impl Comparison {
     }
 }
 
-/// What an objective bounds at an instant, and between what.
+/// Value that an objective bounds at an instant, with its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Level {
     /// |x|, |u| or h; of several inputs or states the largest one in parts of its bound.
@@ -49,7 +49,7 @@ impl Level {
         Self { value, size: value.abs(), low: None, high }
     }
 
-    /// By how much the bound is exceeded: of a norm as a part of the bound, of an h in its own unit.
+    /// Returns the excess over the bound: of a norm as a part of the bound, of an h in its own unit.
     #[inline]
     pub(super) fn excess(self, kind: &Kind) -> f64 {
         let exists = |bound: Option<f64>| bound.is_none_or(f64::is_finite);

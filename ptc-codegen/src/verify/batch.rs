@@ -28,7 +28,7 @@ pub(super) struct InLanes {
     observer: LaneObserver,
 }
 
-/// What a scenario is run in.
+/// Loop in which a scenario is run.
 #[derive(Clone, Debug)]
 enum Closed {
     /// Both sides of Theorem 1.
@@ -67,7 +67,7 @@ impl InLanes {
         Some(Self { closed, observer: observer.in_lanes()? })
     }
 
-    /// Whether there is a way without an integration on both sides of Theorem 1.
+    /// Returns true if both sides of Theorem 1 can be run without an integration.
     pub(super) fn propagates(&self) -> bool {
         matches!(&self.closed, Closed::Theorem(sides) if sides.exact.is_some())
     }
@@ -140,7 +140,7 @@ fn running<'a>(
     all.map(|((done, known), excess)| excess.filter(|_| done && known).map(outcome)).collect()
 }
 
-/// What one side gives in each scenario that it takes to its end.
+/// Runs one side in each scenario, and returns its track where it comes to the end.
 fn tracks<'a, S: LaneSide>(
     side: &mut S,
     observer: &mut LaneObserver,

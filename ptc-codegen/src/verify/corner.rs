@@ -15,7 +15,7 @@ const STARTS: usize = 8;
 pub struct Corners {
     /// All of them.
     pub scenarios: Vec<Scenario>,
-    /// What is kept of them, by their place.
+    /// Tally of them, by their place.
     pub tally: Tally,
     /// For each objective their places, the worst one first.
     order: Vec<Vec<usize>>,

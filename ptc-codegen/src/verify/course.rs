@@ -1,10 +1,10 @@
-//! What a disturbance does within its bounds over a run.
+//! Variation of a disturbance within its bounds over a run.
 
 use std::f64::consts::TAU;
 
 use super::Interval;
 
-/// How a disturbance may vary within its bounds.
+/// Signal of a disturbance within its bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
     /// One value throughout.
@@ -49,9 +49,9 @@ pub enum Course {
     Random(Vec<f64>),
     /// From one bound to the other at each of these T/tau, which descend.
     Worst {
-        /// Whether it begins at the upper bound.
+        /// True if it begins at the upper bound.
         high: bool,
-        /// Where it switches.
+        /// T/tau at which it switches.
         switches: Vec<f64>,
     },
 }
@@ -105,7 +105,8 @@ impl Course {
         }
     }
 
-    /// What stays nearest to a bound throughout, for the first of the `legal` signals that does so best.
+    /// Returns the course that stays nearest to a bound throughout, for the first of the `legal` signals that does so
+    /// best.
     pub(super) fn extreme((legal, (low, high)): (&[Signal], Interval), upper: bool) -> Self {
         let bound = if upper { high } else { low };
         let phase = if upper { 0.0 } else { 0.5 };
@@ -120,7 +121,7 @@ impl Course {
         }
     }
 
-    /// Which signal it is.
+    /// Returns the kind of signal.
     pub fn signal(&self) -> Signal {
         match self {
             Self::Constant(_) => Signal::Constant,

@@ -25,7 +25,7 @@ pub struct Envelope {
 type Parts = Vec<Vec<Interval>>;
 
 impl Envelope {
-    /// Of the draws below an index.
+    /// Computes the envelope of the draws below an index.
     pub fn of(campaign: &Campaign, trial: &Trial, draws: u64) -> Self {
         let draws = draws.min(campaign.scenarios);
         let quantities = campaign.spec.states() + campaign.spec.input_names().len();

@@ -1,4 +1,4 @@
-//! Which campaigns have a loop that is linear in stretched time, decided on their expressions.
+//! Selection of campaigns whose loop is linear in stretched time, decided on their expressions.
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ pub(super) struct LinearLoop {
 }
 
 impl LinearLoop {
-    /// That of a campaign, or why it has none.
+    /// Returns the linear loop of a campaign, or why it has none.
     pub(super) fn of(campaign: &Campaign, values: &Values) -> Result<Self, String> {
         let spec = &campaign.spec;
         let number = |g: &Expression| {
@@ -53,7 +53,7 @@ impl LinearLoop {
     }
 }
 
-/// Those of a design.
+/// Collects the fixed values of a design.
 pub(super) fn values(campaign: &Campaign) -> Values {
     let fixed = campaign.spec.fixed.iter().chain(&campaign.plant.fixed);
     fixed.filter_map(|(name, value)| Some((*name, Fixed::number(value)?.clone()))).collect()

@@ -1,4 +1,4 @@
-//! Whether a closed loop keeps its objectives h(x, u, t) in H(t) for all that is uncertain.
+//! Verification that a closed loop keeps its objectives h(x, u, t) in H(t) for all that is uncertain.
 //!
 //! A [`Campaign`] is what a design asks for: boxes of initial states and tau, the set F of what may
 //! move the plant, and objectives. A [`Scenario`] is one point of it: a draw is a pure function of
@@ -74,7 +74,7 @@ const GAIN: &str = "gain";
 /// T/tau at which the pieces of signals end in the loop that runs, whose deadline is T = 0.
 const SPAN: f64 = 1e-3;
 
-/// What is verified, and how.
+/// Subject and settings of a verification.
 #[derive(Clone, Debug)]
 pub struct Campaign {
     /// The design whose controller is verified.
@@ -89,7 +89,7 @@ pub struct Campaign {
     pub seed: u64,
     /// Runs that the search may take for each objective.
     pub search: usize,
-    /// What is around the controller in the loop that runs; `None` where the law itself is verified.
+    /// Sampling, sensors and actuator of the sampled loop; `None` if the law itself is verified.
     pub around: Option<Loop>,
     /// T/tau at which a run ends; in the loop that runs it may be beyond the deadline, at T <= 0.
     pub until: f64,
@@ -103,15 +103,15 @@ pub struct Campaign {
     pub intervals: Vec<(Parameter, Interval)>,
     /// Symbols of the plant that vary within their bounds, and how they may.
     pub disturbances: Vec<(Parameter, Interval, Vec<Signal>)>,
-    /// What is accumulated along a run, from 0 at t0: the integrands, each a function of the plant, of time and
-    /// of the integrals before it, which are variables behind those of the plant.
+    /// Integrands accumulated along a run, from 0 at t0: each a function of the plant, of time and of the integrals
+    /// before it, which are variables behind those of the plant.
     pub integrals: Vec<Expression>,
-    /// What has to hold.
+    /// Objectives that have to hold.
     pub objectives: Vec<Objective>,
 }
 
-/// What the rows of a campaign depend on beside the campaign: the version, and behind it a number that
-/// every change of the engine raises that gives a run other bits.
+/// Version of the engine, on which the rows of a campaign depend: the version of the package, and behind it a number
+/// that is raised by every change that alters the bits of a run.
 pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+7");
 
 impl Campaign {
@@ -144,7 +144,7 @@ impl Campaign {
         lines.join("\n")
     }
 
-    /// What the true input gain of the loop that runs is between, where it is not known.
+    /// Returns the interval of the true input gain of the loop that runs, where it is not known.
     pub(super) fn gains(&self) -> Option<Interval> {
         let [least, most] = self.around.as_ref()?.gain;
         (least < most).then_some((least, most))
@@ -157,7 +157,7 @@ impl Campaign {
         symbols.find(|symbol| of_controller.contains(symbol))
     }
 
-    /// Whether both sides of Theorem 1 are run: the law of a chain, at every instant.
+    /// Returns true if both sides of Theorem 1 are run: the law of a chain, at every instant.
     pub fn has_sides(&self) -> bool {
         self.around.is_none() && !self.spec.has_model()
     }
@@ -176,8 +176,8 @@ impl Campaign {
         }
     }
 
-    /// What a gain that is not known must keep, |b| < |g|: the plant's own gain, with what f makes of
-    /// u, has the sign of the controller's g. A model says how u moves each of its states.
+    /// Returns the objective that a gain that is not known must keep, |b| < |g|: the plant's own gain, with the effect
+    /// of u through f, has the sign of the controller's g. A model says how u moves each of its states.
     pub fn gain(&self) -> Objective {
         let Plant { f, g, .. } = self.disturbed();
         let control = Expression::from(Variable::Control);

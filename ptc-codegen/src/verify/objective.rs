@@ -1,4 +1,4 @@
-//! What has to hold along a run, and by how much it does not.
+//! Objectives that have to hold along a run, and the excess over their bounds.
 
 use std::fmt;
 
@@ -9,15 +9,15 @@ use crate::parameter::Name;
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Objective {
-    /// What it says of x as the plant has it.
+    /// Objective in terms of the plant's own x.
     pub kind: Kind,
     /// The same in the words of the user: another only for a model, whose states have names.
     pub written: Kind,
     /// It in one line.
     pub text: String,
-    /// What |x| of it is of: `x`, the chains, or `e`, their tracking errors.
+    /// Letter of |x| in it: `x`, the chains, or `e`, their tracking errors.
     pub letter: &'static str,
-    /// Whether an integral over the run is in it, a variable behind those of the plant.
+    /// True if it contains an integral over the run, a variable behind those of the plant.
     pub integrates: bool,
 }
 
@@ -57,7 +57,7 @@ pub enum Kind {
     },
     /// low <= h(x, u, t) <= high.
     Within {
-        /// What is bounded.
+        /// Bounded quantity.
         h: Expression,
         /// Its least value, if it has one.
         low: Option<Expression>,
@@ -77,8 +77,8 @@ impl Kind {
         }
     }
 
-    /// What an excess says in the words of the bound: the size as a part of it, or, of `within`, the distance
-    /// outside in the unit of h.
+    /// Returns an excess in the words of the bound: the size as a part of it, or, for `within`, the distance outside in
+    /// the unit of h.
     pub fn measure(&self, excess: f64) -> f64 {
         if matches!(self, Self::Within { .. }) { excess } else { 1.0 + excess }
     }
@@ -122,7 +122,7 @@ impl Kind {
         }
     }
 
-    /// Whether it bounds x at the end of a run alone.
+    /// Returns true if it bounds x at the end of a run alone.
     pub fn is_of_end(&self) -> bool {
         matches!(self, Self::Attractive { .. } | Self::AttractiveEach { .. })
     }
@@ -179,7 +179,7 @@ impl From<Kind> for Objective {
 }
 
 impl Objective {
-    /// Whether it holds or fails at t0 whatever the inputs do, of a plant of so many states.
+    /// Returns true if it holds or fails at t0 whatever the inputs do, for a plant of so many states.
     pub fn is_of_state(&self, states: usize) -> bool {
         let is_input = |e: &Expression| match e.variable() {
             Some(Variable::Control) => true,

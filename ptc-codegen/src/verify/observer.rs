@@ -21,14 +21,14 @@ pub(super) struct Observer {
     watched: Watched,
     program: Arc<Program>,
     along: Along,
-    /// What |x| is of, where it is not the state itself: the coordinates of a model, or the tracking errors.
+    /// Values that form |x|, where it is not the state itself: the coordinates of a model, or the tracking errors.
     distances: Vec<Value>,
-    /// How many of these are errors: all, or none.
+    /// Number of these that are errors: all, or none.
     errors: usize,
     size_at_start: f64,
 }
 
-/// Where objectives are looked at.
+/// Instant at which objectives are looked at.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Here<'a> {
     /// Time-to-go in s.
@@ -41,7 +41,7 @@ pub(super) struct Here<'a> {
     pub(super) integrals: &'a [f64],
 }
 
-/// What is seen of x and u at an instant.
+/// Quantities of x and u at an instant.
 struct Seen<'a> {
     /// |x|, and what it was at t0.
     size: f64,
@@ -55,11 +55,11 @@ struct Seen<'a> {
 #[derive(Clone, Debug)]
 struct Watched {
     kinds: Vec<Kind>,
-    /// Of each kind its values.
+    /// Values of each kind.
     values: Vec<Vec<Value>>,
-    /// Of each kind the terms x_j dh/dx_j of its h.
+    /// Terms x_j dh/dx_j of the h of each kind.
     terms: Vec<Vec<Value>>,
-    /// What parts of each kind's expressions have to be for these to have a value.
+    /// Conditions on parts of each kind's expressions for these to have a value.
     conditions: Vec<Vec<(Value, Condition)>>,
 }
 
@@ -124,13 +124,13 @@ impl Observer {
         self.distances.iter().map(|value| self.along.machine.get(*value))
     }
 
-    /// By how much each objective is exceeded here: above 0 it fails. Bounds of x and u are exceeded
-    /// as a part of the bound, h in its own unit. `last` where the run ends.
+    /// Calls `visit` with the excess of each objective here: above 0 it fails. Bounds of x and u are exceeded as a part
+    /// of the bound, h in its own unit. `last` where the run ends.
     pub(super) fn excess(&mut self, here: Here<'_>, last: bool, visit: &mut dyn FnMut(usize, f64)) {
         self.levels(here, last, &mut |index, kind, level| visit(index, level.excess(kind)));
     }
 
-    /// What each objective bounds here, and its bounds. `last` where the run ends.
+    /// Calls `visit` with the value that each objective bounds here, and its bounds. `last` where the run ends.
     pub(super) fn levels(
         &mut self,
         Here { time_to_go, x, u, integrals }: Here<'_>,
@@ -153,7 +153,8 @@ impl Observer {
 }
 
 impl Watched {
-    /// What an objective bounds, and its bounds, of the numbers of its values and of what is seen of x and u.
+    /// Returns the value that an objective bounds, and its bounds, from its numbers and from the observation of x and
+    /// u.
     #[inline]
     fn level(
         &self,

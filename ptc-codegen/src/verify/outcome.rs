@@ -1,9 +1,9 @@
-//! What a scenario gave, and what that says of an objective.
+//! Outcome of a scenario, and the judgement of an objective by it.
 
 use super::allowance::Comparison;
 use crate::simulate::{Cause, Failure};
 
-/// How far a run came.
+/// Extent of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// To its end, on both sides.
@@ -14,7 +14,7 @@ pub enum Status {
     Unfinished,
 }
 
-/// What a scenario says of an objective.
+/// Judgement of an objective by a scenario.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
     /// It holds as far as the run came.
@@ -39,8 +39,8 @@ impl Status {
 }
 
 impl Judgement {
-    /// Of the excess on both sides, as far as each came: where rounding takes one of them away, it
-    /// may exceed anything before its integration stops, and only what both exceed fails.
+    /// Judges the excess on both sides, as far as each came: where rounding takes one of them away, it may exceed
+    /// anything before its integration stops, and only what both exceed fails.
     pub(super) fn of(sides: [f64; 2]) -> Self {
         let [one, other] = sides.map(Comparison::of);
         match (one, other) {
@@ -52,13 +52,13 @@ impl Judgement {
     }
 }
 
-/// What a scenario gave.
+/// Outcome of a scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// By how much each objective is exceeded at its worst instant, in the loop of the emitted program or on the side
-    /// of the infinite-time system; above 0 it fails. Infinite where x or u leaves the range of numbers.
+    /// Excess of each objective at its worst instant, in the loop of the emitted program or on the side of the
+    /// infinite-time system; above 0 it fails. Infinite where x or u leaves the range of numbers.
     pub excess: Vec<f64>,
-    /// What the other side of Theorem 1 says; `None` where one loop is run alone.
+    /// Outcome on the other side of Theorem 1; `None` where one loop is run alone.
     pub direct: Option<Other>,
     /// Why a run ended early.
     pub ended: Option<Failure>,
@@ -67,14 +67,14 @@ pub struct Outcome {
 /// The side of the plant with the emitted program, beside that of the infinite-time system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Other {
-    /// By how much each objective is exceeded at its worst instant.
+    /// Excess of each objective at its worst instant.
     pub excess: Vec<f64>,
     /// Largest difference of the sides in x_i and u, as a part of their largest value in the run.
     pub difference: f64,
 }
 
 impl Outcome {
-    /// How far it came.
+    /// Returns the extent of the run.
     pub fn status(&self) -> Status {
         match &self.ended {
             None => Status::Finished,
@@ -83,7 +83,7 @@ impl Outcome {
         }
     }
 
-    /// By how much an objective is exceeded on the side on which it comes off worse.
+    /// Returns the excess of an objective on the side on which it comes off worse.
     pub fn worst(&self, objective: usize) -> f64 {
         let [one, other] = self.sides(objective);
         one.max(other)
@@ -100,7 +100,7 @@ impl Outcome {
         [own, self.direct.as_ref().map_or(own, |direct| direct.excess[objective])]
     }
 
-    /// What it says of an objective.
+    /// Returns the judgement of an objective.
     pub fn judgement(&self, objective: usize) -> Judgement {
         Judgement::of(self.sides(objective))
     }

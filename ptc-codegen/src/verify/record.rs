@@ -47,7 +47,7 @@ const DESIGN: &str = "ptc.design";
 /// The key of the version of this crate, on which the rows depend.
 const VERSION: &str = "ptc.version";
 
-/// What writes.
+/// Name of the program that writes.
 pub const PROGRAM: &str = "ptc-codegen verify";
 
 /// A file of rows under way.

@@ -4,7 +4,7 @@ use super::course::PIECES;
 use super::scenario::SEEDS;
 use super::{Campaign, Course, Interval, Scenario, Signal};
 
-/// What an instant is called that is looked at beside those of every run.
+/// Key of an additional instant at which objectives are examined.
 const AT: &str = "T/tau";
 
 /// A number in the fewest digits that are read as it.
@@ -30,7 +30,7 @@ impl Campaign {
     /// The scenario of a text.
     ///
     /// # Errors
-    /// What is wrong, and what is legal.
+    /// Returns what is wrong, and what is legal.
     pub fn replayed(&self, text: &str) -> Result<Scenario, (String, String)> {
         let mut given = Vec::new();
         for item in items(text) {
@@ -125,7 +125,7 @@ fn items(text: &str) -> Vec<&str> {
 }
 
 impl Signal {
-    /// How one is written in a scenario.
+    /// Returns the form in which one is written in a scenario.
     fn form(self) -> &'static str {
         match self {
             Self::Constant => "a number",

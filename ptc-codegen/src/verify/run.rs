@@ -31,13 +31,13 @@ pub fn shard(index: u64, count: u64, scenarios: u64) -> Option<Range<u64>> {
     (1..=count).contains(&index).then(|| at(index - 1)..at(index))
 }
 
-/// What takes a chunk that is done.
+/// Receiver of a finished chunk.
 pub type Done<'a, E> = &'a (dyn Fn(&Range<u64>, Vec<Row>) -> Result<(), E> + Sync);
 
 /// Runs the chunks and hands each over as it is done, in whatever order.
 ///
 /// # Errors
-/// What `done` says.
+/// Returns the error of `done`.
 pub fn sample<E: Send>(
     campaign: &Campaign,
     trial: &Trial,

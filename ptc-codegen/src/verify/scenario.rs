@@ -19,7 +19,7 @@ pub(super) const SEEDS: u64 = 1 << 53;
 pub struct Scenario {
     /// tau, x_1..x_n at t0, and the constants that are not known.
     pub point: Vec<f64>,
-    /// What each disturbance does.
+    /// Course of each disturbance.
     pub courses: Vec<Course>,
     /// Seed of what is drawn at each sample; 0 where nothing is.
     pub seed: u64,
@@ -36,7 +36,7 @@ pub struct Setting {
     pub x0: Vec<f64>,
     /// T/tau of the instants that are looked at, with what holds from the one before on.
     pub pieces: Vec<Piece>,
-    /// What is around the controller in the loop that runs.
+    /// Sampling, sensors and actuator of the sampled loop.
     pub around: Option<Loop>,
 }
 
@@ -47,7 +47,7 @@ impl Campaign {
         self.drawn_from(self.random(), index)
     }
 
-    /// What all draws begin with.
+    /// Returns the random generator with which all draws begin.
     pub(super) fn random(&self) -> ChaCha8Rng {
         ChaCha8Rng::seed_from_u64(self.seed)
     }
@@ -68,7 +68,7 @@ impl Campaign {
         Scenario { point, courses, seed, at: None }
     }
 
-    /// Whether anything is drawn at each sample of a run.
+    /// Returns true if anything is drawn at each sample of a run.
     pub(super) fn is_drawn(&self) -> bool {
         self.around.as_ref().is_some_and(Loop::is_drawn)
     }
@@ -88,7 +88,7 @@ impl Campaign {
         std::iter::once("tau".to_owned()).chain(states).chain(constants).chain(gain)
     }
 
-    /// What is constant in a run and not known, by its name, with its interval.
+    /// Returns the name and interval of each quantity that is constant in a run and not known.
     pub fn uncertain(&self) -> impl Iterator<Item = (String, Interval)> {
         self.names().zip(self.sides())
     }

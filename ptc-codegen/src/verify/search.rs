@@ -1,6 +1,6 @@
 //! From the worst scenarios that are known to worse ones nearby.
 //!
-//! Where a disturbance may be the worst one, its switching follows from the run itself: see `kernel`.
+//! If a disturbance may be the worst one, its switching follows from the run itself: see `kernel`.
 //! Then a compass search goes on in tau, x0, the constants and the numbers of the other signals: each
 //! is moved both ways and the best of all moves is taken; where none is better the moves are halved.
 //! The two take turns until neither finds more. All moves of a round are run at once, and the first of
@@ -12,14 +12,14 @@ use super::scenario::SEEDS;
 use super::{Campaign, Judgement, Outcome, Scenario, Signal, Status, Trial};
 use crate::simulate::Failure;
 
-/// What a search found.
+/// Result of a search.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// The worst scenario.
     pub scenario: Scenario,
     /// Its excess of the objective that was searched for, on the worse side.
     pub excess: f64,
-    /// What the scenarios say of the objective: the worst of it.
+    /// Judgement of the objective by the scenarios: the worst of it.
     pub judgement: Judgement,
     /// The largest difference of the two sides in any run of the search.
     pub difference: f64,
@@ -85,7 +85,7 @@ pub fn search(
 }
 
 impl Found {
-    /// What both searches found.
+    /// Combines the results of both searches.
     fn with(self, other: Self) -> Self {
         let judgement = self.judgement.max(other.judgement);
         let difference = self.difference.max(other.difference);
@@ -99,9 +99,9 @@ impl Found {
 struct Search<'a> {
     campaign: &'a Campaign,
     trial: &'a Trial,
-    /// Whether a worst signal is legal.
+    /// True if a worst signal is legal.
     switches: bool,
-    /// What the worst signals follow from, where the run has slopes.
+    /// Rates from which the worst signals follow, where the run has slopes.
     rates: Option<Rates>,
     objective: usize,
     told: &'a dyn Fn(usize),

@@ -16,20 +16,20 @@ const INSTANTS: f64 = 65536.0;
 #[derive(Clone, Debug)]
 pub(super) struct Settings<'a> {
     campaign: &'a Campaign,
-    /// What all draws begin with.
+    /// Random generator with which all draws begin.
     random: ChaCha8Rng,
     /// Parts into which each step of the grid is divided.
     parts: u32,
-    /// What the campaign fixes; the rest is set at its place for each scenario.
+    /// Values that the campaign fixes; the rest is set at its place for each scenario.
     values: Values,
     places: Places,
     /// T/tau of the instants at which objectives are looked at.
     grid: Vec<f64>,
-    /// Those of a run in which nothing jumps.
+    /// Instants of a run in which nothing jumps.
     whole: Vec<f64>,
 }
 
-/// Where the values of a scenario stand.
+/// Places of the values of a scenario.
 #[derive(Clone, Debug)]
 struct Places {
     tau: usize,
@@ -181,7 +181,7 @@ fn parts_of(samples: f64) -> u32 {
     parts.max(1)
 }
 
-/// What divides a step of the grid evenly.
+/// Returns the instants that divide a step of the grid evenly.
 fn divided(step: &[f64], parts: u32) -> impl Iterator<Item = f64> + use<> {
     let (from, to) = (step[0], step[1]);
     (1..parts).map(move |part| from + (to - from) * (f64::from(part) / f64::from(parts)))

@@ -1,4 +1,5 @@
-//! What no control changes: an objective that fails at t0, or from an x0 of its box with any law.
+//! Impossible objectives, which no control changes: an objective that fails at t0, or from an x0 of its box with any
+//! law.
 
 use super::{Campaign, Kind, Scenario, Trial};
 use crate::simulate::Failure;
@@ -8,9 +9,9 @@ use crate::simulate::Failure;
 pub struct Impossible {
     /// Place of the objective.
     pub objective: usize,
-    /// Where it is impossible.
+    /// Scenario in which it is impossible.
     pub scenario: Scenario,
-    /// Whether it fails at t0 already; else it fails from x0 = 0, where |x0| allows nothing.
+    /// True if it fails at t0 already; else it fails from x0 = 0, where |x0| allows nothing.
     pub at_start: bool,
 }
 
@@ -88,8 +89,8 @@ pub fn impossible(campaign: &Campaign, trial: &mut Trial) -> Result<Option<Impos
     from_rest(campaign, trial)
 }
 
-/// Where the gain of the plant is 0 or has another sign than the controller's g, if anywhere: no law of
-/// Theorem 1 does that. The states of a model are moved as it says.
+/// Returns a scenario in which the gain of the plant is 0 or has another sign than the controller's g, if there is one:
+/// no law of Theorem 1 does that. The states of a model are moved as it says.
 ///
 /// # Errors
 /// A parameter without a value.

@@ -1,5 +1,5 @@
-//! What is kept of many scenarios. Maxima with their least index and counts: no order decides them,
-//! so that the tally of shards is that of one run, bit for bit.
+//! Tally of many scenarios. Maxima with their least index and counts: no order decides them, so that the tally of
+//! shards is that of one run, bit for bit.
 
 use super::record::Row;
 use super::{Campaign, Judgement, Status};
@@ -30,29 +30,29 @@ pub struct Tally {
     pub scenarios: u64,
     /// The worst excess of each objective, of both sides.
     pub excess: Vec<Worst>,
-    /// How many scenarios fail each objective.
+    /// Number of scenarios that fail each objective.
     pub failed: Vec<u64>,
-    /// How many fail it on one side of Theorem 1 alone.
+    /// Number of scenarios that fail it on one side of Theorem 1 alone.
     pub open: Vec<u64>,
-    /// How many meet its bound within the allowance.
+    /// Number of scenarios that meet its bound within the allowance.
     pub met: Vec<u64>,
-    /// How many could not be finished.
+    /// Number of scenarios that could not be finished.
     pub unfinished: u64,
     /// The least index of these.
     pub first_unfinished: Option<u64>,
     /// The largest difference of the two sides.
     pub difference: Worst,
-    /// How many scenarios differ by more than the tolerance.
+    /// Number of scenarios that differ by more than the tolerance.
     pub apart: u64,
     objectives: usize,
     first: usize,
-    /// Whether a row has both sides of Theorem 1.
+    /// True if a row has both sides of Theorem 1.
     both: bool,
     tolerance: f64,
 }
 
 impl Tally {
-    /// Of no scenario.
+    /// Creates the tally of no scenario.
     pub fn new(campaign: &Campaign) -> Self {
         let objectives = campaign.objectives.len();
         let both = campaign.has_sides();

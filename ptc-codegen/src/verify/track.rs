@@ -1,10 +1,9 @@
-//! What one side of a run comes to.
+//! Result of one side of a run.
 
 use super::Setting;
 use super::trial::Instant;
 
-/// What is kept of one side of a run: x_1..x_n, u and the integrals at each instant, and the worst of each
-/// objective.
+/// Record of one side of a run: x_1..x_n, u and the integrals at each instant, and the worst of each objective.
 #[derive(Clone, Debug)]
 pub(super) struct Track {
     width: usize,

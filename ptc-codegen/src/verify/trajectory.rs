@@ -56,7 +56,7 @@ pub(super) fn table(spec: &Spec, instants: &[Instant]) -> String {
     text
 }
 
-/// What [`Instant::numbers`] are: states, inputs and tracking errors.
+/// Returns the names of [`Instant::numbers`]: states, inputs and tracking errors.
 pub fn columns(spec: &Spec) -> impl Iterator<Item = String> {
     spec.state_names().into_iter().chain(spec.input_names()).chain(errors(spec))
 }

@@ -4,7 +4,7 @@ use super::bound::Proof;
 use super::search::Found;
 use super::{Campaign, Judgement, Tally};
 
-/// What is said of an objective.
+/// Verdict on an objective.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds for all that is uncertain.
@@ -37,7 +37,7 @@ pub enum Doubt {
     NoRoom,
 }
 
-/// What a verdict is made of.
+/// Evidence for a verdict.
 #[derive(Clone, Copy, Debug)]
 pub struct Evidence<'a> {
     /// The independent draws.
@@ -46,7 +46,7 @@ pub struct Evidence<'a> {
     pub corners: &'a Tally,
     /// The search for the worst scenario of this objective.
     pub found: &'a Found,
-    /// What is known without a scenario.
+    /// Result of the proof, without a scenario.
     pub proof: &'a Proof,
 }
 
@@ -54,7 +54,7 @@ pub struct Evidence<'a> {
 const BETA: f64 = 1e-3;
 
 /// The probability of failure that so many independent draws without one leave, ln(1/beta)/N, and
-/// beta; none where the draws are too few to say anything.
+/// beta; `None` where the draws are too few to say anything.
 pub fn confidence(draws: u64) -> Option<(f64, f64)> {
     #[allow(clippy::cast_precision_loss)]
     let most = (1.0 / BETA).ln() / draws as f64;
@@ -99,7 +99,7 @@ impl Verdict {
         }
     }
 
-    /// Whether the objective holds.
+    /// Returns true if the objective holds.
     pub fn holds(self) -> bool {
         matches!(self, Self::Proved | Self::Sampled { .. })
     }

@@ -9,7 +9,7 @@ use anyhow::{Context as _, Result};
 use super::world::{FILE, World};
 use crate::layer::Finding;
 
-/// What is on the disk before, and has to be after.
+/// Contents of the file on the disk before, which have to be there after.
 const OLD: &str = "old";
 
 /// The whole run of a simulation, which is longer than what is left of the disk.
@@ -55,7 +55,7 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
     Ok("a full disk and a read-only folder: an error, and every file as it was".to_owned())
 }
 
-/// What a command loses where the disk is full.
+/// Returns the loss that a command causes where the disk is full.
 fn full(world: &World, folder: &Path, fill: &str, command: &str) -> Result<Option<String>> {
     let script = format!("{fill}; {command}; test $? = 2 || exit 10; ls -A; cat run.csv");
     let end = mount(world, folder, &script)?;

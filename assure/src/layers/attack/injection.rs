@@ -13,7 +13,7 @@ use crate::harness::injection::{ODD, examine, of};
 use crate::harness::random::Random;
 use crate::layer::Finding;
 
-/// What a report is made of here: one run of the plant of the design.
+/// Options of the report: one run of the plant of the design.
 const REPORT: [&str; 7] = ["--x0=1", "--plant=d=0", "--at=0,0.5", "-o", "run.csv", "--report", "-"];
 
 pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {

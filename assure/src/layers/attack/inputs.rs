@@ -17,12 +17,12 @@ use crate::layer::Finding;
 const SECONDS: [u64; 2] = [4, 20];
 /// Address space of one command, KB.
 const MEMORY: u64 = 500_000;
-/// How long inputs are drawn.
+/// Time for which inputs are drawn.
 const TIME: Duration = Duration::from_secs(600);
 const BRIEF: Duration = Duration::from_secs(30);
 /// The design file under way; that of failure N is kept as `failedN.toml`.
 const DRAWN: &str = "drawn.toml";
-/// How many failures end it.
+/// Number of failures that end it.
 const ENOUGH: usize = 5;
 /// Characters beyond which an expression is not drawn on; a word of a command has 128 KB.
 const LONG: usize = 20_000;
@@ -85,7 +85,7 @@ pub(super) fn limited_to(
     shell.output().context("a shell runs")
 }
 
-/// What is wrong with the exit of a command; `None` if it is documented.
+/// Returns the fault in the exit of a command; `None` if it is documented.
 fn fault(output: &Output) -> Option<String> {
     let stderr = String::from_utf8_lossy(&output.stderr);
     let hidden = |c: char| c.is_control() && c != '\n';

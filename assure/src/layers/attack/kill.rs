@@ -49,8 +49,8 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
     Ok(format!("{count} kills at random instants, each resumed to the result of one run"))
 }
 
-/// What a kill left that is not of the tool or not whole. A temporary file, which SIGKILL alone can leave, is
-/// removed by the next run.
+/// Returns a file that a kill left and that is not of the tool or not whole. A temporary file, which SIGKILL alone can
+/// leave, is removed by the next run.
 fn left(world: &World, folder: &Path, signal: &str) -> Result<Option<String>> {
     for name in names(folder)? {
         let path = folder.join(&name);

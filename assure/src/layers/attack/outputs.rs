@@ -58,7 +58,7 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
     ))
 }
 
-/// What `write` has replaced or left unwritten, of each kind of file.
+/// Lists the files that `write` has replaced or left unwritten, of each kind of file.
 fn replaced(folder: &Path, csv: &[u8], write: &Writer<'_>) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     let path = |name: &str| folder.join(name);
@@ -97,7 +97,7 @@ fn replaced(folder: &Path, csv: &[u8], write: &Writer<'_>) -> Result<Vec<String>
     Ok(wrong)
 }
 
-/// What is lost of a folder that is called as the rows under way are.
+/// Returns the loss in a folder that has the name of the rows under way.
 fn foreign(world: &World) -> Result<Option<String>> {
     let folder = world.folder("foreign")?;
     fs::create_dir(folder.join(JOURNAL))?;

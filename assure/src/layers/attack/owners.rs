@@ -37,8 +37,7 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
         .to_owned())
 }
 
-/// What is wrong with a process that finds a campaign under way, whose journal may have been taken
-/// away.
+/// Returns the fault of a process that finds a campaign under way, whose journal may have been taken away.
 fn second(world: &World, taken: bool) -> Result<Option<String>> {
     let folder = world.folder("second")?;
     let mut first = world.under_way(&folder)?;

@@ -1,4 +1,4 @@
-//! What a power cut leaves of rows under way: zeros, torn records and flipped bits.
+//! Rows under way after a power cut: zeros, torn records and flipped bits.
 
 use std::fs;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! What every attack works with: the command, a campaign, and what it gives undisturbed.
+//! Environment of every attack: the command, a campaign, and its undisturbed results.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ pub(super) const JOURNAL: &str = "rows.parquet.chunks";
 /// The campaign with its rows.
 pub(super) const VERIFY: [&str; 4] = ["verify", FILE, "--out", ROWS];
 
-/// How long a process may take to get anywhere.
+/// Time that a process may take to get anywhere.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// The command, where it works, and what it gives there.
@@ -40,11 +40,11 @@ pub(super) struct World {
     pub(super) brief: bool,
     /// The end of one run.
     pub(super) code: Option<i32>,
-    /// What it prints.
+    /// Its output.
     pub(super) verdict: Vec<u8>,
     /// Its rows.
     pub(super) rows: Vec<u8>,
-    /// How long it takes.
+    /// Its duration.
     pub(super) time: Duration,
 }
 
@@ -113,7 +113,7 @@ impl World {
         Ok(child)
     }
 
-    /// How an end differs from that of one run, if it does.
+    /// Returns the difference between an end and that of one run, if any.
     pub(super) fn differs(&self, folder: &Path, end: &Output) -> Option<String> {
         let told = || String::from_utf8_lossy(&end.stderr).into_owned();
         if end.status.code() != self.code {

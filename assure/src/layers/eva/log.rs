@@ -1,4 +1,4 @@
-//! What Frama-C says of a run.
+//! Output of a run of Frama-C.
 
 use std::collections::BTreeSet;
 
@@ -38,7 +38,7 @@ pub(super) struct Log {
     pub(super) unproved: usize,
     /// Functions taken from a contract.
     pub(super) trusted: BTreeSet<String>,
-    /// Whether there is a summary at all.
+    /// True if there is a summary at all.
     complete: bool,
     /// Functions that were to be analysed and were not, or that do not return.
     missing: Vec<String>,

@@ -1,4 +1,4 @@
-//! What the command `emit` says of a design.
+//! Output of the command `emit` for a design.
 
 use std::collections::BTreeMap;
 use std::fs;

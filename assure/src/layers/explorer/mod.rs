@@ -40,7 +40,7 @@ const WASM: Tool = Tool {
 
 const SCRIPT: &str = include_str!("look.py");
 
-/// What drives the browser.
+/// Package that drives the browser.
 const PLAYWRIGHT: &str = "playwright==1.65.2";
 
 /// Languages with a tab.
@@ -50,7 +50,7 @@ const LANGUAGES: [&str; 7] = ["c", "rust", "cpp", "matlab", "python", "st", "plc
 const BYTES: usize = 1_200_000;
 const START: f64 = 1000.0;
 
-/// What the command says of each design in each language.
+/// Output of the command for each design in each language.
 type Commands = BTreeMap<String, BTreeMap<&'static str, Said>>;
 
 fn run(context: &Context) -> Result<Finding> {
@@ -104,7 +104,7 @@ fn commands(generator: &Path, cases: &[Case], folder: &Path) -> Result<Commands>
     cases.iter().map(of).collect()
 }
 
-/// What a browser sees of a page.
+/// Returns the view of a page in a browser.
 fn look(
     python: &Path,
     script: &Path,
@@ -173,7 +173,7 @@ fn noise(count: usize) -> String {
     (0..2 * count).map(|_| letter()).collect()
 }
 
-/// What is wrong with a page.
+/// Lists the faults of a page.
 fn faults(seen: &Value, bytes: usize, said: &Commands) -> Vec<String> {
     let mut faults = Vec::new();
     for (key, told) in [("requests", "requests"), ("refused", "the browser says")] {
@@ -219,7 +219,7 @@ fn faults(seen: &Value, bytes: usize, said: &Commands) -> Vec<String> {
     faults
 }
 
-/// Where a design that was typed differs from what the command says of it.
+/// Lists the differences between a design that was typed and the output of the command for it.
 fn differences<'a>(
     typed: &'a Value,
     said: &'a BTreeMap<&'static str, Said>,

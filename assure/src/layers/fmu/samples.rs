@@ -16,7 +16,7 @@ use crate::harness::empty;
 use crate::harness::specs::spec;
 use crate::layer::{Finding, Table};
 
-/// What is left of the state at sample N, as a part of 1, with the fewest digits.
+/// Largest remainder of the state at sample N, as a part of 1, with the fewest digits.
 const ARRIVED: f64 = 1e-6;
 
 /// All parameters open; an observer, delay and an end at 0; an observer in single precision; the

@@ -19,7 +19,7 @@ use crate::harness::specs::{calls_a_library, rounded};
 const INTERPRETED: usize = 7;
 const REFERENCED: usize = 5;
 
-/// How much was compared.
+/// Counts of the comparison.
 #[derive(Default)]
 pub(super) struct Counts {
     pub(super) specs: usize,
@@ -55,7 +55,7 @@ pub(super) struct Difference {
 }
 
 impl Difference {
-    /// Which two differ.
+    /// Returns the names of the two that differ.
     pub(super) fn kind(&self) -> &'static str {
         self.between
     }
@@ -72,7 +72,7 @@ impl fmt::Display for Difference {
     }
 }
 
-/// What was compared, and the first difference.
+/// Compares the outcomes; returns the counts and the first difference.
 pub(super) fn compare(
     spec: &Spec,
     records: &[Record],
@@ -100,7 +100,7 @@ pub(super) fn against_definition(
     definition(spec, records, outcomes, &mut Counts::default())
 }
 
-/// Whether the law or the input gain calls a function whose last bit depends on the library.
+/// Returns true if the law or the input gain calls a function whose last bit depends on the library.
 fn calls_in_mapping(spec: &Spec) -> bool {
     use ptc_codegen::expression::Function::{Abs, Sign, Sqrt};
     let is_call = |e: &Expression| match e.node() {
@@ -137,7 +137,7 @@ fn languages(
     None
 }
 
-/// Whether two results of one library each are both within what the definition allows.
+/// Returns true if two results of one library each are both within the tolerance of the definition.
 fn is_cancelled(spec: &Spec, record: &Record, a: (i32, f64), b: (i32, f64)) -> bool {
     let allowed = 2.0 * tolerance::of(spec);
     let Some(control) = expected(spec, record).and_then(|expected| expected.control) else {
@@ -152,7 +152,7 @@ fn parameter(spec: &Spec, record: &Record, wanted: Parameter) -> f64 {
     at.map_or(f64::NAN, |at| record.parameters[at])
 }
 
-/// Whether the guard lets a record pass to the law.
+/// Returns true if the guard lets a record pass to the law.
 fn passes(spec: &Spec, record: &Record) -> bool {
     let start = value(spec, record, Parameter::StartTime);
     spec.guard != Guard::Full
@@ -334,7 +334,7 @@ fn definition(
     None
 }
 
-/// Whether the numbers are of the sizes for which the accuracy is promised, tests/data/README.md.
+/// Returns true if the numbers are of the sizes for which the accuracy is promised, tests/data/README.md.
 fn is_usual(spec: &Spec, record: &Record) -> bool {
     let within =
         |value: f64, low: f64, high: f64| value == 0.0 || (low..high).contains(&value.abs());

@@ -8,7 +8,7 @@ use crate::harness::specs::accepted;
 /// Keys with their values.
 pub(super) type Keys = Vec<(String, String)>;
 
-/// What all designs of a round have in common.
+/// Properties that all designs of a round have in common.
 #[derive(Clone, Copy)]
 pub(super) struct Kind {
     family: &'static str,

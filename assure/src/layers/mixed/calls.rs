@@ -58,7 +58,7 @@ impl Calls {
         self.code.function("step").expect("a step")
     }
 
-    /// What the interpreter gives: the status of `init`, and a line for each call where it succeeds.
+    /// Returns the results of the interpreter: the status of `init`, and a line for each call where it succeeds.
     pub(super) fn interpreted(&self) -> Vec<Line> {
         let given: Vec<Argument<'_>> =
             self.parameters.iter().map(|(name, values)| (&**name, &**values)).collect();

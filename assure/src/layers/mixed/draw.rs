@@ -71,7 +71,7 @@ const PLANTS: [Plant; 6] = [
     ),
 ];
 
-/// What is being drawn.
+/// State of a draw.
 struct Draw<'a> {
     random: &'a mut Random,
     keys: Keys,

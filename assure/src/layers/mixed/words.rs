@@ -4,7 +4,7 @@ use ptc_codegen::code::Shape;
 use ptc_codegen::emit::Language;
 use ptc_codegen::parameter::Precision;
 
-/// How a language writes numbers and lists of them.
+/// Syntax of numbers and of lists of them in a language.
 pub(super) struct Words {
     /// Type of a number.
     pub(super) real: &'static str,

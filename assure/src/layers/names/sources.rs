@@ -17,7 +17,7 @@ use crate::harness::{STRICT, c_compiler, rustc};
 pub(super) const LANGUAGES: [Language; 4] =
     [Language::C, Language::Cpp, Language::Rust, Language::Python];
 
-/// How many errors of a compiler are shown.
+/// Number of errors of a compiler that are shown.
 const SHOWN: usize = 20;
 
 /// Compiles every module, and finds a name of the module that one of its functions hides.

@@ -49,7 +49,7 @@ fn driver(design: &Design, rows: &[Row], in_samples: bool) -> String {
     text
 }
 
-/// Where the emitted C gives another u than the run.
+/// Returns the first difference between u of the emitted C and of the run, if any.
 pub(super) fn differences(folder: &Path, design: &Design, run: &[Row]) -> Result<Vec<String>> {
     let rows = &run[..run.len().min(SAMPLES)];
     if rows.is_empty() {

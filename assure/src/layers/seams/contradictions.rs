@@ -7,7 +7,7 @@ use super::one::{Answers, totals, worst};
 /// Rounding in numbers that are printed, and what a bound may be exceeded by.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether a check has a verdict.
+/// Returns true if a check has one of the verdicts.
 fn is(checks: &Value, name: &str, verdicts: &[&str]) -> bool {
     let own = checks.as_array().into_iter().flatten().find(|check| check["name"] == name);
     own.is_some_and(|own| verdicts.iter().any(|verdict| own["verdict"] == *verdict))
@@ -95,7 +95,7 @@ pub(super) fn faults(answers: &Answers) -> Vec<String> {
     found.iter().map(|fault| format!("contradiction: {fault}")).collect()
 }
 
-/// Whether the last line, the lists and the exit code follow from the verdicts.
+/// Lists where acceptance, the list of undecided checks and the exit code do not follow from the verdicts.
 fn of_acceptance(report: &Value, exit: i32) -> Vec<String> {
     let checks = &report["checks"];
     let refused = !named(checks, &["unsound", "refuted"]).is_empty();
@@ -122,7 +122,7 @@ fn of_acceptance(report: &Value, exit: i32) -> Vec<String> {
     found
 }
 
-/// Where a run from within x0_max leaves what `loop` bounds.
+/// Lists the places where a run from within x0_max exceeds the bounds of `loop`.
 fn of_run(answers: &Answers, worst: &Value, is_never_clipped: bool) -> Vec<String> {
     let mut found = Vec::new();
     let Some(last) = answers.run.last().filter(|_| answers.is_within) else { return found };

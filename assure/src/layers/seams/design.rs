@@ -63,12 +63,12 @@ pub(super) struct Line {
 #[derive(Clone, Debug)]
 pub(super) struct Design {
     pub(super) name: String,
-    /// What it is of, in a few words.
+    /// Description of its kind, in a few words.
     pub(super) kind: &'static str,
     pub(super) lines: Vec<Line>,
     /// The names of the states, as `[verify]` has them.
     pub(super) states: Vec<String>,
-    /// How many more states the plant has, which start at 0.
+    /// Number of further states of the plant, which start at 0.
     pub(super) hidden: usize,
     /// Largest |x| at the start.
     pub(super) x0_max: Vec<f64>,
@@ -92,7 +92,7 @@ impl Design {
         text
     }
 
-    /// Whether it gives a key.
+    /// Returns true if it gives a key.
     pub(super) fn gives(&self, key: &str) -> bool {
         self.lines.iter().any(|line| line.key == key)
     }
@@ -108,12 +108,12 @@ impl Design {
         self.lines.iter().find(own).map(|line| line.value.text())
     }
 
-    /// Whether the states of the plant are those that `check` speaks of: no output, reference or spring stands between.
+    /// Returns true if the states of the plant are those of `check`: no output, reference or spring stands between.
     pub(super) fn has_own_states(&self) -> bool {
         !["states", "reference", "axes", "resonance"].iter().any(|key| self.gives(key))
     }
 
-    /// Whether `step` gives an input and a status for each axis or output.
+    /// Returns true if `step` returns an input and a status for each axis or output.
     pub(super) fn has_several_inputs(&self) -> bool {
         ["axes", "outputs"].iter().any(|key| self.gives(key))
     }
@@ -147,7 +147,7 @@ impl Design {
         read.map_err(|found| found.first().map_or_else(String::new, |first| first.message.clone()))
     }
 
-    /// What the checks say of it; `None` where it cannot be read.
+    /// Returns the report of the checks; `None` where it cannot be read.
     pub(super) fn report(&self) -> Option<Report> {
         Some(examine(&self.spec().ok()?))
     }

@@ -10,7 +10,7 @@ use super::one::World;
 use crate::harness::empty;
 use crate::harness::random::Random;
 
-/// How far from the truth a bound is on either side, as a part of it.
+/// Relative distance of a bound from the truth, on either side.
 const ROOM: f64 = 1e-4;
 
 /// A design of known truth.
@@ -97,7 +97,7 @@ fn text(edge: &Edge, part: f64) -> String {
     text
 }
 
-/// What a verdict says of a bound.
+/// Verdict on a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Said {
     Holds,

@@ -11,12 +11,12 @@ use super::design::Design;
 const KEYS: [&str; 7] =
     ["error", "noise", "sensor_step", "x0_max", "x_max", "u_max", "sample_time"];
 
-/// What a report says of a design, as far as it counts here.
+/// Contents of a report on a design, as far as they count here.
 #[derive(Clone, Debug)]
 pub(super) struct Said {
     /// Each check, and whether it is refused or undecided.
     pub(super) open: BTreeSet<&'static str>,
-    /// What the last line says was not looked at.
+    /// Subjects that the last line lists as not examined.
     pub(super) unseen: BTreeSet<String>,
     /// The notes and summaries of all checks.
     words: String,
@@ -43,7 +43,7 @@ impl Said {
         (self.open, self.unseen, self.words) = Default::default();
     }
 
-    /// Whether the report says that it knows nothing of a key.
+    /// Returns true if the report says that it knows nothing of a key.
     fn names(&self, key: &str) -> bool {
         let word = match key {
             "x0_max" | "x_max" | "error" => key,
@@ -56,7 +56,7 @@ impl Said {
     }
 }
 
-/// Where a design without one of its keys is accepted though a verdict on it is not. `said` judges a design.
+/// Lists the keys without which a design is accepted although a verdict on it is open. `said` judges a design.
 pub(super) fn faults(design: &Design, said: &dyn Fn(&Design) -> Option<Said>) -> Vec<String> {
     let Some(whole) = said(design) else { return Vec::new() };
     if whole.open.is_empty() {

@@ -38,12 +38,12 @@ pub(super) const LAYER: Layer = Layer {
 const FULL: [usize; 2] = [1000, 90];
 const BRIEF: [usize; 2] = [60, 9];
 
-/// What was found of one design.
+/// Findings on one design.
 struct Judged {
     kind: &'static str,
     /// Why it could not be read.
     unread: Option<String>,
-    /// Whether `check` accepts it, with nothing undecided.
+    /// True if `check` accepts it, with nothing undecided.
     is_accepted: bool,
     answers: Option<Answers>,
     faults: Vec<String>,
@@ -119,7 +119,7 @@ fn judged(world: &World<'_>, (index, design): (usize, &Design), seed: u64) -> Ju
     Judged { is_accepted: answers.exit == 0, answers: Some(answers), faults, ..none }
 }
 
-/// What the checks say of a design.
+/// Returns the report of the checks on a design.
 fn said(design: &Design) -> Option<Said> {
     Some(Said::of(&design.report()?))
 }
@@ -177,7 +177,7 @@ fn seeds(
     Ok(())
 }
 
-/// What is wrong with answers, and the change that makes it so.
+/// Name of a contradiction in answers, and the change that causes it.
 type Contradiction = (&'static str, fn(&mut Answers));
 
 /// Changes of answers that make them contradict themselves.

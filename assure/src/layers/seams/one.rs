@@ -1,4 +1,4 @@
-//! What every command answers about one design, and whether it is the controller that is emitted.
+//! Answers of every command about one design, and a check that they are about the emitted controller.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ const DIGITS: usize = 12;
 pub(super) struct Row {
     pub(super) t: f64,
     pub(super) x: Vec<f64>,
-    /// What the controller is given: measurements, where they are not the states.
+    /// Argument of the controller: measurements, where they are not the states.
     pub(super) given: Vec<f64>,
     pub(super) u: Vec<f64>,
     pub(super) status: String,
@@ -38,7 +38,7 @@ pub(super) struct Answers {
     /// `error`, where the design gives it for each state.
     pub(super) error: Vec<f64>,
     pub(super) u_max: f64,
-    /// Whether the run starts within `x0_max`.
+    /// True if the run starts within `x0_max`.
     pub(super) is_within: bool,
     /// The run of `simulate`.
     pub(super) run: Vec<Row>,
@@ -46,11 +46,11 @@ pub(super) struct Answers {
     pub(super) fingerprints: Vec<(String, Option<String>)>,
     /// The verdict of `verify` on each objective.
     pub(super) verdicts: Vec<String>,
-    /// What differs between files that have to be the same.
+    /// Differences between files that have to be the same.
     pub(super) differences: Vec<String>,
 }
 
-/// Where the commands run, and what is done to their answers on purpose.
+/// Environment of the commands, and the defects put into their answers on purpose.
 pub(super) struct World<'a> {
     pub(super) command: &'a Path,
     pub(super) folder: PathBuf,
@@ -65,7 +65,7 @@ pub(super) enum Defect {
     OtherConstant,
 }
 
-/// What a command printed, its standard error behind its output.
+/// Output of a command, with its standard error behind its standard output.
 struct Printed {
     exit: i32,
     out: String,
@@ -188,7 +188,7 @@ impl World<'_> {
         Ok(())
     }
 
-    /// What `emit` writes in a language; `None` where the language refuses the design.
+    /// Returns the output of `emit` in a language; `None` where the language refuses the design.
     fn emitted(&self, folder: &Path, language: &str) -> Result<Option<String>> {
         let out = Command::new(self.command)
             .args(["emit", "d.toml", "--lang", language, "-o", language])
@@ -216,7 +216,7 @@ pub(super) fn totals(worst: &Value) -> Vec<f64> {
     worst["total"].as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
 }
 
-/// By how much an objective is beside the worst case, as a part of it.
+/// Relative distance of an objective from the worst case.
 const BESIDE: f64 = 0.02;
 
 /// The least bound that is a number, not rounding alone.
@@ -302,7 +302,7 @@ fn rows(csv: &str, design: &Design) -> Result<Vec<Row>> {
     Ok(all)
 }
 
-/// Where the answers are about different controllers.
+/// Lists the commands whose answers are about different controllers.
 pub(super) fn faults(answers: &Answers) -> Vec<String> {
     let own = &answers.fingerprints[0].1;
     let other = answers.fingerprints.iter().filter(|(_, found)| found.is_none() || found != own);

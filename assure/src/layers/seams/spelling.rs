@@ -7,7 +7,7 @@ use ptc_codegen::syntax::{Argument, Operator, Value, parse};
 use super::design::Design;
 use crate::harness::random::Random;
 
-/// By how much bounds of two spellings may differ: what enclosures lose of dependencies.
+/// Factor by which bounds of two spellings may differ, due to dependencies that enclosures lose.
 const CLOSE: f64 = 4.0;
 
 /// Functions of `#` by others.
@@ -80,7 +80,7 @@ fn call(name: &str, arguments: &[Argument], random: &mut Random) -> String {
     }
 }
 
-/// Where the verdicts of two spellings of a design differ.
+/// Lists the checks on which the verdicts of two spellings of a design differ.
 pub(super) fn faults(design: &Design, other: &Design) -> Vec<String> {
     let (Some(one), report) = (design.report(), other.report()) else { return Vec::new() };
     let shown = |text: String| format!("{text}\n{}and\n{}", design.text(), other.text());
@@ -107,7 +107,7 @@ pub(super) fn faults(design: &Design, other: &Design) -> Vec<String> {
     found
 }
 
-/// Whether the worst cases of two reports are close.
+/// Returns true if the worst cases of two reports are close.
 fn are_close(one: &Report, two: &Report) -> bool {
     let last = |report: &Report| {
         let worst = report.worst.iter().flat_map(|worst| &worst.states);

@@ -11,7 +11,7 @@ use serde_json::Value;
 use super::main_program;
 use crate::harness::run as execute;
 
-/// What gcov counts in the source of one controller.
+/// Counts of gcov in the source of one controller.
 #[derive(Default)]
 pub(super) struct Coverage {
     pub(super) branches: usize,

@@ -24,7 +24,7 @@ const RANGE: [f64; 2] = [f32::MIN_POSITIVE as f64, f32::MAX as f64];
 const OPERATORS: [&str; 14] =
     ["OR", "XOR", "AND", "&", "=", "<>", "<", ">", "<=", ">=", "+", "-", "*", "/"];
 
-/// What is wrong with a file, with its line.
+/// Fault of a file, with its line.
 type Wrong = String;
 
 /// Parses a file that may call functions of others.

@@ -67,7 +67,7 @@ fn schema(python: &Path, folder: &Path) -> Result<PathBuf> {
     Ok(folder.join(format!("{}.tar.gz", SCHEMA.replace("==", "-"))))
 }
 
-/// What the schema says of the first file that it does not take.
+/// Returns the message of the schema on the first file that it does not take.
 fn refused(python: &Path, schema: &Path, files: &[PathBuf]) -> Result<Option<String>> {
     let mut command = Command::new(python);
     let output = command.arg(driver("plcopen.py")).arg(schema).args(files).output()?;

@@ -48,7 +48,7 @@ pub(super) struct Word {
 }
 
 impl Word {
-    /// Whether it is a name: a letter or an underscore first, no two underscores in a row and none at the end.
+    /// Returns true for a name: a letter or an underscore first, no two underscores in a row and none at the end.
     pub(super) fn is_name(&self) -> bool {
         let starts = self.text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
         starts
@@ -58,7 +58,7 @@ impl Word {
             && !KEYWORDS.contains(&self.text.to_uppercase().as_str())
     }
 
-    /// Whether it is a literal, with its type or without.
+    /// Returns true for a literal, with its type or without.
     pub(super) fn is_literal(&self) -> bool {
         self.text == "TRUE"
             || self.text == "FALSE"
@@ -68,7 +68,7 @@ impl Word {
             })
     }
 
-    /// Whether a literal with a point is 0, or of a size in a range.
+    /// Returns true if a literal with a point is 0, or of a size in a range.
     pub(super) fn is_within(&self, [least, most]: [f64; 2]) -> bool {
         let value = self.value().filter(|value| value.contains('.'));
         let size = value.and_then(|value| value.parse::<f64>().ok()).map(f64::abs);

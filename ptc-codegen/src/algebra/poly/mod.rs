@@ -18,7 +18,7 @@ use super::{BigInt, BigRational, Symbol, integer};
 pub struct Poly(BTreeMap<Monomial, BigRational>);
 
 impl Poly {
-    /// Of terms in the order of their monomials: the map is built in one pass.
+    /// Builds a polynomial from terms in the order of their monomials: the map is built in one pass.
     fn ordered(terms: Vec<(Monomial, BigRational)>) -> Self {
         Self(terms.into_iter().collect())
     }
@@ -69,7 +69,7 @@ impl Poly {
         self.0.len()
     }
 
-    /// Whether this is the polynomial 0.
+    /// Returns true if this is the polynomial 0.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
     }

@@ -25,7 +25,7 @@ const FLOOR: f64 = 1e-12;
 /// Ratio of neighbouring points of the grid.
 const STEP: f64 = 1.02;
 
-/// What a wanted final error asks of the guard.
+/// Guard that a wanted final error requires.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deadline {
     /// The wanted bound of every |x_i|.

@@ -16,7 +16,7 @@ pub(crate) struct Bounds<'a> {
     arrays: BTreeMap<Value, Vec<Computed>>,
     /// Bounds of the matrices of eliminations that were found otherwise.
     regular: BTreeMap<Value, Regular>,
-    /// What stands for a stretch of time-to-go: `late`, and the time past the deadline in it.
+    /// Values that represent a stretch of time-to-go: `late`, and the time past the deadline in it.
     held: Vec<Value>,
 }
 
@@ -84,13 +84,13 @@ impl<'a> Bounds<'a> {
         bounds
     }
 
-    /// Whether a value is set with the time-to-go.
+    /// Returns true if a value is set together with the time-to-go.
     fn is_set(&self, value: Value) -> bool {
         let elapsed = self.program.limits.elapsed;
         self.held.contains(&value) || elapsed.is_some_and(|(elapsed, _)| elapsed == value)
     }
 
-    /// What stands for a stretch of time-to-go.
+    /// Returns the values that represent a stretch of time-to-go.
     #[cfg(feature = "lab")]
     pub(crate) fn held(&self) -> &[Value] {
         &self.held
@@ -170,7 +170,7 @@ impl<'a> Bounds<'a> {
         }
     }
 
-    /// Of matrices that may be singular, anything.
+    /// Bounds the solution of a system; any value is possible where the matrix may be singular.
     fn solution(&self, elimination: Value, matrix: &[Value], right: &[Value]) -> Vec<Computed> {
         let [matrix, right] = [matrix, right].map(|values| self.all(values));
         let known = self.regular.get(&elimination).copied();
@@ -186,9 +186,9 @@ impl<'a> Bounds<'a> {
         rows::by_operations(&tail, &weights, fused, on)
     }
 
-    /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not
-    /// certain to have one sign, and to as far from there as the last step may be long. What the
-    /// loop computes on the way does not count: where it is no number the iteration bisects.
+    /// Returns where the iteration may end: its bracket, cut to where the residual, which decreases, is not certain to
+    /// have one sign, widened by the largest length of the last step. What the loop computes on the way does not count:
+    /// where it is no number the iteration bisects.
     fn root(&self, root: &Root) -> Computed {
         let [low, high, start, tolerance] =
             [root.low, root.high, root.start, root.tolerance].map(|value| self.get(value));

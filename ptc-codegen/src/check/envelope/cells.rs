@@ -10,7 +10,7 @@ use super::regular::Regular;
 use crate::expression::function::Domain;
 use crate::program::{Input, Op, Program, Value};
 
-/// What an operation needs of one operand.
+/// Requirement of an operation on one operand.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Need {
     /// A divisor that is not 0.
@@ -19,7 +19,7 @@ pub(super) enum Need {
 }
 
 impl Need {
-    /// Whether every number of an operand meets it.
+    /// Returns true if every number of an operand meets it.
     pub(super) fn is_met(self, operand: Computed) -> bool {
         match self {
             Self::NotZero => !operand.special && !operand.range.has_zero(),
@@ -28,7 +28,7 @@ impl Need {
     }
 }
 
-/// How many times wider than another a cell may be, each in parts of the whole.
+/// Largest ratio of the widths of a cell, each relative to the whole interval.
 const FLATTEST: f64 = 256.0;
 
 /// Inputs with their intervals.
@@ -50,8 +50,8 @@ pub(super) fn critical(program: &Program) -> Vec<(Value, Need)> {
     found
 }
 
-/// Whether values are computed from inputs that have bounds, without a loop and without the time-to-go,
-/// which is bounded piece by piece.
+/// Returns true if values are computed from bounded inputs only, without a loop and without the time-to-go, which is
+/// bounded piece by piece.
 pub(super) fn is_bounded(program: &Program, values: &[Value]) -> bool {
     let limits = &program.limits;
     let of_pieces =
@@ -70,7 +70,7 @@ pub(super) fn is_bounded(program: &Program, values: &[Value]) -> bool {
     })
 }
 
-/// A bound of `value` as it is needed; none where the cells do not show one. `work` is what may be done.
+/// A bound of `value` as it is needed; `None` where the cells do not show one. `work` is what may be done.
 pub(super) fn refined(
     program: &Program,
     input: &dyn Fn(Input) -> Computed,
@@ -148,7 +148,7 @@ fn cover(
 }
 
 /// The halves of a cell, cut in the input at whose middle least is missed, of equals where it is widest in parts of
-/// the whole; none where that is a number.
+/// the whole; `None` where that is a number.
 fn halves(
     whole: &[Computed],
     cell: &[Computed],

@@ -11,7 +11,7 @@ use crate::program::{self, Op, number};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Computed {
     pub(crate) range: Range,
-    /// Whether the value may not be finite.
+    /// True if the value may be infinite or NaN.
     pub(crate) special: bool,
 }
 
@@ -35,8 +35,8 @@ impl Computed {
         Self::new(value, value)
     }
 
-    /// Whether every number is finite and within a domain; an end of an open one belongs to it where a function
-    /// may have its infinite limit.
+    /// Returns true if every number is finite and within a domain; an end of an open domain belongs to it where a
+    /// function may have its infinite limit.
     pub(crate) fn is_within(self, domain: Domain) -> bool {
         !self.special && self.within(domain) == Some(self)
     }
@@ -129,7 +129,7 @@ pub(crate) fn apply(op: &Op, operands: &[Computed], precision: Precision) -> Com
     Computed { special: special || computed.special, ..computed }
 }
 
-/// Whether an interval may hold `first` or a number that is a multiple of `period` away from it.
+/// Returns true if an interval may hold `first` or a number that is a multiple of `period` away from it.
 fn turns(a: Computed, first: f64, period: f64) -> bool {
     // Beyond it a turn in doubles has no digits left.
     const FAR: f64 = 1e6;

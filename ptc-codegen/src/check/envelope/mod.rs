@@ -49,16 +49,16 @@ pub struct Excess {
     pub refuted_at: Option<f64>,
 }
 
-/// Whether the values of a program stay in range.
+/// Result of the range check of a program's values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Envelope {
     /// Precision of the program.
     pub precision: Precision,
     /// Time-to-go that was covered.
     pub time_to_go: (f64, f64),
-    /// What may leave the range in `step`: the largest time-to-go at which something does.
+    /// Value that may leave the range in `step`, at the largest time-to-go at which one does.
     pub step: Option<Excess>,
-    /// What may leave the range in `tick` or `axis`, which compute the gains alone.
+    /// Value that may leave the range in `tick` or `axis`, which compute the gains alone.
     pub axis: Option<Excess>,
 }
 
@@ -126,7 +126,7 @@ pub fn scan(
 /// Shows that every control of a program that time does not enter stays in range.
 ///
 /// # Errors
-/// What is not shown.
+/// Returns what could not be shown.
 pub(crate) fn covered(program: &Program, input: &dyn Fn(Input) -> Computed) -> Result<(), String> {
     let mut bounds = Bounds::new(program, input);
     let singular = settle_divisors(program, input, &mut bounds);
@@ -174,13 +174,13 @@ fn settle_divisors(
     singular
 }
 
-/// Whether a value is solved for by an elimination.
+/// Returns true if a value is solved for by an elimination.
 fn is_solution(program: &Program, value: Value) -> bool {
     let Op::Element(array, _) = program.get(value).op else { return false };
     matches!(program.get(array).op, Op::Elimination { .. })
 }
 
-/// Where a bound left the range.
+/// Value whose bound left the range, and the piece of time-to-go.
 #[derive(Clone, Copy)]
 struct Found {
     value: Value,

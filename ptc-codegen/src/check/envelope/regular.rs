@@ -17,8 +17,8 @@
 //! (P A + E + L F) x = L (b' + z), where |E + L F| <= D: so it is <= X. As X bounds all x_j that are known, no sum on
 //! the way to the next one overflows.
 //!
-//! That all these matrices are regular follows from |1 - R A'| w <= q w, row by row, for an approximate inverse R of the
-//! midpoint, weights 0 < w <= 1 and q < 1: then beta = max_k |R_k|/w_k/(1 - q).
+//! All these matrices are regular if |1 - R A'| w <= q w, row by row, for an approximate inverse R of the midpoint,
+//! weights 0 < w <= 1 and q < 1: then beta = max_k |R_k|/w_k/(1 - q).
 
 use super::computed::Computed;
 use crate::expression::enclosure::Range;
@@ -74,7 +74,7 @@ impl Regular {
         Self { inverse, most, ..self }
     }
 
-    /// Bounds of the solution, and of the determinant behind it; none where what is computed may overflow.
+    /// Bounds of the solution, and of the determinant behind it; `None` where what is computed may overflow.
     pub(super) fn solution(self, right: &[Computed]) -> Option<Vec<Computed>> {
         let Self { m, precision, inverse, most } = self;
         if right.iter().any(|entry| entry.special) {
@@ -110,7 +110,7 @@ pub(in crate::check) fn reach(m: usize, most: f64, precision: Precision) -> f64 
     (2.0 * growth * most * relative + absolute * (2.0 * count(m) + growth * most)) * MORE
 }
 
-/// How far a right side that is at most `wanted` is from that of the system that is solved exactly.
+/// Bounds how far a right side that is at most `wanted` is from that of the system that is solved exactly.
 pub(in crate::check) fn off(m: usize, (most, wanted): (f64, f64), precision: Precision) -> f64 {
     let (growth, count) = (growth(m), count(m));
     let (relative, absolute) = (precision.epsilon(), precision.least_normal());
@@ -118,7 +118,7 @@ pub(in crate::check) fn off(m: usize, (most, wanted): (f64, f64), precision: Pre
     (2.0 * growth * wanted * relative + sides) * MORE
 }
 
-/// Whether no sum overflows on the way to a solution of this size.
+/// Returns true if no sum overflows on the way to a solution of this size.
 pub(in crate::check) fn stays_in_range(
     m: usize,
     (most, wanted): (f64, f64),

@@ -46,7 +46,7 @@ fn expression(program: &Program, value: Value, depth: u32) -> String {
     }
 }
 
-/// What an input is called.
+/// Returns the name of an input.
 pub(super) fn input_name(input: Input) -> String {
     match input {
         Input::Parameter(parameter) => match parameter.index() {

@@ -7,7 +7,7 @@ use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
-/// What the checks find of the axes of `spec`.
+/// Checks each axis of `spec` alone and joins the outcomes.
 pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     let examined = |design: Spec| {
         let forms = expanded.filter(|_| design.n == spec.n);
@@ -56,7 +56,7 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     }
 }
 
-/// How much a verdict says against a design.
+/// Ranks a verdict by how much it says against a design.
 fn gravity(verdict: Verdict) -> u8 {
     match verdict {
         Verdict::NotNeeded => 0,

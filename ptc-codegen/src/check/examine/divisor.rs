@@ -1,4 +1,4 @@
-//! What the law divides by: refuted where it is certain to be 0 within the bounds of the inputs.
+//! Divisor of the law: refuted where it is certain to be 0 within the bounds of the inputs.
 
 use num_traits::ToPrimitive;
 
@@ -39,7 +39,7 @@ pub(super) fn zero(spec: &Spec) -> Option<Outcome> {
     })
 }
 
-/// What the law divides by at each step, and what it is.
+/// Returns the divisor of the law at each step, with its description.
 fn divisor(spec: &Spec) -> Option<(Expression, &'static str)> {
     match &spec.coupled {
         Some(coupled) => Some((coupled.determinant()?, "the determinant of the decoupling matrix")),
@@ -56,7 +56,7 @@ fn text(spec: &Spec, expression: &Expression) -> String {
     }
 }
 
-/// The names of an expression that have a range, and those that have a value; none where one has neither.
+/// The names of an expression that have a range, and those that have a value; `None` where one has neither.
 fn inputs(spec: &Spec, expression: &Expression) -> Option<(Vec<Free>, Names)> {
     let mut names = Vec::new();
     expression.each(&mut |e| {

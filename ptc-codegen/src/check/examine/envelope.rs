@@ -92,7 +92,7 @@ pub(super) fn round(spec: &Spec, value: &Fixed) -> f64 {
     value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
 }
 
-/// What a parameter is; 0 for one that the law does not compute with.
+/// Returns the interval of a parameter; 0 if the law does not compute with it.
 fn parameter(spec: &Spec, p: Parameter) -> Computed {
     match (spec.fixed.get(&p), spec.bounds.get(&p)) {
         (Some(value), _) if !p.is_limit() => Computed::point(round(spec, value)),
@@ -101,7 +101,7 @@ fn parameter(spec: &Spec, p: Parameter) -> Computed {
     }
 }
 
-/// What an input may be.
+/// Returns the interval of an input.
 fn input(spec: &Spec, input: Input) -> Computed {
     let around = |bounds: &[Fixed], j: usize| {
         bounds.get(j - 1).map(|bound| Computed::new(-round(spec, bound), round(spec, bound)))

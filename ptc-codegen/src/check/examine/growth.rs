@@ -8,8 +8,8 @@ use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Spec};
 
-/// What the gains do at the deadline; where the rate is left to run time, the greatest with which
-/// they do it.
+/// Checks the gains at the deadline; where the rate is left to run time, also returns the greatest rate with which they
+/// pass.
 pub(super) fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
     let lacks = |reason: &str| (Outcome::not_checked(growth::NAME, reason), None);
     if spec.feedback != Feedback::Linear {

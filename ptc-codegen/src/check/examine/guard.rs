@@ -39,9 +39,9 @@ fn of_chain_alone(spec: &Spec, outcome: Outcome) -> Outcome {
     Outcome { verdict: Verdict::Undecided, summary, ..outcome }
 }
 
-/// What the sample period and the wanted error ask of eps.
+/// Requirements of the sample period and the wanted error on eps.
 pub(in crate::check) struct Asked {
-    /// What the numbers of the loop lack, in words.
+    /// Missing inputs of the numeric loop, in words.
     lacking: Option<String>,
     period: Option<f64>,
     tau: f64,
@@ -97,7 +97,7 @@ impl Asked {
         Some((known::rounded_down(eps)?, reason))
     }
 
-    /// What `sampling` and `deadline` say of a design with its eps.
+    /// Returns the outcomes `sampling` and `deadline` of a design with its eps.
     pub(in crate::check) fn outcomes(&self, spec: &Spec) -> (Outcome, Outcome) {
         let unasked = |name, key: &str| Outcome::not_checked(name, format!("`{key}` is not given"));
         if !self.wants.contains(&true) {

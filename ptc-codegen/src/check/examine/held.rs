@@ -1,4 +1,4 @@
-//! Whether the gains that are held at eps are numbers of the precision: what is known of overflow without bounds of x.
+//! Range of the gains held at eps: overflow where x has no bounds.
 //!
 //! The emitted `step` multiplies the states by the gains factor by factor, so that no gain is a value of it. A gain overflows
 //! where u does for a state of 1 alone.
@@ -22,7 +22,7 @@ use crate::request::{Spec, What};
 /// Halvings after which the smallest eps is known to its digits.
 const HALVINGS: u32 = 40;
 
-/// What the gains of the emitted program may have more than those in doubles, by its rounding.
+/// Safety factor: covers the rounding of the gains in the emitted program relative to those in doubles.
 const ROOM: f64 = 1.001;
 
 /// The outcome of `envelope` where a gain overflows at eps; `None` where none does, or a number is left to run time.

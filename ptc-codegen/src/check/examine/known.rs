@@ -1,4 +1,4 @@
-//! What a spec fixes, as exact numbers and as doubles.
+//! Fixed values of a spec, as exact numbers and as doubles.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -14,7 +14,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Spec};
 use crate::syntax::number;
 
-/// Whether a parameter is fixed.
+/// Returns true if a parameter is fixed.
 pub(super) fn is_known(spec: &Spec, parameter: Parameter) -> bool {
     spec.fixed.contains_key(&parameter)
 }
@@ -45,7 +45,7 @@ pub(super) fn range(spec: &Spec, parameter: Parameter) -> Option<(BigRational, B
     }
 }
 
-/// What is known of the decay rate of mu'.
+/// Known bounds of the decay rate of mu'.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Rate {
     /// The greatest one.
@@ -82,7 +82,7 @@ impl Decay {
     }
 }
 
-/// How mu' falls.
+/// Returns the decay rate of mu' and the kind of its modes.
 pub(crate) fn decay(spec: &Spec) -> Decay {
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::Exp, .. } => {
@@ -184,7 +184,7 @@ fn evaluate(spec: &Spec, expression: &Expression) -> Option<BigRational> {
     }
 }
 
-/// What the closed loop in numbers lacks, in words; `None` if nothing is missing.
+/// Names the missing input of the numeric closed loop; `None` if nothing is missing.
 pub(in crate::check) fn lacking(spec: &Spec) -> Option<String> {
     if spec.feedback != Feedback::Linear {
         return Some("a linear law".to_owned());

@@ -111,7 +111,7 @@ pub(super) fn looped(spec: &Spec, expanded: Option<&Expanded>) -> Looped {
     }
 }
 
-/// What is said of x and u of a chain, where the plant is another one.
+/// Explains x and u of the chain, if the plant is another one.
 fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
     if spec.drift.is_some() || spec.model.is_some() {
         let of_model =
@@ -121,7 +121,7 @@ fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
     outcome
 }
 
-/// What is said of x, where the law sees the tracking error in its place.
+/// Explains x, if the law sees the tracking error in its place.
 fn of_error(spec: &Spec, mut outcome: Outcome) -> Outcome {
     if spec.reference.is_some() && outcome.is_checked() {
         let start = if outcome.name == "deadline" { "; x0_max bounds it at the start" } else { "" };

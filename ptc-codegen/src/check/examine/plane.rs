@@ -1,4 +1,4 @@
-//! Where the poles of a linear law are in the complex plane, and where the check `growth` wants them.
+//! Position of the poles of a linear law in the complex plane, and the region that the check `growth` requires.
 
 use num_traits::ToPrimitive;
 

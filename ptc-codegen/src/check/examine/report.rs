@@ -1,4 +1,4 @@
-//! What the checks found, and which of it refuses a design.
+//! Results of the checks, and those that refuse a design.
 
 use crate::check::resolved::Choice;
 use crate::check::sampled::Worst;
@@ -9,12 +9,12 @@ use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
-/// What the checks found.
+/// Results of the checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The resolved design.
     pub spec: Spec,
-    /// What of it was chosen, and why.
+    /// Values of the design that were chosen, and why.
     pub choices: Vec<Choice>,
     /// The closed forms of the design, where another engine than the library's own has made them.
     pub expanded: Option<Expanded>,
@@ -45,7 +45,7 @@ impl Report {
         })
     }
 
-    /// Whether no check refuses the design: the refusals as mistakes in the spec.
+    /// Succeeds if no check refuses the design; otherwise returns the refusals as mistakes in the spec.
     ///
     /// # Errors
     /// One diagnostic for each refusal.

@@ -1,5 +1,5 @@
-//! How finely the emitted code can tell times apart: t and the deadline are numbers of its precision,
-//! whose spacing grows with their size, while the other checks take time-to-go as exact.
+//! Time resolution of the emitted code: t and the deadline are numbers of its precision, whose spacing grows with their
+//! size, while the other checks take time-to-go as exact.
 
 use super::known::to_f64;
 use crate::check::{Outcome, Verdict};
@@ -7,7 +7,7 @@ use crate::diagnostic::digits;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
 
-/// What is known of time in a run from a t0 that is fixed.
+/// Spacing of times in a run from a fixed t0.
 pub(super) struct Resolution {
     /// The greater one of the sizes of t0 and the deadline, s.
     at: f64,

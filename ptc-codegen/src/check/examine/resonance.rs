@@ -1,4 +1,4 @@
-//! What a resonance of the plant, which the law does not know, makes of the loop.
+//! Effect on the loop of a resonance of the plant that the law does not know.
 
 use crate::check::sampled::{self, Damped, bands, damped};
 use crate::check::{Outcome, Verdict};

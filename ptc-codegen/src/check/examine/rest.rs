@@ -20,7 +20,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Reference, Sampled, Spec};
 use crate::syntax::constant::text;
 
-/// What the emitted loop of `spec` does at sample N, for a design whose eps is set.
+/// Judges the emitted loop of `spec` at sample N, for a design whose eps is set.
 pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
     let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
     let (limit, _) = check_growth(&continuous);
@@ -77,7 +77,7 @@ fn last(spec: &Spec) -> String {
     )
 }
 
-/// What the theorem leaves at sample N; `None` if that is 0.
+/// Names the error that the theorem leaves at sample N; `None` if it is 0.
 fn off(spec: &Spec, own: &Sampled) -> Option<&'static str> {
     let is_held = |eps: &Fixed| eps.number().is_some_and(Signed::is_positive);
     if own.observer.as_ref().is_some_and(|observer| observer.eps.as_ref().is_some_and(is_held)) {
@@ -182,7 +182,7 @@ fn held(gains: &[BigRational], a: &BigRational, left: &BigRational) -> Polynomia
     Polynomial::new(coefficients)
 }
 
-/// Whether every root lies within 1 of -1: with D = 2 w/(1 - w), where w has a negative real part.
+/// Returns true if every root lies within 1 of -1: with D = 2 w/(1 - w), where w has a negative real part.
 fn is_within_one(p: &Polynomial) -> bool {
     let degree = p.degree().unwrap_or(0);
     let [up, down] = [[0, 2], [1, -1]].map(|line| {

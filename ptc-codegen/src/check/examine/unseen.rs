@@ -1,4 +1,4 @@
-//! What a report leaves out, for its last line, and inputs that look like a slip of units.
+//! Gaps of a report, for its last line, and inputs that look like a slip of units.
 
 use num_traits::ToPrimitive;
 
@@ -27,7 +27,8 @@ const SUBJECTS: [(&str, &str); 7] = [
 ];
 
 impl Report {
-    /// What no check has looked at because a value is missing, or the check does not know the design.
+    /// Lists the subjects that no check has examined, because a value is missing or the check does not support the
+    /// design.
     pub fn unseen(&self) -> Vec<String> {
         let left_out = |outcome: &&Outcome| outcome.verdict == Verdict::NotChecked;
         let subject = |outcome: &Outcome| {

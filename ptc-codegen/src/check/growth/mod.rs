@@ -43,7 +43,7 @@ use crate::linear::{Complex, roots};
 /// Name of the check.
 pub(crate) const NAME: &str = "growth";
 
-/// What the mode of a simple pole at -m rho is as a function of time-to-go.
+/// Mode of a simple pole at -m rho as a function of time-to-go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Modes {
     /// T^m, as for `exp`, where rho = a.
@@ -60,7 +60,7 @@ pub enum Modes {
     Open,
 }
 
-/// What gains do at the deadline.
+/// Behaviour of gains at the deadline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
     /// Order n.
@@ -69,15 +69,15 @@ pub struct Growth {
     pub rho: f64,
     /// rho as an expression, where its value is rounded.
     pub spelling: Option<String>,
-    /// What sets rho, in words.
+    /// Origin of rho, in words.
     pub rate: &'static str,
-    /// What simple poles at -m rho do.
+    /// Modes of simple poles at -m rho.
     pub modes: Modes,
-    /// Whether x -> 0.
+    /// True if x -> 0.
     pub x_to_zero: bool,
-    /// Whether u stays bounded; `None` if undecided.
+    /// True if u stays bounded; `None` if undecided.
     pub u_bounded: Option<bool>,
-    /// Whether u -> 0; `None` if undecided.
+    /// True if u -> 0; `None` if undecided.
     pub u_to_zero: Option<bool>,
     /// The m < n for which a pole lies at -m rho and is simple.
     pub excepted: Vec<usize>,

@@ -29,7 +29,7 @@ impl Growth {
         (right.into_iter().collect(), on.map(ToString::to_string).collect())
     }
 
-    /// What keeps x from 0: no pole may lie on the line.
+    /// Lists the poles that keep x from 0: no pole may lie on the line.
     fn misses_of_x(&self) -> Vec<String> {
         let (mut misses, on) = self.misses(self.n.saturating_sub(1));
         let line = digits(self.line(self.n.saturating_sub(1)));
@@ -37,7 +37,7 @@ impl Growth {
         misses
     }
 
-    /// What makes u grow: the exact test has found poles right of the line, or multiple ones on it.
+    /// Lists the poles that make u grow: the exact test has found poles right of the line, or multiple ones on it.
     fn misses_of_u(&self) -> Vec<String> {
         let (mut misses, on) = self.misses(self.n);
         if let (true, Some(pole)) = (misses.is_empty(), on.first()) {
@@ -47,7 +47,7 @@ impl Growth {
         misses
     }
 
-    /// What leaves open whether u grows.
+    /// Lists the poles that leave open whether u grows.
     fn on_the_line(&self) -> Vec<String> {
         let line = digits(self.line(self.n));
         let on = self.misses(self.n).1.into_iter();
@@ -68,8 +68,8 @@ impl Growth {
     }
 }
 
-/// What is said where mu' falls faster than every exponential. With time-to-go T falling so, a mode
-/// e^(lambda t) of x_1 gives x_2 = lambda e^(lambda t)/mu' and more, which grows for any lambda but 0.
+/// Returns the outcome where mu' falls faster than every exponential. With time-to-go T falling so, a mode e^(lambda t)
+/// of x_1 gives x_2 = lambda e^(lambda t)/mu' and more, which grows for any lambda but 0.
 pub fn too_fast(n: usize) -> Outcome {
     let grows = match n {
         1 => "u is unbounded at the deadline",
@@ -86,7 +86,7 @@ pub fn too_fast(n: usize) -> Outcome {
     }
 }
 
-/// What is said where bounds of rho leave open whether x -> 0.
+/// Returns the outcome where bounds of rho leave open whether x -> 0.
 pub fn open(rho: &str) -> Outcome {
     Outcome {
         name: NAME,
@@ -97,7 +97,7 @@ pub fn open(rho: &str) -> Outcome {
     }
 }
 
-/// What is said where the decay rate of mu' is not found.
+/// Returns the outcome where the decay rate of mu' is not found.
 pub fn without_rate(largest: Option<f64>) -> Outcome {
     let up_to =
         largest.map(|rho| format!("; x and u go to 0 if it is at most {}", digits_down(rho)));

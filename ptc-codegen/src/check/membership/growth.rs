@@ -1,4 +1,4 @@
-//! Whether the derivative is positive.
+//! Sign of the derivative, which must be positive.
 
 use num_traits::{Signed, Zero};
 

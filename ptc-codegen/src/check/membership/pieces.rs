@@ -11,7 +11,7 @@ use crate::expression::{Expression, Variable};
 const MAX_PIECES: usize = 2000;
 const MAX_DEPTH: usize = 40;
 
-/// What an enclosure has to be.
+/// Required sign of an enclosure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
     Negative,

@@ -22,11 +22,11 @@ pub(super) struct Problem<'a> {
     pub(super) v: Variable,
     /// mu or kappa as it was given, in t or in dt/tau, with fixed values in place.
     pub(super) given: Expression,
-    /// What falls, in v.
+    /// Decreasing function, in v.
     pub(super) falling: Expression,
     /// Its derivative.
     pub(super) slope: Expression,
-    /// Whether every parameter is positive.
+    /// True if every parameter is positive.
     pub(super) positive: bool,
     pub(super) evaluator: Evaluator,
 }

@@ -1,4 +1,4 @@
-//! What must hold of the parts of an expression for it to be smooth.
+//! Conditions on the parts of an expression for it to be smooth.
 
 use crate::expression::function::{Domain, Slope};
 use crate::expression::{Expression, Function, Node, Variable};
@@ -8,9 +8,9 @@ use crate::expression::{Expression, Function, Node, Variable};
 pub(super) struct Need {
     /// The part.
     pub(super) part: Expression,
-    /// Whether it must be positive, or else only not 0.
+    /// True if it must be positive, false if it must only be nonzero.
     pub(super) positive: bool,
-    /// What breaks otherwise.
+    /// Consequence of a violation.
     pub(super) why: String,
 }
 
@@ -21,7 +21,7 @@ pub(super) fn needs(expression: &Expression, v: Variable) -> Vec<Need> {
     found
 }
 
-/// Those of the outermost operation.
+/// Adds the conditions of the outermost operation.
 fn own(expression: &Expression, v: Variable, found: &mut Vec<Need>) {
     let mut need = |part: Expression, positive: bool, why: String| {
         if part.contains(v) {

@@ -1,4 +1,4 @@
-//! What follows from a resolved design by itself: the gains of its poles, and where gains are held.
+//! Consequences of a resolved design: the gains of its poles, and where gains are held.
 
 use num_traits::Zero;
 
@@ -42,7 +42,7 @@ fn gains(spec: &Spec) -> Option<Choice> {
     Some(Choice { key: "gains", value, reason: "those of the poles".to_owned() })
 }
 
-/// What becomes of deadbeat where no one length is a value of the design.
+/// Returns the effective `deadbeat`, where the design has no single value of it.
 fn deadbeat(spec: &Spec) -> Option<Choice> {
     spec.sampled()?;
     let eps = number(spec, Parameter::Eps)?;
@@ -69,7 +69,7 @@ fn deadbeat(spec: &Spec) -> Option<Choice> {
     choice(format!("[{}]", lengths.join(", ")), "samples to go, of each output, from its poles")
 }
 
-/// Where the gains of an observer stay that has no eps of its own.
+/// Returns the samples to go from which the gains of an observer without its own eps stay.
 fn observer(spec: &Spec) -> Option<Choice> {
     let observer: &Observer = spec.sampled()?.observer.as_ref()?;
     if observer.eps.is_some() || !observer.after.is_empty() {

@@ -8,7 +8,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Spec, What};
 use crate::samples;
 
-/// What an eps of 0 means.
+/// Meaning of an eps of 0.
 const DEADBEAT: &str = "the gains run to the last samples";
 
 pub(super) fn resolve(spec: &Spec) -> Resolved {
@@ -77,7 +77,7 @@ fn with_eps(spec: &Spec) -> Resolved {
     resolved
 }
 
-/// Whether it is one output of several, which has no dynamics of its own.
+/// Returns true if it is one output of several, which has no dynamics of its own.
 fn is_of_several(spec: &Spec) -> bool {
     spec.model_in_samples().is_some_and(|model| model.dynamics.is_empty())
 }

@@ -50,9 +50,9 @@ impl fmt::Display for Choice {
 pub struct Resolved {
     /// The design. What is still open in it is a run-time parameter.
     pub spec: Spec,
-    /// What was chosen.
+    /// Values that were chosen.
     pub choices: Vec<Choice>,
-    /// What the check of the loop said of the design as it is now, where a choice depended on it.
+    /// Result of the check of the loop for the design as it is now, where a choice depended on it.
     looped: Option<Looped>,
 }
 
@@ -128,7 +128,7 @@ impl Resolved {
         lines(&self.choices, &self.spec)
     }
 
-    /// What the check of the loop said already, and the design.
+    /// Returns the design, its choices, and the earlier result of the check of the loop.
     pub(super) fn parts(self) -> (Spec, Vec<Choice>, Option<Looped>) {
         (self.spec, self.choices, self.looped)
     }
@@ -141,7 +141,7 @@ pub fn lines(choices: &[Choice], spec: &Spec) -> Vec<String> {
     chosen.chain(follows).collect()
 }
 
-/// Whether something beside the state at the start disturbs the loop, by which an eps can be judged.
+/// Returns true if something other than the state at the start disturbs the loop, by which an eps can be judged.
 fn is_disturbed(spec: &Spec) -> bool {
     let promises = &spec.promises;
     !promises.noise.is_empty()
@@ -151,7 +151,7 @@ fn is_disturbed(spec: &Spec) -> bool {
         || matches!(promises.plant, Some(PlantBounds::Bounded { .. }))
 }
 
-/// How far the check of the loop is from acceptance, for what an eps can change.
+/// Grades the distance of the loop check from acceptance, as far as eps can change it.
 fn grade(spec: &Spec, (outcome, worst): &Looped) -> u8 {
     match outcome.verdict {
         Verdict::Sound | Verdict::NotChecked | Verdict::NotNeeded => 0,

@@ -13,9 +13,9 @@ use crate::linear;
 #[derive(Clone, Debug)]
 pub(super) struct Between {
     parts: Vec<Part>,
-    /// How far x may be from its control points, over the sizes of x and u at the start of a part.
+    /// Largest distance of x from its control points, over the sizes of x and u at the start of a part.
     rest: Vec<Vec<f64>>,
-    /// Whether u counts at all: in a chain it does at the ends alone.
+    /// True if u counts at all: in a chain it does at the ends alone.
     counts_input: bool,
 }
 
@@ -53,9 +53,9 @@ impl Between {
 }
 
 impl Sampled {
-    /// What each x_i is within from sample `k` to the next one, at which they are within `ends`. In a part of the
-    /// sample x_i is a convex combination of its values at both ends and the inner control points, up to
-    /// the rest: what the polynomial is off at the end is taken out of it, and leaves no more of it.
+    /// Bounds each x_i from sample `k` to the next one, where `ends` are the bounds at both. In a part of the sample
+    /// x_i is a convex combination of its values at both ends and the inner control points, up to the rest: what the
+    /// polynomial is off at the end is taken out of it, and leaves no more of it.
     pub(super) fn until_next(
         &self,
         between: &Between,

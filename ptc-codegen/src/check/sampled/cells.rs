@@ -66,9 +66,9 @@ impl Run {
 /// The worst case of a sampled loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worst {
-    /// Of each state at the deadline.
+    /// Bound of each state at the deadline.
     pub states: Vec<Bound>,
-    /// What the size of each state there reaches at least, rounding included.
+    /// Lower bound of the worst size of each state there, rounding included.
     pub reached: Vec<f64>,
     /// Samples from t0 to the deadline.
     pub samples: usize,
@@ -76,12 +76,12 @@ pub struct Worst {
     pub way: Option<Way>,
     /// From the deadline on with the gains held; `None` where no bounds are found.
     pub after: Option<Afterwards>,
-    /// What the gate of an observer does; `None` without one, and where that is not bounded.
+    /// Behaviour of the observer's gate; `None` without a gate, and where it is not bounded.
     pub gating: Option<Gating>,
 }
 
 impl Worst {
-    /// What holds of two cells.
+    /// Returns bounds that hold for both cells.
     fn most(self, other: Self) -> Self {
         let greater = |(a, b): (Bound, Bound)| if b.total() > a.total() { b } else { a };
         let both = |a: Option<Way>, b: &Option<Way>| Some(a?.most(b.as_ref()?));
@@ -97,7 +97,7 @@ impl Worst {
 }
 
 impl Worst {
-    /// Whether each state is within `error`, u below its limit, and every reading believed.
+    /// Returns true if each state is within `error`, u below its limit, and every reading believed.
     pub(crate) fn is_met(&self, spec: &Spec) -> bool {
         let errors = &spec.promises.error;
         let limits = limits(spec);
@@ -109,7 +109,7 @@ impl Worst {
             && closed(spec, self).is_none()
     }
 
-    /// What is known by two bounds of the same loop.
+    /// Combines two bounds of the same loop into the tighter one.
     fn least(self, other: Self) -> Self {
         let smaller = |(a, b): (Bound, Bound)| if b.total() < a.total() { b } else { a };
         let way = match (self.way, other.way) {
@@ -169,8 +169,8 @@ impl Loop<'_> {
         all.ok_or_else(|| "no input gain is given".to_owned())
     }
 
-    /// Whether smaller cells tell no more: all is within bounds, or what the gain adds is small where no
-    /// bounds are wanted or some are exceeded without it.
+    /// Returns true if smaller cells would decide no more: all is within bounds, or the part of the gain is small where
+    /// no bounds are wanted or some are exceeded without it.
     fn is_decided(&self, worst: &Worst) -> bool {
         let limits = self.limits();
         let keeps = |of: &dyn Fn(&Way) -> bool| worst.way.as_ref().is_none_or(of);

@@ -1,4 +1,4 @@
-//! What a reference leaves in the loop of a controller in samples: where its derivatives are over a run.
+//! Effect of a reference on the loop of a controller in samples: bounds of its derivatives over a run.
 //!
 //! In e_i = x_i - r^(i-1), and with inputs that count less rho, the loop is that of the law without a reference,
 //! moved beside it by r^(n) - rho alone. With c the middle of the time in which an input acts, at which rho is
@@ -30,19 +30,20 @@ const OF_TIME: f64 = 4.0;
 /// Bounds over a run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Followed {
-    /// Of |r|, |r'|, ..., and of |rho|, or what stands for them, and how far each may be off as the program computes it.
+    /// Bounds of |r|, |r'|, ..., and of |rho|, or what replaces them, with the error of each as the program computes
+    /// it.
     pub(super) numbers: Vec<Near>,
-    /// Of |r^(n+1)|, where r^(n) - rho goes with it by the distance from the middle of a sample.
+    /// Bound of |r^(n+1)|, where r^(n) - rho is proportional to it by the distance from the middle of a sample.
     pub(super) slope: f64,
     /// r^(n+1) and r^(n+2) in the middle of each sample until the deadline; empty where they are not known, or samples are
     /// many.
     pub(super) known: Vec<[Near; 2]>,
-    /// Of |r^(n+2)|, and of what is left of |r^(n) - rho| beside both.
+    /// Bound of |r^(n+2)|, and of the remainder of |r^(n) - rho| after both terms.
     pub(super) curve: f64,
     pub(super) left: f64,
-    /// Of what is left of |r^(n) - rho| beside it.
+    /// Bound of the remainder of |r^(n) - rho| after the term of r^(n+1).
     pub(super) rest: f64,
-    /// Of all of |r^(n) - rho|.
+    /// Bound of all of |r^(n) - rho|.
     pub(super) most: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What a bounded f makes of a sum over the states within a sample.
+//! Effect of a bounded f on a sum over the states within a sample.
 //!
 //! An f of 1 for a moment, with r of the sample left, moves x_i by r^(n-i)/(n-i)!. A row p sees of it
 //! the polynomial sum_i p_i r^(n-i)/(n-i)!, and of all |f| <= 1 that sees most which turns with its
@@ -9,7 +9,7 @@ use super::chain::{Chain, Near, Step, along};
 /// Halvings of a sample after which a root of the polynomial is close enough.
 const DEPTH: u32 = 40;
 
-/// What the root is close enough for, as a part of the integral.
+/// Accuracy of a root, as a fraction of the integral.
 const CLOSE: f64 = 1e-10;
 
 /// Greatest order of a chain.
@@ -19,9 +19,9 @@ const MOST: usize = crate::request::MAX_ORDER;
 #[derive(Clone, Debug)]
 pub(super) struct Force {
     pub(super) middle: f64,
-    /// How far f may be from the middle for all of a run.
+    /// Largest deviation of f from the middle that is constant over a run.
     pub(super) constant: f64,
-    /// How far it may be from that, as any signal.
+    /// Largest further deviation of f, as any signal.
     pub(super) varying: f64,
     pub(super) column: Vec<Near>,
 }
@@ -32,7 +32,7 @@ impl Force {
         self.middle.abs() + self.constant + self.varying
     }
 
-    /// What a constant f of 1 adds to the sum of a row in a step.
+    /// Returns the contribution of a constant f of 1 to the sum of a row in a step.
     pub(super) fn signed(&self, step: &Step, row: &[f64]) -> f64 {
         along(row, step.force.as_ref().unwrap_or(&self.column))
     }

@@ -9,7 +9,7 @@ use crate::request::{PlantBounds, Spec};
 pub(super) struct Gain {
     /// One in the middle.
     pub(super) value: Range,
-    /// How far others are from it at most, as a part of it; 0 for one alone.
+    /// Largest relative deviation of the others from it; 0 for a single gain.
     pub(super) error: f64,
 }
 

@@ -16,7 +16,7 @@ use crate::check::sampled::moved::real;
 /// Operations that the bounds may take: seconds.
 const OPERATIONS: f64 = 1e9;
 
-/// What an observer believes.
+/// Limits within which an observer believes a reading.
 #[derive(Clone, Debug)]
 pub(super) struct Gate {
     /// Bound of each |y|; infinite without.
@@ -25,27 +25,27 @@ pub(super) struct Gate {
     pub(super) innovation: Vec<f64>,
 }
 
-/// What the gate of an observer does until the deadline.
+/// Behaviour of the gate of an observer until the deadline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gating {
     /// Bound of each |y|.
     pub readings: Vec<f64>,
     /// Bound of each |y - predicted y|; empty for an observer that cannot predict alone.
     pub innovations: Vec<f64>,
-    /// What one lost reading costs; `None` for an observer that cannot predict alone.
+    /// Cost of one lost reading; `None` for an observer that cannot predict alone.
     pub lost: Option<Cost>,
-    /// What one wild reading within the gate costs; `None` without a bound of the innovation.
+    /// Cost of one wild reading within the gate; `None` without a bound of the innovation.
     pub wild: Option<Cost>,
 }
 
-/// What one reading adds at most.
+/// Upper bounds of the effect of one reading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
     /// To each |x_i| at the deadline.
     pub x: Vec<f64>,
     /// To |u| on the way.
     pub u: f64,
-    /// What the innovations behind it reach, those of the undisturbed loop included.
+    /// Bounds of the later innovations, those of the undisturbed loop included.
     pub innovations: Vec<f64>,
 }
 
@@ -72,8 +72,8 @@ impl Cost {
     }
 }
 
-/// How far one reading moves a loop at each sample, for a lost and for a wild one: bounds of its states, of the input
-/// that acts and of what is not exact.
+/// Effect of one lost and of one wild reading on a loop at each sample: bounds of its states, of the acting input and
+/// of the errors.
 #[derive(Default)]
 struct Moved {
     states: Vec<[Vec<f64>; 2]>,
@@ -81,12 +81,12 @@ struct Moved {
     inexact: Vec<[Vec<f64>; 2]>,
 }
 
-/// By how much the innovation of each measurement may be another one at each sample, of a lost and of a wild reading.
+/// Largest change of the innovation of each measurement at each sample, by a lost and by a wild reading.
 type Hits = [Vec<Vec<f64>>; 2];
 
 impl Sampled {
-    /// What the gate does up to sample `last`; `None` without one, and where too much is to be bounded or the times of
-    /// the samples are not known.
+    /// Bounds the behaviour of the gate up to sample `last`; `None` without a gate, and where too much is to be bounded
+    /// or the times of the samples are not known.
     pub(super) fn gating(&self, last: usize, reach: Option<&Reach>) -> Option<Gating> {
         let gate = self.gate.as_ref()?;
         let reach = reach.filter(|_| self.late.is_none())?;
@@ -147,7 +147,7 @@ impl Sampled {
         Output { row: values, direct: 0.0, change: false }
     }
 
-    /// What one reading after the first costs; `innovations` are those of the undisturbed loop.
+    /// Computes the cost of one reading after the first; `innovations` are those of the undisturbed loop.
     fn costs(&self, last: usize, innovations: &[Vec<f64>], hits: &Hits) -> [Cost; 2] {
         let mut moved = Moved::default();
         let mut walk = self.walk(true);

@@ -45,9 +45,9 @@ pub(crate) struct Loop<'a> {
     /// The same between two samples; `None` if a mode is too fast.
     between: Option<Between>,
     pub(super) late: Option<Late>,
-    /// What a reference moves; `None` without one.
+    /// Bounds of the reference; `None` without one.
     pub(super) followed: Option<Followed>,
-    /// What inputs do to a linear plant that follows one.
+    /// Response to inputs of a linear plant that follows a reference.
     response: Option<Response>,
     /// Sums that are bounded on the way.
     sums: Vec<Sum>,
@@ -57,7 +57,7 @@ impl<'a> Loop<'a> {
     /// The sampled loop of `spec`, whose gains and tau are known.
     ///
     /// # Errors
-    /// What it lacks, or why it is not looked at.
+    /// Returns the missing input, or why the loop is not examined.
     pub(crate) fn new(spec: &'a Spec, expanded: Option<&'a Expanded>) -> Result<Self, String> {
         let promises = &spec.promises;
         let h = exact(promises.sample_time.as_ref()).ok_or("`sample_time` is not given")?;
@@ -210,7 +210,8 @@ impl<'a> Loop<'a> {
         sampled
     }
 
-    /// What the observer believes, as the emitted program compares it; `None` if that is all that is finite.
+    /// Returns the gate of the observer, as the emitted program compares it; `None` if every finite reading is
+    /// believed.
     fn gate(&self) -> Option<Gate> {
         let own = self.spec.sampled()?;
         let gate = &own.observer.as_ref()?.gate;
@@ -226,7 +227,7 @@ impl<'a> Loop<'a> {
         Some(Gate { range, innovation })
     }
 
-    /// What moves the plant beside u, if that is bounded and not 0.
+    /// Returns the force on the plant in addition to u, if it is bounded and not 0.
     fn force(&self) -> Option<Force> {
         let Some(PlantBounds::Bounded { middle, constant, varying, .. }) =
             &self.spec.promises.plant
@@ -261,7 +262,7 @@ impl<'a> Loop<'a> {
         size(self.spec)
     }
 
-    /// Whether bounds of the states at the deadline are wanted.
+    /// Returns true if bounds of the states at the deadline are wanted.
     pub(super) fn has_errors(&self) -> bool {
         !self.spec.promises.error.is_empty()
     }

@@ -1,4 +1,4 @@
-//! What rounding makes of a reference: in a loop of e the numbers of a reference cancel, and their rounding does not.
+//! Rounding errors of the reference. In the error dynamics the reference cancels exactly; its rounding errors do not.
 //!
 //! A program is linear in what it keeps, what is measured and the reference. Each of these is what it is in e, or an
 //! input less rho, and a part of the reference beside it; the exact coefficients of those parts add up to 0, as the
@@ -13,8 +13,8 @@ use super::rounded::{ROUNDED, Rounded};
 use crate::algebra::BigRational;
 use crate::request::Sampled;
 
-/// How far each term of a sum is at most from what it is in e: what is kept, by its names, what is measured, the
-/// numbers of the reference and rho of the inputs under way, of which it is also known what they may be off by.
+/// Bounds how far each term of a sum is from its value in e: what is kept, by its names, what is measured, the numbers
+/// of the reference and rho of the inputs under way. For these the bound of their error is known too.
 pub(super) fn shifts(
     followed: &Followed,
     kept: &[&str],
@@ -42,7 +42,7 @@ pub(super) fn shifts(
     kept.iter().map(of_kept).chain(measured).chain(reference).collect()
 }
 
-/// What rounding makes of a sum of terms with such shifts.
+/// Bounds the rounding error of a sum of terms with such shifts.
 pub(super) fn lost(sum: &[Rounded], shifts: &[Near]) -> f64 {
     let part = |(term, (size, off)): (&Rounded, &Near)| {
         term.error * (size + off) + (term.exact.size().high() + term.error) * off

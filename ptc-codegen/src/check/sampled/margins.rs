@@ -1,4 +1,4 @@
-//! How much more the loop tolerates: input gains, delays and jitter with which the check is still sound.
+//! Margins of the loop: input gains, delays and jitter with which the check is still sound.
 
 use std::fmt;
 
@@ -26,7 +26,7 @@ const LATE: usize = 16;
 /// The least and the greatest jitter that are tried, in sample periods: less than half of one is legal.
 const JITTER: [f64; 2] = [1e-6, 0.4999];
 
-/// What the sampled loop of a sound design tolerates, one at a time.
+/// Margins of the sampled loop of a sound design, one at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Margins {
     /// The least and the greatest true input gain, in parts of that of the design, with which the

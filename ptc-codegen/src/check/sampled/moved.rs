@@ -1,11 +1,11 @@
-//! What a reference adds to a sum over the states of a loop of e.
+//! Contribution of a reference to a sum over the states of a loop of e.
 //!
 //! R = (r, r', ...) moves by R_{k+1} = Phi R_k + Gamma rho_k + res_k, res_i the integral of (r^(n) - rho) against
 //! (time left)^(n-i)/(n-i)!, and e_{k+1} = Phi e_k + Gamma w_k - res_k. An observer sees the true input and does
 //! not see res: an estimate that a controller keeps counts less Phi^-1 (R_{k+1} - Gamma rho_k), so that its
 //! prediction is one of e, and Phi^-1 res_k, the integral against (-time gone)^(n-i)/(n-i)!, moves it.
 //!
-//! Of a linear plant R are the states on the reference, rho stands for the input there, v, and res is the integral of
+//! For a linear plant R are the states on the reference, rho is the input there, v, and res is the integral of
 //! v - rho against exp(A (time left)) B.
 
 use num_traits::{One, Zero};
@@ -20,41 +20,41 @@ use crate::algebra::BigRational;
 use crate::expression::enclosure::{Interval, Range};
 use crate::linear::{self, Delay, Linear, zero_order_hold};
 
-/// What moves a loop of e beside the law, and what it takes of u.
+/// Disturbance of a loop of e by a reference, and its share of u.
 #[derive(Clone, Debug)]
 pub(super) struct Moved {
-    /// What r^(n+1) = 1 adds to each state in a sample, by the distance from the middle.
+    /// Contribution of r^(n+1) = 1 to each state in a sample, by the distance from the middle.
     slanted: Vec<Near>,
     /// The most that |r^(n) - rho| <= 1 adds, and of the plant alone.
     whole: Vec<Near>,
     plant: Vec<Near>,
-    /// Where estimates of a chain are kept, and of which state; `None` for another plant.
+    /// Places of the kept estimates of a chain, with the state of each; `None` for another plant.
     estimates: Option<Vec<(usize, usize)>>,
     slope: f64,
     /// r^(n+1) and r^(n+2) in the middle of each sample, where they are known.
     known: Vec<[Near; 2]>,
-    /// What r^(n+2) = 1 adds to each state in a sample, by the square of that distance; `None` for another plant than a
-    /// chain, where any signal stands for it.
+    /// Contribution of r^(n+2) = 1 to each state in a sample, by the square of that distance; `None` for another plant
+    /// than a chain, where any signal replaces it.
     bent: Option<Vec<Near>>,
     curve: f64,
     /// Bound of what is left of |r^(n) - rho| beside both.
     left: f64,
     rest: f64,
-    /// What rho adds where the input gain is not that of the law.
+    /// Contribution of rho where the input gain is not that of the law.
     wrong: f64,
     /// Bound of rho as an input, and of what that is with the gain of the plant.
     pub(super) input: f64,
     pub(super) acting: f64,
-    /// How far each state of the plant may be between two samples from where the input alone brings it.
+    /// Largest distance of each state of the plant, between two samples, from where the input alone brings it.
     pub(super) between: Vec<f64>,
 }
 
-/// What an input does to a linear plant in a sample.
+/// Response of a linear plant to an input in a sample.
 #[derive(Clone, Debug)]
 pub(super) struct Response {
-    /// That is the time from the middle.
+    /// Response to an input that is the time from the middle.
     slanted: Vec<Near>,
-    /// That is at most 1, any signal.
+    /// Largest response to any input signal of size at most 1.
     most: Vec<Near>,
 }
 
@@ -82,7 +82,7 @@ impl Response {
 }
 
 impl Moved {
-    /// Of a loop of a linear plant.
+    /// Computes the effect on a loop of a linear plant.
     pub(super) fn of_plant(
         followed: &Followed,
         sampled: &Sampled,
@@ -119,7 +119,7 @@ impl Moved {
         }
     }
 
-    /// Of a loop of a chain whose law divides by `known`, of a plant with a `gain`.
+    /// Computes the effect on a loop of a chain whose law divides by `known`, of a plant with a `gain`.
     pub(super) fn new(followed: &Followed, sampled: &Sampled, known: Range, gain: &Gain) -> Self {
         let chain = &sampled.chain;
         let (n, h) = (chain.moved, chain.shares[1]);
@@ -185,7 +185,7 @@ impl Moved {
         }
     }
 
-    /// What it adds to what `row` sees in sample `k`: a value, and the most beside it.
+    /// Returns the contribution to what `row` sees in sample `k`: a value, and the largest deviation from it.
     pub(super) fn adds(&self, chain: &Chain, row: &[f64], k: usize) -> (f64, f64) {
         let any = |size: f64, estimates: &[(usize, usize)]| match (size, &self.estimates) {
             (0.0, _) => 0.0,
@@ -221,8 +221,8 @@ impl Moved {
     }
 }
 
-/// How far the input gain of a plant may be from the `known` one, as a part of it. Two ranges of the same number are a
-/// rounding apart.
+/// Bounds the relative difference of the input gain of a plant from the `known` one. Two ranges of the same number are
+/// a rounding apart.
 fn off(gain: &Gain, known: Range) -> f64 {
     let ends = [-1.0, 1.0].map(|side| gain.value * Range::from(1.0 + side * gain.error));
     let [low, high] = ends.map(|end| (end / known - Range::from(1.0)).size().high());

@@ -28,7 +28,8 @@ pub(super) fn from_units(spec: &Spec) -> Spec {
     spec
 }
 
-/// What |u| reaches from each x_i = 1 alone, and from where it reaches u_max; `None` where the loop is not known.
+/// Describes the peak of |u| from each x_i = 1 alone, and the x_i from which it reaches u_max; `None` where the loop is
+/// not known.
 pub(super) fn peaks(spec: &Spec, expanded: Option<&Expanded>) -> Option<String> {
     let units = from_units(spec);
     if !spec.fixed.contains_key(&Parameter::Eps) {

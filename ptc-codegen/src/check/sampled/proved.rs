@@ -11,7 +11,7 @@ use crate::request::{PlantBounds, Spec};
 /// around a `middle`; on the way that of sums too.
 ///
 /// # Errors
-/// What the loop lacks, or why its bounds are not those of every run.
+/// Returns the missing input, or why the bounds do not hold for every run.
 pub(crate) fn proved(spec: &Spec, middle: &[f64], sums: &[Sum]) -> Result<Worst, String> {
     if !spec.fixed.contains_key(&Parameter::Eps) && spec.sampled().is_none() {
         return Err("`eps` is left to run time".to_owned());

@@ -1,4 +1,4 @@
-//! Where the loop is at each sample.
+//! Bounds of the loop at each sample.
 
 use super::jitter::Jittered;
 use super::span::Span;
@@ -11,23 +11,23 @@ pub(super) const OPERATIONS: f64 = 2e9;
 /// Bounds of a loop at each sample.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reach {
-    /// Of each state.
+    /// Bound of each state.
     pub(super) states: Vec<Vec<f64>>,
-    /// What each state is within, where more is known than its size.
+    /// Interval of each state, where more is known than its size.
     pub(super) spans: Vec<Vec<Span>>,
-    /// Of the input that acts on the plant, where something is off in proportion to the loop.
+    /// Bound of the input that acts on the plant, if there are errors in proportion to the loop.
     pub(super) acting: Vec<f64>,
-    /// Of its change since the sample before.
+    /// Bound of its change since the sample before.
     pub(super) change: Vec<f64>,
-    /// Of how far each measured value moves until it is measured.
+    /// Bound of the movement of each measured value until it is measured.
     pub(super) drift: Vec<Vec<f64>>,
-    /// Of how far each state of the plant moves as a period is longer or shorter, where states are at the times of the
-    /// samples themselves.
+    /// Bound of the movement of each state of the plant as a period is longer or shorter, where states are at the times
+    /// of the samples themselves.
     pub(super) moves: Vec<Vec<f64>>,
-    /// Of what is not exact in it, by how much each of the next states counts, one sample behind the other:
+    /// Bound of the errors of a sample, by how much each of the next states counts, one sample behind the other:
     /// [`Sampled::inexact`].
     pub(super) inexact: Vec<f64>,
-    /// Of the state by how late the sample is, where that is followed.
+    /// Bound of the state by how late the sample is, where that is followed.
     pub(super) jittered: Option<Jittered>,
 }
 

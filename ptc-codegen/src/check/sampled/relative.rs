@@ -1,13 +1,13 @@
-//! What is off in proportion to the loop itself: the input gain, and the times of the samples.
+//! Errors in proportion to the loop itself: the input gain, and the times of the samples.
 //!
 //! With a jitter J sample k is measured, and its u switched, at k h + j, |j| <= J. Two bounds hold, and the smaller one
 //! counts. Where inputs change slowly beside the states: let the state at k h be what it is with the input before the
 //! switch. What is measured is that state moved by j, and the switch by D adds to the next state what an input of D does
 //! in the time from k h + j to k h.
 //!
-//! Where the loop comes to rest within a few samples: let the state be that at the time of the sample itself, as it is
-//! measured. Then the next sample is a period h + d later, |d| <= 2 J: the state moved by d under the input of the sample,
-//! and then by a period.
+//! If the loop comes to rest within a few samples: let the state be that at the time of the sample itself, as it is
+//! measured. Then the next sample is a period h + d later, |d| <= 2 J: the state moved by d under the input of the
+//! sample, and then by a period.
 
 use num_traits::{Signed, Zero};
 
@@ -21,15 +21,15 @@ use crate::linear::{self, Linear};
 /// Samples that are early or late, of a plant with an input of gain 1.
 #[derive(Clone, Debug)]
 pub(super) struct Late {
-    /// How far each measured value moves at most until it is measured, over the sizes of x and u.
+    /// Largest movement of each measured value until it is measured, over the sizes of x and u.
     drift: Vec<Vec<f64>>,
-    /// What u moves each x_i by at most in a jitter.
+    /// Largest movement of each x_i by u in a jitter.
     moved: Vec<f64>,
     /// The same, from then on for a period.
     later: Vec<f64>,
-    /// How far each state of the plant moves at most in a jitter, and in two, over the sizes of x and u.
+    /// Largest movement of each state of the plant in a jitter, and in two, over the sizes of x and u.
     states: [Vec<Vec<f64>>; 2],
-    /// Whether states are those at the times of the samples themselves.
+    /// True if states are those at the times of the samples themselves.
     own_times: bool,
 }
 
@@ -70,7 +70,7 @@ pub(super) fn upper(value: &BigRational) -> f64 {
 const ROUNDED: f64 = 1.0 + 1e-14;
 
 impl Sampled {
-    /// Whether something is off in proportion to the loop.
+    /// Returns true if an error is in proportion to the loop.
     pub(super) fn is_relative(&self) -> bool {
         self.gain_error > 0.0 || self.late.is_some()
     }
@@ -93,14 +93,14 @@ impl Sampled {
         self.late.as_ref().filter(|late| !late.own_times)
     }
 
-    /// What u moves x_1 by at most in a jitter, where states are at the times of the samples themselves.
+    /// Returns the largest movement of x_1 by u in a jitter, where states are at the times of the samples themselves.
     pub(super) fn moves_in_jitter(&self) -> Option<f64> {
         let late = self.late.as_ref().filter(|late| late.own_times)?;
         late.moved.first().copied()
     }
 
-    /// How far each state of the plant moves from a sample of its own time until the time from which a period leads to the
-    /// next one; empty without jitter. The first sample is in time.
+    /// Bounds the movement of each state of the plant from a sample of its own time until the time from which a period
+    /// leads to the next one; empty without jitter. The first sample is in time.
     pub(super) fn moves(&self, states: &[f64], acting: f64, first: bool) -> Vec<f64> {
         let Some(late) = self.late.as_ref().filter(|late| late.own_times) else {
             return Vec::new();
@@ -119,7 +119,7 @@ impl Sampled {
         rows.iter().map(row).collect()
     }
 
-    /// What a longer or shorter period after sample `k` adds to a sum over the states of the next one.
+    /// Bounds the contribution of a longer or shorter period after sample `k` to a sum over the states of the next one.
     pub(super) fn of_period(&self, trust: Option<Trust<'_>>, k: usize, row: &[f64]) -> f64 {
         if !self.late.as_ref().is_some_and(|late| late.own_times) {
             return 0.0;
@@ -134,14 +134,15 @@ impl Sampled {
         }
     }
 
-    /// How much of state i at a sample, from 0, a sum over the states of the next one sees, with an input of 0.
+    /// Returns the weight of state i at a sample, counted from 0, in a sum over the states of the next one, with an
+    /// input of 0.
     fn seen(&self, row: &[f64], i: usize) -> f64 {
         let n = self.chain.n;
         let column = (0..n).map(|j| self.chain.motion.entries[j * n + i]);
         row.iter().zip(column).map(|(p, entry)| p * entry).sum::<f64>().abs()
     }
 
-    /// How far the input at sample `k` may be from the one that the chain knows.
+    /// Bounds the difference of the input at sample `k` from the one that the chain knows.
     pub(super) fn of_gain(&self, trust: Option<Trust<'_>>, k: usize) -> f64 {
         if self.gain_error == 0.0 {
             0.0
@@ -150,13 +151,13 @@ impl Sampled {
         }
     }
 
-    /// How far each measured value may move from a sample to the time at which it is measured.
+    /// Bounds the movement of each measured value from a sample to the time at which it is measured.
     pub(super) fn drift(&self, states: &[f64], acting: f64) -> Vec<f64> {
         let Some(late) = self.late() else { return vec![0.0; self.noise.len()] };
         self.moved_by(&late.drift, states, acting)
     }
 
-    /// What the time of the switch at sample `k` adds to a sum over the states of the next sample.
+    /// Bounds the contribution of the time of the switch at sample `k` to a sum over the states of the next sample.
     pub(super) fn of_switch(&self, trust: Option<Trust<'_>>, k: usize, row: &[f64]) -> f64 {
         let Some(late) = self.late() else { return 0.0 };
         // Of the states at sample k, with an input of 0 from there on.
@@ -165,7 +166,7 @@ impl Sampled {
         sum * self.greatest_gain() * at(trust, k, |reach| &reach.change)
     }
 
-    /// What the times of the measurement at sample `k` add, seen by how much each counts.
+    /// Bounds the contribution of the times of the measurement at sample `k`, where `seen` is the weight of each.
     pub(super) fn of_drift(&self, trust: Option<Trust<'_>>, k: usize, seen: &[f64]) -> f64 {
         match trust {
             _ if self.late().is_none() => 0.0,
@@ -177,13 +178,13 @@ impl Sampled {
         }
     }
 
-    /// What an early switch at sample `k` adds to x_{i+1} there.
+    /// Bounds the contribution of an early switch at sample `k` to x_{i+1} there.
     pub(super) fn of_early_switch(&self, i: usize, k: usize, reach: &Reach) -> f64 {
         let Some(late) = self.late() else { return 0.0 };
         late.moved[i] * self.greatest_gain() * reach.change[k] * ROUNDED
     }
 
-    /// What the times of both switches add at most to x_{i+1} from sample `k` to the next.
+    /// Bounds the contribution of the times of both switches to x_{i+1} from sample `k` to the next.
     pub(super) fn of_switches(&self, i: usize, k: usize, trust: Option<Trust<'_>>) -> f64 {
         let Some(late) = &self.late else { return 0.0 };
         if late.own_times {

@@ -72,7 +72,7 @@ pub(super) fn units(precision: Precision) -> Units {
 pub(super) struct StagedValues<'a> {
     program: &'a Program,
     units: Units,
-    /// By value; `None` if it is not computed, or no enclosure is known.
+    /// Enclosure of each value; `None` if it is not computed, or no enclosure is known.
     values: Vec<Option<Rounded>>,
     /// The solutions of systems, where they are enclosed.
     solved: BTreeMap<Value, Vec<Rounded>>,
@@ -183,7 +183,7 @@ pub(super) fn sum(a: Rounded, b: Rounded, units: Units) -> Rounded {
     Rounded { exact: a.exact + b.exact, error }
 }
 
-/// Whether a - b is a number of the precision, by Sterbenz: b/2 <= a <= 2 b.
+/// Returns true if a - b is a number of the precision, by Sterbenz: b/2 <= a <= 2 b.
 fn is_exact(a: Rounded, b: Rounded) -> bool {
     let two = Range::from(2.0);
     let (a, b) = (a.emitted(), b.emitted());

@@ -1,6 +1,6 @@
 //! Least and greatest values, in doubles that are rounded by whoever adds to them.
 
-/// What a value is within.
+/// Interval of a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Span {
     /// Its least value.
@@ -23,13 +23,13 @@ impl Span {
         self.high.max(-self.low)
     }
 
-    /// What both are within.
+    /// Returns the smallest interval that holds both.
     #[must_use]
     pub(crate) fn hull(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// What is within both.
+    /// Returns the intersection of both.
     #[must_use]
     pub(crate) fn common(self, other: Self) -> Self {
         Self { low: self.low.max(other.low), high: self.high.min(other.high) }

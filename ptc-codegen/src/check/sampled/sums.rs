@@ -11,9 +11,9 @@ use super::worst::{Output, Sampled};
 /// A sum over x_1..x_n and the input that acts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sum {
-    /// By how much each state counts.
+    /// Weight of each state.
     pub states: Vec<f64>,
-    /// By how much the input counts, as the actuator resolves it.
+    /// Weight of the input, as the actuator resolves it.
     pub input: f64,
 }
 
@@ -26,7 +26,7 @@ impl Sampled {
         if self.knows_sums() { self.sums.len() * (self.chain.n + 1) } else { 0 }
     }
 
-    /// Whether the plant is a chain whose inputs are switched in time.
+    /// Returns true if the plant is a chain whose inputs are switched in time.
     pub(super) fn knows_sums(&self) -> bool {
         self.chain.outputs.is_none()
             && self.between.is_some()
@@ -34,7 +34,7 @@ impl Sampled {
             && self.moved.is_none()
     }
 
-    /// What each sum is within at sample `k`, where the states are within `here`, and up to the next one if `on` is set.
+    /// Bounds each sum at sample `k`, where the states are within `here`, and up to the next one if `on` is set.
     pub(super) fn sums(
         &self,
         k: usize,
@@ -53,7 +53,7 @@ impl Sampled {
         self.sums.iter().map(points).collect()
     }
 
-    /// What control point `m` of a sum is within in sample `k`, whose states and input have these sizes.
+    /// Bounds control point `m` of a sum in sample `k`, whose states and input have these sizes.
     fn control_point(
         &self,
         sum: &Sum,
@@ -80,7 +80,8 @@ impl Sampled {
         span.wider(rounding + of_gain + self.beside(&terms, (m, of_input)))
     }
 
-    /// What counts in control point `m` by how much: the states at the sample, then what the input moves x_n by.
+    /// Returns the weights in control point `m`: those of the states at the sample, then that of the movement of x_n by
+    /// the input.
     fn weights(&self, states: &[f64], m: usize) -> Vec<f64> {
         let n = self.chain.n;
         let mut weights = vec![0.0; n + 1];
@@ -98,7 +99,7 @@ impl Sampled {
         weights
     }
 
-    /// What f and the actuator add within a sample at most, of which the states at its start know nothing.
+    /// Bounds the contribution of f and the actuator within a sample, which is not part of the states at its start.
     fn beside(&self, terms: &[f64], (m, of_input): (usize, f64)) -> f64 {
         // An input that is kept has not been through the actuator.
         let actuator = self.acting().map_or(0.0, |_| of_input * self.actuator);

@@ -11,7 +11,7 @@ use crate::parameter::Precision;
 /// Rounds in which w is widened.
 const ROUNDS: u32 = 200;
 
-/// By how much more than needed: a part of it, and what no unit is as small as.
+/// Margins over the required size: a factor, and a size below that of every unit.
 const WIDER: f64 = 1.02;
 const TINY: f64 = 1e-200;
 
@@ -62,7 +62,8 @@ fn around(first: &[Range], image: &dyn Fn(&[Range], usize) -> Range) -> Option<V
     None
 }
 
-/// What the emitted elimination gives; `None` where a matrix is not shown to be regular, or a sum to stay in range.
+/// Encloses the solution of the emitted elimination; `None` where a matrix is not shown to be regular, or a sum to stay
+/// in range.
 ///
 /// It solves a system exactly whose matrix and right side are near those that it is given, by the theorem of
 /// `check/envelope/regular`.

@@ -140,7 +140,7 @@ fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
     assert!(checked >= 15, "{checked}");
 }
 
-/// What an f of 1 for a moment makes of the states at sample `at`, with a part of sample `k` left.
+/// Returns the states at sample `at` after an f of 1 for a moment, with a part of sample `k` left.
 fn kick(sampled: &Sampled, (k, left): (usize, f64), at: usize) -> Vec<f64> {
     let (n, delay) = (sampled.chain.n, sampled.chain.delay);
     let h = sampled.chain.shares[1];

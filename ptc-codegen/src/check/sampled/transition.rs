@@ -1,4 +1,4 @@
-//! How far an error of one sample may grow until another: a bound of all transition matrices.
+//! Growth of an error from one sample to another: a bound of all transition matrices.
 //!
 //! Steps are multiplied to blocks, so short that norms alone bound what happens inside, and the
 //! products of all runs of blocks are formed in doubles. With Ps' = A Ps + R, |R| <= r |Ps|, the true

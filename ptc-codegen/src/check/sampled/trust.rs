@@ -1,4 +1,4 @@
-//! How far a worst case may be off: rounding in its sum and in the emitted program.
+//! Error of a worst case: rounding in its sum and in the emitted program.
 //!
 //! A row p_l is p_{l+1} M_l up to e_l, and the matrices of the loop that runs are M_l up to E_l. Then
 //! p_k s_k = p_0 s_0 + sum_l p_{l+1} b w + sum_l (p_{l+1} E_l - e_l) s_l: what is not exact in a sample
@@ -10,24 +10,24 @@ use super::moved::Moved;
 use super::reach::Reach;
 use super::worst::{Sampled, Scales};
 
-/// By what an error is bounded.
+/// Basis on which an error is bounded.
 #[derive(Clone, Copy)]
 pub(super) enum Trust<'a> {
-    /// Where the loop is at each sample.
+    /// Bounds of the loop at each sample.
     Reach(&'a Reach),
-    /// How far any error may grow until another sample.
+    /// Bounds of the growth of any error until another sample.
     Fading(&'a Fading),
 }
 
-/// How fast an error fades: a scaling of the state at each sample, a bound of the transitions in it
-/// and of what is not exact in each sample.
+/// Decay of an error: a scaling of the state at each sample, a bound of the transitions in it, and of the errors of
+/// each sample.
 pub(super) struct Fading {
     pub(super) scales: Scales,
     pub(super) growth: f64,
     pub(super) errors: Vec<f64>,
 }
 
-/// What is not exact in a worst case, from its last sample back to the first.
+/// Sum of the errors of a worst case, from its last sample back to the first.
 pub(super) struct Inexact<'a> {
     trust: Option<Trust<'a>>,
     /// Relative rounding of a sum over the states.
@@ -42,7 +42,7 @@ impl<'a> Inexact<'a> {
         Self { trust, unit: unit(size), off: 0.0, sum: 0.0 }
     }
 
-    /// What u at sample `at` adds, which counts `weight` times; `limits` bound the causes.
+    /// Adds the error of u at sample `at`, which counts `weight` times; `limits` bound the causes.
     pub(super) fn direct(
         &mut self,
         weight: f64,
@@ -67,7 +67,7 @@ impl<'a> Inexact<'a> {
         self.sum += weight * (of_causes.sum::<f64>() + step.lost_of_u);
     }
 
-    /// What sample `k` of a loop adds, seen by `row`.
+    /// Adds the error of sample `k` of a loop, seen by `row`.
     pub(super) fn sample(&mut self, sampled: &Sampled, step: &Step, k: usize, row: &[f64]) {
         match self.trust {
             Some(Trust::Reach(reach)) => {
@@ -91,7 +91,7 @@ impl<'a> Inexact<'a> {
         }
     }
 
-    /// What the state at the start adds, within these bounds.
+    /// Adds the error of the state at the start, within these bounds.
     pub(super) fn start(&mut self, x0: &[f64]) {
         if let Some(Trust::Fading(fading)) = self.trust {
             let scaled = fading.scales.at(0).iter().zip(x0).map(|(d, x0)| d * x0);
@@ -132,7 +132,7 @@ impl Sampled {
         step.columns.iter().zip(self.limits()).chain(force).chain(moved).chain(others)
     }
 
-    /// What is not exact in a sample, and what rounding of a reference adds there, by how much each of the next states
+    /// Bounds the errors of a sample, and the rounding of a reference there, by how much each of the next states
     /// counts, from `states` with an input within `acting`.
     pub(super) fn inexact(&self, step: &Step, states: &[f64], acting: f64) -> Vec<f64> {
         let unit = unit(self.size());

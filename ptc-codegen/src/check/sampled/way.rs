@@ -15,27 +15,27 @@ const OPERATIONS: f64 = 2e9;
 /// Operations that bounds after the deadline may always take.
 const AFTER: f64 = 2e6;
 
-/// By how much bounds may be apart that count as the same.
+/// Relative difference up to which bounds count as the same.
 const CLOSE: f64 = 1e-3;
 
 /// Bounds that hold from t0 to the deadline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Way {
-    /// Of each |x_i|.
+    /// Bound of each |x_i|.
     pub x: Vec<f64>,
-    /// What each x_i is within.
+    /// Interval of each x_i.
     pub within: Vec<Span>,
-    /// Whether they hold between the samples too.
+    /// True if they hold between the samples too.
     pub between: bool,
-    /// Of |u|, the command until the deadline.
+    /// Bound of |u|, the command until the deadline.
     pub u: f64,
-    /// What the command is within until the deadline.
+    /// Interval of the command until the deadline.
     pub commands: Span,
-    /// What the input that acts is within, as the actuator resolves it, that of the sample at the deadline included.
+    /// Interval of the input that acts, as the actuator resolves it, including the sample at the deadline.
     pub acts: Span,
-    /// What each sum that was asked for is within; empty where they are not bounded as sums.
+    /// Interval of each sum that was asked for; empty where they are not bounded as sums.
     pub sums: Vec<Span>,
-    /// What |u| reaches at least.
+    /// Lower bound of the worst |u|.
     pub u_attained: f64,
     /// The greatest standard deviation of u by random noise.
     pub u_rms: f64,
@@ -44,13 +44,13 @@ pub struct Way {
 /// Bounds that hold from the deadline on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Afterwards {
-    /// Of each |x_i|.
+    /// Bound of each |x_i|.
     pub x: Vec<f64>,
-    /// Whether they hold between the samples too.
+    /// True if they hold between the samples too.
     pub between: bool,
-    /// Of |u|.
+    /// Bound of |u|.
     pub u: f64,
-    /// Of the size of the input that acts, as the actuator resolves it.
+    /// Bound of the size of the input that acts, as the actuator resolves it.
     pub acts: f64,
 }
 
@@ -72,7 +72,8 @@ impl Way {
 }
 
 impl Way {
-    /// What is known by two bounds of the same loop; at the samples alone the second one is of their own times.
+    /// Combines two bounds of the same loop into the tighter one; at the samples alone the second one is of their own
+    /// times.
     pub(super) fn least(self, other: Self) -> Self {
         let u = self.u.min(other.u);
         let u_attained = self.u_attained.max(other.u_attained);
@@ -86,7 +87,7 @@ impl Way {
         Self { x: sizes(&within), within, u, commands, acts, u_attained, ..other }
     }
 
-    /// Whether u is never clipped to its limits.
+    /// Returns true if u is never clipped to its limits.
     pub(super) fn is_within(&self, limits: Span) -> bool {
         match limits.low == -limits.high {
             true => self.u < limits.high,
@@ -96,7 +97,8 @@ impl Way {
 }
 
 impl Afterwards {
-    /// What is known by two bounds of the same loop; at the samples alone the second one is of their own times.
+    /// Combines two bounds of the same loop into the tighter one; at the samples alone the second one is of their own
+    /// times.
     pub(super) fn least(self, other: Self) -> Self {
         let (u, acts) = (self.u.min(other.u), self.acts.min(other.acts));
         if !(self.between && other.between) {
@@ -189,12 +191,12 @@ impl Sampled {
         finite.then_some(way)
     }
 
-    /// Whether the time allows for bounds of the plant and of u at each sample.
+    /// Returns true if the time allows for bounds of the plant and of u at each sample.
     pub(super) fn is_short(&self, last: usize) -> bool {
         self.of_outputs(self.chain.moved + 1, 0.5 * (last * last) as f64)
     }
 
-    /// Whether the time allows for so many outputs at samples that have `samples` before them in all.
+    /// Returns true if the time allows for so many outputs at samples that have `samples` before them in all.
     fn of_outputs(&self, outputs: usize, samples: f64) -> bool {
         let size = self.size();
         samples * (outputs * (size * size + 4 * size)) as f64 <= OPERATIONS
@@ -295,5 +297,5 @@ impl Sampled {
 /// Rounds in which bounds are widened until the loop does not leave them.
 const ROUNDS: u32 = 12;
 
-/// By how much more than needed, as a part of it.
+/// Relative excess over the required value.
 const WIDER: f64 = 1e-4;

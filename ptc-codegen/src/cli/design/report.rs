@@ -7,7 +7,7 @@ use crate::verify::{Verdict, against, confidence};
 
 use crate::cli::report::{Failure, Notice};
 
-/// What was chosen, and each objective with its margin.
+/// Prints the choice, and each objective with its margin.
 pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
     let campaign = &probe.campaign;
     let name = campaign.spec.name();
@@ -135,7 +135,7 @@ fn tight(best: &Probe) -> String {
     tight.map(|(number, _): (usize, _)| number.to_string()).collect::<Vec<_>>().join(" and ")
 }
 
-/// Where an objective that fails is met, and what that costs the others.
+/// Describes a choice with which a failing objective is met, and its cost for the others.
 fn elsewhere(outcome: &Outcome, index: usize) -> Option<String> {
     let meets = |probe: &&Probe| probe.excess().is_finite() && probe.worst[index].0 <= 0.0;
     let nearest = outcome.others.iter().filter(meets);

@@ -146,7 +146,7 @@ fn sources(
 /// Most bytes of a table of costs.
 const MAX_TABLE: u64 = 1 << 24;
 
-/// What the table in `file` holds of the controller; nothing without a file.
+/// Reads the measurements of the controller from the table in `file`; empty without a file.
 fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> {
     let Some(file) = file else { return Ok(Vec::new()) };
     let text = read::text(file, MAX_TABLE)?;

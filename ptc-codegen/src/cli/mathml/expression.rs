@@ -36,7 +36,7 @@ pub(crate) fn of_expression(expression: &Expression) -> Math {
     }
 }
 
-/// How tightly the outermost operation binds, as it is written here.
+/// Returns the precedence of the outermost operation, as it is written here.
 fn binding(expression: &Expression) -> u8 {
     match expression.node() {
         Node::Add(..) | Node::Sub(..) => 1,
@@ -113,7 +113,7 @@ fn of_number(value: &BigRational) -> Math {
     if value.is_negative() { row([operator("\u{2212}"), written]) } else { written }
 }
 
-/// What varies, as the formulas of the report write it.
+/// Writes a variable as the formulas of the report do.
 pub(crate) fn variable(variable: Variable) -> Math {
     let at_start = |stem: Math, j: usize| {
         let start = sub(name("t"), number(0));

@@ -34,7 +34,7 @@ fn keep_owner(file: &File, there: &Metadata) {
 #[cfg(not(unix))]
 fn keep_owner(_: &File, _: &Metadata) {}
 
-/// Whether the regular file at `path` is `content`. No more is read than that takes.
+/// Returns true if the regular file at `path` is `content`. Reads no more than that takes.
 pub(crate) fn holds(path: &Path, there: &Metadata, content: &[u8]) -> bool {
     let length = content.len() as u64;
     if there.len() != length {

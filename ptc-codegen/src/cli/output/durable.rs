@@ -1,4 +1,4 @@
-//! What outlives a power cut: a file is on the disk before its name is, and then the name.
+//! Durability across a power cut: a file is on the disk before its name is, and then the name.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind};

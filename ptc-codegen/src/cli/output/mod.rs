@@ -133,8 +133,8 @@ impl Outputs {
         Ok(place)
     }
 
-    /// Where the files of a folder go: into one that is there or can be made, or all of them as one
-    /// text to what is no folder.
+    /// Chooses the destination of the files of a folder: one that exists or can be made, or, for a path that is not a
+    /// folder, all of them as one text.
     pub(crate) fn folder(&mut self, name: &str, path: &Path) -> Result<Place, Failure> {
         let error = |error: &io::Error| failed("cannot make the folder", path, error);
         let place = Place::of(path).map_err(|wrong| error(&wrong))?;

@@ -1,4 +1,4 @@
-//! What is at the end of a path, found without opening it.
+//! Kind of file at the end of a path, found without opening it.
 
 use std::ffi::OsStr;
 use std::fs::{self, Metadata};
@@ -18,7 +18,7 @@ pub(crate) struct Place {
     pub(crate) kind: Kind,
 }
 
-/// What is there.
+/// Kind of file at a path.
 #[derive(Clone, Debug)]
 pub(crate) enum Kind {
     Missing,
@@ -31,12 +31,12 @@ pub(crate) enum Kind {
     /// A descriptor of a process, by a path such as `/dev/fd/3`.
     Descriptor,
     StandardOutput,
-    /// What no output goes to, by its name.
+    /// A kind that takes no output, by its name.
     Other(&'static str),
 }
 
 impl Place {
-    /// What is at `path`.
+    /// Looks up the file at `path`.
     ///
     /// # Errors
     /// It cannot be looked up.
@@ -56,18 +56,18 @@ impl Place {
         Ok(Self { shown, path, kind })
     }
 
-    /// Whether it is printed.
+    /// Returns true if it is printed.
     pub(crate) fn is_standard_output(&self) -> bool {
         matches!(self.kind, Kind::StandardOutput)
     }
 
-    /// Whether it is written through: nothing that is there can be replaced.
+    /// Returns true if it is written through: no existing file can be replaced.
     pub(crate) fn is_stream(&self) -> bool {
         use Kind::{Descriptor, Device, Fifo, StandardOutput};
         matches!(self.kind, Device | Fifo | Descriptor | StandardOutput)
     }
 
-    /// Whether what is written to one replaces, or mixes with, what is in the other.
+    /// Returns true if output to one replaces, or mixes with, the contents of the other.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (&self.kind, &other.kind) {
             (Kind::StandardOutput, Kind::StandardOutput) => true,
@@ -78,7 +78,7 @@ impl Place {
         }
     }
 
-    /// Whether one of the two would have to be a folder that holds the other.
+    /// Returns true if one of the two would have to be a folder that holds the other.
     pub(crate) fn is_within(&self, other: &Self) -> bool {
         let (one, two) = (folded(&self.path), folded(&other.path));
         let file = |place: &Self| matches!(place.kind, Kind::Missing | Kind::Regular(_));
@@ -91,7 +91,7 @@ impl Place {
     }
 }
 
-/// Whether two files are one, under whatever names.
+/// Returns true if two files are the same, under whatever names.
 #[cfg(unix)]
 pub(crate) fn same_file(one: &Metadata, two: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -145,8 +145,8 @@ fn real(folder: &Path) -> io::Result<PathBuf> {
     })
 }
 
-/// Whether a path without links in its folder names a descriptor of a process, and then whether it
-/// is the standard output of this one.
+/// Tests whether a path without links in its folder names a descriptor of a process; if so, returns true for the
+/// standard output of this one.
 fn descriptor(path: &Path) -> Option<bool> {
     let own = ["/proc/self/fd", "/dev/fd"];
     let folder = path.parent()?;

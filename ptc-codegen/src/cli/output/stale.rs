@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::place::same_file;
 
-/// How the names of files and folders under way begin and end.
+/// Prefix and suffix of the names of files and folders under way.
 pub(super) const PREFIX: &str = ".ptc-";
 pub(super) const SUFFIX: &str = ".tmp";
 

@@ -13,8 +13,8 @@ use tempfile::{Builder, NamedTempFile, TempDir};
 use super::durable::{sync_folder, sync_tree};
 use super::stale::{self, PREFIX, RANDOM, SUFFIX, claim};
 
-/// What exists now. Code that makes or removes some of it holds the lock, and a signal keeps it, so
-/// that nothing is made after the last look.
+/// Files and folders under way. Code that makes or removes some of them holds the lock, and a signal keeps it, so that
+/// nothing is made after the last look.
 static UNDER_WAY: Mutex<UnderWay> = Mutex::new(UnderWay {
     temporary: BTreeSet::new(),
     made: BTreeSet::new(),
@@ -195,7 +195,7 @@ impl TemporaryFolder {
         fs::write(&path, content)
     }
 
-    /// Where it is.
+    /// Returns its path.
     pub(crate) fn path(&self) -> &Path {
         self.0.as_ref().map_or(Path::new(""), TempDir::path)
     }
@@ -233,7 +233,7 @@ impl Drop for TemporaryFolder {
     }
 }
 
-/// What holds the lock on a folder.
+/// Opens the file handle that holds the lock on a folder.
 #[cfg(unix)]
 fn held(folder: &Path) -> io::Result<Option<File>> {
     File::open(folder).map(Some)

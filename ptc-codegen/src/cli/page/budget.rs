@@ -1,4 +1,4 @@
-//! Where the bounds of the sampled loop come from, as bars.
+//! Budget of the bounds of the sampled loop by cause, as bars.
 
 use crate::check::examine::Report;
 use crate::check::sampled::causes;
@@ -12,16 +12,16 @@ const COLOURS: usize = 8;
 pub(super) struct Bar {
     pub(super) state: String,
     pub(super) bound: String,
-    /// What the design wants, and where it is on the bar in percent.
+    /// Required error of the design, and its place on the bar in percent.
     pub(super) error: Option<(String, String)>,
     pub(super) parts: Vec<Part>,
 }
 
-/// What one cause adds.
+/// Contribution of one cause.
 pub(super) struct Part {
     pub(super) cause: String,
     pub(super) value: String,
-    /// Of the length of the bar.
+    /// Part of the length of the bar.
     pub(super) percent: String,
     /// The class that gives it its colour.
     pub(super) colour: String,

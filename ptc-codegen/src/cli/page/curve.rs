@@ -1,4 +1,4 @@
-//! What eps makes of the loop, as curves.
+//! Effect of eps on the loop, as curves.
 
 use crate::check::examine::Report;
 use crate::check::sampled::curve;

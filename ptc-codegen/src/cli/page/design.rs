@@ -1,4 +1,4 @@
-//! What a design is, in tables, and the command that runs it again.
+//! Description of a design, in tables, and the command that runs it again.
 
 use crate::check::examine::Report;
 use crate::check::resolved::follows;

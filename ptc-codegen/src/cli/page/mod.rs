@@ -36,7 +36,7 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Whether all cells of a column begin with a letter; the others are numbers, which are aligned right.
+    /// Returns true if all cells of a column begin with a letter; the others are numbers, which are aligned right.
     fn of_words(&self, column: usize) -> bool {
         self.rows
             .iter()
@@ -44,18 +44,18 @@ impl Table {
     }
 }
 
-/// What the page shows of a run of the closed loop.
+/// Section of the page on a run of the closed loop.
 pub(crate) struct Section {
     pub(crate) title: &'static str,
     /// Sentences before all else.
     pub(crate) told: Vec<String>,
-    /// What was judged, one by one.
+    /// Verdicts, one by one.
     pub(crate) verdicts: Vec<Judged>,
     /// The caption of the figure.
     pub(crate) caption: String,
     pub(crate) figure: Svg,
     pub(crate) table: Table,
-    /// What else there is to see, each under a title of its own.
+    /// Further parts, each under a title of its own.
     pub(crate) parts: Vec<Part>,
 }
 
@@ -69,7 +69,7 @@ pub(crate) struct Part {
 
 /// Something that holds, fails, or is not known.
 pub(crate) struct Judged {
-    /// By which it is found elsewhere; empty where it is nowhere.
+    /// Name by which it is found elsewhere; empty where it is nowhere.
     pub(crate) name: String,
     pub(crate) what: Math,
     /// The class of its verdict: good, bad or open.
@@ -78,10 +78,10 @@ pub(crate) struct Judged {
     pub(crate) details: Vec<String>,
 }
 
-/// What a report is made of.
+/// Contents of a report.
 pub(crate) struct Content<'a> {
     pub(crate) spec: &'a Spec,
-    /// What the checks say of it.
+    /// Results of the checks.
     pub(crate) report: &'a Report,
     pub(crate) plant: &'a Plant,
     pub(crate) source: &'a Source,

@@ -14,7 +14,7 @@ impl std::fmt::Display for Svg {
     }
 }
 
-/// What draws figures escapes what it writes.
+/// Figures are drawn by code that escapes its output.
 impl HtmlSafe for Svg {}
 
 impl Svg {

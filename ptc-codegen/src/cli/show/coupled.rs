@@ -49,7 +49,7 @@ fn chain(design: Spec) -> Spec {
     Spec { model: None, drift: None, input_gain: None, ..design }
 }
 
-/// What the law of a chain is computed from.
+/// Returns the order and the gains, from which the law of a chain is computed.
 fn own(chain: &Spec) -> (usize, Vec<Option<String>>) {
     let gain = |i| chain.fixed.get(&Parameter::Gain(i)).map(ToString::to_string);
     (chain.n, (1..=chain.n).map(gain).collect())

@@ -16,7 +16,7 @@ use super::forms::{bell, fixed_values, matrix};
 use super::sheet::{Block, Sheet};
 use super::{abstracts, law};
 
-/// What `show` prints of the mapping of `spec`.
+/// Builds the output of `show` for the mapping of `spec`.
 ///
 /// # Errors
 /// r_k take too much effort, or the engine gives no answer.

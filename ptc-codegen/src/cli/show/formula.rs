@@ -35,7 +35,7 @@ pub(super) fn latex(e: &Expression) -> String {
     }
 }
 
-/// How tightly the outermost operation binds, as it is written here.
+/// Returns the precedence of the outermost operation, as it is written here.
 fn binding(e: &Expression) -> u8 {
     match e.node() {
         Node::Add(..) | Node::Sub(..) => 1,

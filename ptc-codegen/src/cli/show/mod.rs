@@ -90,7 +90,7 @@ pub(crate) fn formulas(subject: Subject, spec: &Spec) -> Result<Vec<Math>, Failu
     Ok(mathml::formulas(&sheet))
 }
 
-/// What the expansions are of.
+/// Subject of the expansions.
 enum Asked {
     /// The abstract mapping, at an order.
     Abstract(usize),

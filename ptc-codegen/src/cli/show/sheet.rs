@@ -1,4 +1,4 @@
-//! What `show` prints, before it has a notation.
+//! Output of `show`, before it has a notation.
 
 use crate::algebra::{Poly, text};
 use crate::check::resolved::Resolved;
@@ -6,7 +6,7 @@ use crate::expression::Expression;
 
 /// The answer to one request.
 pub(super) struct Sheet {
-    /// What the forms are of.
+    /// Subject of the forms, in lines.
     pub(super) heading: Vec<String>,
     /// The parts, in order.
     pub(super) blocks: Vec<Block>,
@@ -36,7 +36,7 @@ pub(super) struct Forms {
     pub(super) index: &'static [&'static str],
     /// The forms, row by row.
     pub(super) forms: Vec<Form>,
-    /// How they are laid out.
+    /// Layout of the forms.
     pub(super) layout: Layout,
 }
 

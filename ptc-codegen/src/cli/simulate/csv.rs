@@ -12,21 +12,21 @@ use crate::cli::write::failed;
 pub(super) struct Csv {
     place: Place,
     out: BufWriter<Spool>,
-    /// Whether each row begins with the number of its run.
+    /// True if each row begins with the number of its run.
     numbered: bool,
     run: usize,
     has_head: bool,
     wrong: Option<io::Error>,
 }
 
-/// What the rows of a run have in common.
+/// Values that the rows of a run have in common.
 pub(super) struct Common<'a> {
     pub(super) tau: f64,
     /// The names of states and inputs.
     pub(super) names: &'a [Vec<String>; 2],
-    /// Whether the loop is sampled: only such a one measures.
+    /// True if the loop is sampled: only such a loop measures.
     pub(super) held: bool,
-    /// How many values are measured.
+    /// Number of measured values.
     pub(super) measured: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What is kept of a run in memory: all of a short one, and of a long one what a picture can show.
+//! Rows of a run kept in memory: all of a short one, and of a long one those that a picture can show.
 
 use crate::program::range::Range;
 use crate::reference::Status;
@@ -27,7 +27,7 @@ pub(super) struct Kept {
     limits: Vec<Range>,
     /// The largest size of each input, and when.
     pub(super) peaks: Vec<(f64, f64)>,
-    /// How long an input is at its bound, counted from each instant to the next, in s.
+    /// Time for which an input is at its bound, counted from each instant to the next, in s.
     pub(super) saturated: f64,
     /// The first call that the controller refused, and when.
     pub(super) refused: Option<(Status, f64)>,

@@ -153,7 +153,7 @@ fn named(resolved: &Resolved, run: Option<&String>) {
     resolved.lines().iter().for_each(|line| note(line));
 }
 
-/// Whether tau does not tell the runs apart.
+/// Returns true if tau does not identify the runs.
 fn numbered(request: &Simulate, mappings: &[Source]) -> bool {
     mappings.len() > 1 || request.x0.len() > 1
 }

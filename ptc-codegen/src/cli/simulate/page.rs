@@ -108,7 +108,7 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
     })
 }
 
-/// What is around the controller of a sampled loop.
+/// Describes the surroundings of the controller in a sampled loop.
 fn around(request: &Simulate, spec: &Spec) -> Option<String> {
     let period = spec.promises.sample_time.as_ref()?;
     let mut parts = vec![format!("The sample period is {period} s")];

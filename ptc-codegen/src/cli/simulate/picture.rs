@@ -10,7 +10,7 @@ use super::run::Run;
 use crate::cli::page::undrawn;
 use crate::cli::report::Failure;
 
-/// What a picture is written as.
+/// Format of a picture.
 #[derive(Clone, Copy)]
 pub(super) enum Kind {
     Svg,

@@ -20,7 +20,7 @@ const COUNTED: u64 = 1 << 12;
 
 /// A run.
 pub(super) struct Run {
-    /// What tells it from the others.
+    /// Label that distinguishes it from the others.
     pub(super) label: String,
     pub(super) mapping: String,
     pub(super) tau: f64,
@@ -30,9 +30,9 @@ pub(super) struct Run {
     pub(super) t0: f64,
     /// Limits of each input.
     pub(super) limits: Vec<Range>,
-    /// What the checks say, where the emitted controller is in the loop.
+    /// Results of the checks, where the emitted controller is in the loop.
     pub(super) report: Option<Report>,
-    /// Whether u is held between the rows.
+    /// True if u is held between the rows.
     pub(super) held: bool,
     pub(super) kept: Kept,
     /// The tracking error in the last row by its names, where there is a reference: `e2_1` is the rate of
@@ -69,13 +69,13 @@ impl Run {
     }
 }
 
-/// What takes the rows of a run.
+/// Sink of the rows of a run.
 struct Taken<'a> {
     csv: &'a mut Csv,
     tau: f64,
     names: [Vec<String>; 2],
     held: bool,
-    /// How many values are measured.
+    /// Number of measured values.
     measured: usize,
     kept: Kept,
 }
@@ -178,7 +178,7 @@ fn refused(spec: &Spec, kept: &Kept, tau: f64) {
     }
 }
 
-/// What a run needs and lacks, all at once.
+/// Returns the values that a run needs; reports all missing ones at once.
 fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure> {
     let values = Values::of(spec, plant);
     let missing = values.missing(spec, plant, emitted);

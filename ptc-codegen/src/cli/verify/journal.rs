@@ -52,11 +52,11 @@ pub(super) struct Journal {
 
 struct State {
     file: Arc<File>,
-    /// Where the next record begins.
+    /// Offset of the next record.
     end: u64,
     /// When the records were last synced.
     synced: Instant,
-    /// Where each chunk that is done begins, by its first scenario.
+    /// Offset of each chunk that is done, by its first scenario.
     done: BTreeMap<u64, u64>,
 }
 
@@ -96,7 +96,7 @@ impl Journal {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether a chunk is done.
+    /// Returns true if a chunk is done.
     pub(super) fn has(&self, chunk: &Range<u64>) -> bool {
         self.state().done.contains_key(&chunk.start)
     }

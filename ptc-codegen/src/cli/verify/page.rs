@@ -130,7 +130,7 @@ fn judged((number, (objective, judged)): (usize, (&Objective, &Judged))) -> page
     }
 }
 
-/// What holds together, with commas between.
+/// Writes formulas that belong together, with commas between them.
 fn listed(all: impl Iterator<Item = Math>) -> Math {
     let joined = all.reduce(|one, next| row([one, operator(","), words("  "), next]));
     joined.unwrap_or_else(|| words(""))

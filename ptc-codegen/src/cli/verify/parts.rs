@@ -18,7 +18,7 @@ use crate::cli::output::{
 use crate::cli::progress::progress;
 use crate::cli::report::{Failure, Notice};
 
-/// Where the rows go.
+/// Destination of the rows.
 pub(super) struct Rows {
     out: Place,
     /// The journal's file; `None` if `out` is not a regular file.

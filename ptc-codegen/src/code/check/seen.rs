@@ -1,4 +1,4 @@
-//! What statements may name, and what they may do, where they stand.
+//! Scope of statements: the names they may use, and the effects they may have.
 
 use std::collections::BTreeSet;
 
@@ -7,14 +7,14 @@ use crate::code::{
 };
 use crate::collect::set;
 
-/// What the statements of one function have seen so far.
+/// Names and effects of the statements of one function so far.
 #[derive(Default)]
 pub(super) struct Seen<'a> {
     pub(super) fields: BTreeSet<&'a str>,
     pub(super) parameters: BTreeSet<&'a str>,
     pub(super) callbacks: BTreeSet<&'static str>,
     pub(super) locals: BTreeSet<String>,
-    /// Whether the fields are those of the gains, which a language may name without their owner.
+    /// True if the fields are those of the gains, which a language may name without their owner.
     pub(super) of_gains: bool,
     pub(super) may_change: bool,
     pub(super) changed: bool,

@@ -70,7 +70,7 @@ pub enum Expr {
     Call(Function, Box<Expr>),
     /// a^b for a > 0.
     Pow(Box<Expr>, Box<Expr>),
-    /// What a function of the user's gives for an array and a time.
+    /// Result of a user-defined function of an array and a time.
     Callback(&'static str, String, Box<Expr>),
     /// a - b of counts, modulo 2^32.
     CountSub(Box<Expr>, Box<Expr>),
@@ -87,11 +87,11 @@ pub enum Expr {
 /// A place in an array of arrays, from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cell {
-    /// Which array.
+    /// Index of the array.
     pub row: Index,
     /// Its element.
     pub column: usize,
-    /// How many elements each array has.
+    /// Number of elements of each array.
     pub columns: usize,
 }
 
@@ -119,12 +119,12 @@ impl Expr {
         }
     }
 
-    /// Whether it is 0.
+    /// Returns true if it is 0.
     pub fn is_zero(&self) -> bool {
         self.number().is_some_and(Zero::is_zero)
     }
 
-    /// Whether it holds only numbers.
+    /// Returns true if it holds only numbers.
     pub fn is_constant(&self) -> bool {
         let mut constant = true;
         self.visit(&mut |inner| {

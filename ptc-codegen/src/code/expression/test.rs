@@ -1,9 +1,9 @@
-//! What is true or false of values.
+//! Tests of values.
 
 use super::Expr;
 use crate::code::Whose;
 
-/// What is true or false of values.
+/// Test of values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Test {
     /// a < b, of floating-point numbers.

@@ -22,15 +22,15 @@ pub(super) struct Frame<'a, 'b> {
     pub(super) parameters: BTreeMap<&'b str, Held>,
     pub(super) locals: BTreeMap<Cow<'b, str>, Held>,
     pub(super) callbacks: &'b [Called<'b>],
-    /// What statements have given of each input: its u and its status, and the status of the call.
+    /// Results of the statements for each input so far: its u and its status, and the status of the call.
     pub(super) settled: Settled,
-    /// Whether a divisor of a subroutine was 0.
+    /// True if a divisor of a subroutine was 0.
     pub(super) divided_by_zero: Cell<bool>,
     /// The branches taken so far, where they are recorded.
     pub(super) taken: Option<RefCell<Taken>>,
 }
 
-/// What statements give of several inputs.
+/// Results of the statements for several inputs.
 #[derive(Default)]
 pub(super) struct Settled {
     pub(super) u: BTreeMap<usize, f64>,
@@ -39,7 +39,7 @@ pub(super) struct Settled {
 }
 
 impl<'b> Frame<'_, 'b> {
-    /// What statements have given of several inputs; of a call that has `ended` no u.
+    /// Returns the results of the statements for several inputs; without u if the call has `ended`.
     fn stands(&mut self, function: &Function, ended: Option<Status>) -> Outcome {
         let settled = std::mem::take(&mut self.settled);
         let count = function.results.first().and_then(|result| result.shape.length());

@@ -15,7 +15,7 @@ use crate::parameter::{Parameter, Precision};
 use crate::program::number;
 use frame::{Frame, Settled};
 
-/// What a name holds.
+/// Value of a name.
 #[derive(Clone, Debug, PartialEq)]
 enum Held {
     Real(f64),
@@ -37,8 +37,8 @@ pub struct Instance<'a> {
     taken: Option<Taken>,
 }
 
-/// What a call gave: its status, and its results, none of them where it failed. A call for several axes
-/// gives them all the same: every u, 0 where it failed, and the status of each as a number.
+/// Outcome of a call: its status, and its results, which are empty on failure. A call for several axes has them all the
+/// same: every u, 0 where it failed, and the status of each as a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Its status.
@@ -173,7 +173,7 @@ impl<'a> Instance<'a> {
         self.taken.as_ref()
     }
 
-    /// What a field holds, as a number.
+    /// Returns the value of a field, as a number.
     pub fn field(&self, name: &str) -> Option<f64> {
         match self.fields.get(name)? {
             Held::Real(value) => Some(*value),

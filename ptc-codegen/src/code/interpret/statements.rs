@@ -151,7 +151,7 @@ impl<'b> Frame<'_, 'b> {
         inner.remove(gives.name).unwrap_or_else(|| fault("a subroutine without its array"))
     }
 
-    /// What a function of several values gives: it is asked for one at a time.
+    /// Returns the results of a function of several values, requested one at a time.
     fn call(&self, callback: &str, array: &str, times: &[Expr; 2], count: usize) -> Vec<f64> {
         let called = self.callbacks.iter().find(|(known, _)| *known == callback);
         let (Some((_, called)), Some(Held::Reals(array))) = (called, self.locals.get(array)) else {

@@ -15,7 +15,7 @@ pub enum Subroutine {
     Rows {
         /// Number of weights.
         weights: usize,
-        /// Whether each product and its sum are rounded once.
+        /// True if each product and its sum are rounded once.
         fused: bool,
     },
     /// From b and a, row by row, so many numbers x with a x = b, as
@@ -30,7 +30,7 @@ pub struct Given {
     pub name: &'static str,
     /// Its length.
     pub length: usize,
-    /// Whether it is changed.
+    /// True if it is changed.
     pub changes: bool,
 }
 
@@ -48,7 +48,7 @@ impl Subroutine {
         }
     }
 
-    /// What it does, in a sentence.
+    /// Describes it in a sentence.
     pub fn about(self) -> &'static str {
         match self {
             Self::Rows { .. } => {
@@ -77,7 +77,7 @@ impl Subroutine {
         [format!("given_{name}"), format!("{name}_{}", other.name)]
     }
 
-    /// Whether it rounds products and sums once.
+    /// Returns true if it rounds each product and its sum once.
     pub fn is_fused(self) -> bool {
         matches!(self, Self::Rows { fused: true, .. })
     }

@@ -8,7 +8,7 @@ use crate::parameter::Precision;
 use crate::program::elimination::eliminate;
 use crate::program::rows::of_numbers;
 
-/// What a subroutine gives, with sums of up to `written` products written out.
+/// Returns the result of a subroutine, with sums of up to `written` products written out.
 fn applied(
     subroutine: Subroutine,
     written: usize,

@@ -103,7 +103,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What `routine` computes where `first` holds and the states are finite, if all of it is finite.
+    /// Returns a function of the results of `routine` where `first` holds and the states are finite, if all of them are
+    /// finite.
     fn given(
         &self,
         (routine, first, states): (Routine, Vec<Test>, &[Input]),
@@ -132,7 +133,7 @@ impl Builder<'_> {
         }
     }
 
-    /// That `first` holds and the states are finite.
+    /// Requires that `first` holds and the states are finite.
     fn legal(&self, first: Vec<Test>, states: &[Input]) -> Statement {
         let finite = states.iter().map(|state| Test::Finite(self.local(*state)));
         Statement::Require(Test::All(first.into_iter().chain(finite).collect()), Status::Input)

@@ -15,11 +15,11 @@ pub(super) struct Body {
     pub(super) statements: Vec<Statement>,
     /// One expression for each root, in order.
     pub(super) roots: Vec<Expr>,
-    /// How many local values have a number for a name.
+    /// Number of local values that have a number for a name.
     pub(super) temporaries: usize,
 }
 
-/// What `routine` computes, from what is `given`.
+/// Builds the statements of `routine`, from the values that are `given`.
 pub(super) fn body(plan: &Plan<'_>, routine: Routine, given: Given<'_>) -> Body {
     let roots = [plan.roots(routine).as_slice(), given.further].concat();
     let mut writer = Writer {
@@ -41,7 +41,7 @@ pub(super) fn body(plan: &Plan<'_>, routine: Routine, given: Given<'_>) -> Body 
     Body { statements: writer.statements, roots, temporaries: writer.temporaries }
 }
 
-/// How often each value is used in the function; values that only fields need are left out.
+/// Counts the uses of each value in the function; values that only fields need are left out.
 fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, usize> {
     let mut uses: BTreeMap<Value, usize> = BTreeMap::new();
     for root in roots {
@@ -58,7 +58,7 @@ fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, u
     uses
 }
 
-/// What the laws of all outputs give.
+/// Name of the results of the laws of all outputs.
 const LAWS: &str = "laws";
 
 /// The gains of all axes, one axis after the other, or those that they share.
@@ -74,7 +74,7 @@ struct Writer<'a> {
     plan: &'a Plan<'a>,
     routine: Routine,
     given: Given<'a>,
-    /// Those of the array that is being filled.
+    /// Elements of the array that is being filled.
     elements: Vec<Expr>,
     uses: BTreeMap<Value, usize>,
     known: BTreeMap<Value, Expr>,
@@ -83,8 +83,8 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// What stands for a value. That of the only user is given away: the terms of a sum would be copied
-    /// with each term that is added.
+    /// Returns the expression of a value. For the only user it is moved out: the terms of a sum would be copied with
+    /// each term that is added.
     fn expression(&mut self, value: Value) -> Expr {
         let once = self.uses.get(&value) == Some(&1);
         let known = match self.known.get(&value) {
@@ -172,7 +172,7 @@ impl Writer<'_> {
         self.known.insert(value, known);
     }
 
-    /// What stands for a value whose expression is `known`: an element, where it is one of the parts; those of a
+    /// Returns the expression of a value, given the `known` one: an element, where it is one of the parts; those of a
     /// level are set behind the last one.
     fn element(&mut self, value: Value, known: Expr) -> Expr {
         let level = self.given.parts.iter().zip(PARTS).find(|(level, _)| level.contains(&value));

@@ -1,4 +1,4 @@
-//! What each of several axes gives, in loops over all.
+//! Results of each of several axes, in loops over all.
 
 use super::Builder;
 use super::axes::{WANTED, each};
@@ -15,8 +15,8 @@ use crate::program::{Input, number};
 const OUTSIDE: &str = "outside";
 
 impl Builder<'_> {
-    /// What each axis gives, and the status of the call. Most often no v is outside of its bounds: a loop that only
-    /// searches for one takes fewer instructions than that which clips.
+    /// Returns the statements for the results of each axis, and the status of the call. Most often no v is outside of
+    /// its bounds: a loop that only searches for one takes fewer instructions than one that clips.
     pub(super) fn clipped_axes(&self, count: usize) -> Vec<Statement> {
         let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
         let inputs = self.inputs_of_axis(axis);

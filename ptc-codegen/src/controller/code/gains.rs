@@ -13,7 +13,7 @@ use crate::program::Value;
 use crate::request;
 
 impl Builder<'_> {
-    /// What `tick` gives and `axis` knows.
+    /// Returns the values that `tick` computes and `axis` reads.
     pub(super) fn gains(&self) -> Vec<Variable> {
         let n = self.spec.n;
         if self.controller.program.gains.is_empty() {
@@ -60,7 +60,7 @@ impl Builder<'_> {
         gains
     }
 
-    /// Whether `axis` has to know which axis it is.
+    /// Returns true if `axis` has to be given the number of its axis.
     fn numbers_axes(&self) -> bool {
         self.spec.axes.as_ref().is_some_and(request::Axes::differ)
     }

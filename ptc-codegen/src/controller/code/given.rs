@@ -1,32 +1,32 @@
-//! What a routine is given.
+//! Values given to a routine.
 
 use crate::code::{AXIS, Cell, Expr, Index};
 use crate::internal::fault;
 use crate::program::{Input, Value};
 
-/// What a routine is given, and what else it computes.
+/// Values given to a routine, and further values that it computes.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Given<'a> {
     /// The states and references that are local values; the others are elements of x and r.
     pub(super) local: &'a [Input],
-    /// Whether the array xi is given, as to the infinite-time system.
+    /// True if the array xi is given, as to the infinite-time system.
     pub(super) xi: bool,
-    /// Of which of all axes, where their gains are local values.
+    /// The axis, where the gains of all are local values.
     pub(super) of_all: Option<OfAll>,
     /// Values behind the roots of the routine.
     pub(super) further: &'a [Value],
     /// Sums that stand in arrays of those of all axes, level by level.
     pub(super) parts: &'a [Vec<Value>],
-    /// How many local values have a number for a name already.
+    /// Number of local values that already have a number for a name.
     pub(super) temporaries: usize,
 }
 
-/// Which of all axes is meant where a call computes u of all.
+/// Axis that is meant where a call computes u of all.
 #[derive(Clone, Copy)]
 pub(super) enum OfAll {
     /// One of them, from 0.
     One(usize),
-    /// That of the loop.
+    /// The axis of the loop.
     Each,
 }
 

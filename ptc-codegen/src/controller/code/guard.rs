@@ -13,16 +13,16 @@ use crate::request::After;
 /// The tests of inputs.
 #[derive(Default)]
 pub(super) struct Inputs {
-    /// What is tested before anything is computed.
+    /// Tests before any computation.
     pub(super) first: Vec<Test>,
-    /// What is tested where u is not within its bounds.
+    /// Tests that are made only where u is not within its bounds.
     pub(super) waiting: Vec<Test>,
     /// The elements of arrays among the first: local values.
     pub(super) local: Vec<Input>,
 }
 
 impl Inputs {
-    /// That all of the first hold.
+    /// Requires that all of the first hold.
     pub(super) fn required(&self) -> Option<Statement> {
         let tests = self.first.clone();
         (!tests.is_empty()).then_some(Statement::Require(Test::All(tests), Status::Input))
@@ -83,8 +83,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether the law knows time as [`Limits::late`](crate::program::Limits::late) alone, which is held from
-    /// `hold_from` on for any t that is infinite.
+    /// Returns true if the law depends on time through [`Limits::late`](crate::program::Limits::late) alone, which is
+    /// held from `hold_from` on for any t that is infinite.
     fn time_is_late(&self) -> bool {
         let program = self.controller.program;
         let late = self.limits.late;
@@ -97,7 +97,7 @@ impl Builder<'_> {
             && time.is_some_and(|time| !program.depends(time, &[late], program.step))
     }
 
-    /// That u, the local value v, is finite and within its limits.
+    /// Tests that u, the local value v, is finite and within its limits.
     pub(super) fn within_bounds(&self) -> Vec<Test> {
         Self::within(&self.bounds())
     }

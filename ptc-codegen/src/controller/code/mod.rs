@@ -94,13 +94,13 @@ impl Builder<'_> {
         functions
     }
 
-    /// What `routine` computes; of the elements of x and r those that are `local` are local values.
+    /// Builds the statements of `routine`; elements of x and r that are `local` are local values.
     fn body(&self, routine: Routine, local: &[Input]) -> Body {
         let given = self.spec.what == What::Associated;
         body(&self.plan, routine, Given { local, xi: given, ..Given::default() })
     }
 
-    /// Whether arguments are checked.
+    /// Returns true if arguments are checked.
     fn guarded(&self) -> bool {
         self.spec.guard == Guard::Full || self.spec.what == What::Associated
     }
@@ -164,7 +164,7 @@ impl Builder<'_> {
         inputs.iter().map(local).collect()
     }
 
-    /// That t is finite and not before the start.
+    /// Tests that t is finite and not before the start.
     fn legal_time(&self) -> Vec<Test> {
         let mut tests = vec![Test::Finite(Expr::local("t"))];
         if let Some(start) = self.limits.start_time {

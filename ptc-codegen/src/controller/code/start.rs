@@ -110,7 +110,7 @@ impl Builder<'_> {
         }
     }
 
-    /// How `init` ends.
+    /// Returns the end of `init`.
     pub(super) fn start(&self) -> Start {
         Start { time: self.parameter(Parameter::StartTime), state: self.latched() }
     }

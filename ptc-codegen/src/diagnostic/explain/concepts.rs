@@ -4,11 +4,11 @@
 /// A concept.
 #[derive(Clone, Copy, Debug)]
 pub struct Concept {
-    /// What it is called.
+    /// Its name.
     pub name: &'static str,
     /// Other words under which it is looked for.
     pub also: &'static [&'static str],
-    /// What it is, why it matters, and what to do with it.
+    /// Definition, relevance, and use.
     pub lines: [&'static str; 5],
     /// The page that says more, under docs/.
     pub page: &'static str,

@@ -1,6 +1,5 @@
-//! What each message means, an example that causes it, and its fix: one table for `explain` and for
-//! docs/messages.md. Every code of a [`Diagnostic`](super::Diagnostic), every check and every status has
-//! an entry.
+//! Meaning of each message, an example that causes it, and its fix: one table for `explain` and for docs/messages.md.
+//! Every code of a [`Diagnostic`](super::Diagnostic), every check and every status has an entry.
 
 mod checks;
 mod concepts;
@@ -9,18 +8,18 @@ mod statuses;
 
 pub use concepts::{CONCEPTS, Concept, concept};
 
-/// What a message means.
+/// Explanation of a message.
 #[derive(Clone, Copy, Debug)]
 pub struct Explanation {
     /// The code in brackets behind `error`, the name of a check, or that of a status in C.
     pub code: &'static str,
-    /// What it means; the first sentence stands alone in lists.
+    /// Meaning; the first sentence stands alone in lists.
     pub means: &'static str,
     /// The design file `design.toml` of the example; empty where it needs none.
     pub design: &'static str,
     /// A command that causes it, or how it comes about.
     pub example: &'static str,
-    /// What to do about it.
+    /// Fix.
     pub fix: &'static str,
 }
 
@@ -29,7 +28,7 @@ pub struct Explanation {
 pub struct Kind {
     /// Its name in the plural.
     pub title: &'static str,
-    /// What they have in common.
+    /// Description of the whole kind.
     pub about: &'static str,
     /// The messages.
     pub all: &'static [Explanation],

@@ -1,8 +1,8 @@
-//! What a call gives.
+//! Kinds of results of a call.
 
 use crate::code::{Finish, Function, Shape, Status};
 
-/// What a call gives, by the words that languages have for it.
+/// Kind of result of a call, in the terms that languages share.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::emit) enum Gives {
     /// Nothing.

@@ -1,5 +1,5 @@
-//! What the printers of all languages share: statements, expressions and lines, from the [`Code`] of a controller; and
-//! the items of Rust, which the macro expands to.
+//! Shared printing code of all languages: statements, expressions and lines, from the [`Code`] of a controller; and the
+//! items of Rust, which the macro expands to.
 //!
 //! [`Code`]: crate::code::Code
 

@@ -30,7 +30,7 @@ fn renamed(text: &str, name: &str) -> String {
 /// A place where something else than the controller's type or a member has its name.
 struct Word {
     at: usize,
-    /// Whether it is in code, and not in a contract.
+    /// True in code, false in a contract.
     is_code: bool,
 }
 
@@ -96,7 +96,7 @@ fn words(text: &str, name: &str) -> Vec<Word> {
     found
 }
 
-/// Whether the name between the texts is that of a type: a declaration follows, or ends with it.
+/// Returns true if the name between the texts is that of a type: a declaration follows, or ends with it.
 fn is_type(before: &str, after: &str, last: &str) -> bool {
     let declared = after.strip_prefix(' ').map(|after| after.strip_prefix('*').unwrap_or(after));
     let begins = |text: &str| text.starts_with(|c| is_letter(c) && !c.is_ascii_digit());

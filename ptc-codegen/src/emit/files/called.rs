@@ -1,4 +1,4 @@
-//! What a function calls of the mathematical library, and the gains that it gives one by one.
+//! Calls of the mathematical library by a function, and the gains that it returns one by one.
 
 use crate::code::{Expr, Function, Statement, Subroutine};
 use crate::expression::Function as Math;
@@ -16,14 +16,14 @@ pub(super) fn paired(
     places.into_iter().zip(values).collect()
 }
 
-/// Whether a statement calls a function of the mathematical library.
+/// Returns true if a statement calls a function of the mathematical library.
 pub(super) fn calls(statement: &Statement) -> bool {
     let mut found = false;
     statement.visit(&mut |value| found |= is_call(value));
     found
 }
 
-/// Whether a function of a controller does.
+/// Returns true if a function of a controller calls the mathematical library.
 pub(super) fn calls_library(function: &Function) -> bool {
     let mut found = function.subroutines().any(Subroutine::is_fused);
     function.visit(&mut |value| found |= is_call(value));

@@ -44,7 +44,7 @@ pub(super) struct Example {
     precision: Precision,
     /// Sample period, s.
     pub(super) period: f64,
-    /// Whether the run with it is known to arrive.
+    /// True if the run with it is known to arrive.
     pub(super) arrives: bool,
 }
 
@@ -196,7 +196,7 @@ const STEPS: f64 = 16_000.0;
 /// The part of the largest state of a run at which a project says that it has arrived.
 pub(super) const ARRIVED: f64 = 0.01;
 
-/// Whether the run of a project from x1 = 1 arrives, with a linear law and without a bound of u that clips.
+/// Returns true if the run of a project from x1 = 1 arrives, with a linear law and without a bound of u that clips.
 fn arrives(spec: &Spec, tau: f64) -> bool {
     let value = |parameter| spec.fixed.get(&parameter).and_then(to_f64);
     let period = spec.promises.sample_time.as_ref().and_then(to_f64);

@@ -72,7 +72,7 @@ impl Language {
         Self::ALL.into_iter().find(|language| language.name() == name)
     }
 
-    /// What is emitted, in a few words.
+    /// Describes the emitted files in a few words.
     pub fn about(self) -> &'static str {
         self.target().about
     }
@@ -87,7 +87,7 @@ impl Language {
         }
     }
 
-    /// How it writes an element of an array, counted from 0.
+    /// Returns the syntax of an array element, counted from 0.
     pub(super) fn element(self) -> Element {
         match self {
             Self::Matlab => |name, index| format!("{name}({})", index + 1),
@@ -96,7 +96,7 @@ impl Language {
         }
     }
 
-    /// What opens and what closes a comment line.
+    /// Returns the opening and closing delimiters of a comment line.
     #[doc(hidden)]
     pub fn comment(self) -> (&'static str, &'static str) {
         self.target().comment
@@ -108,19 +108,19 @@ pub(super) struct Target {
     pub(super) language: Language,
     /// Name on the command line.
     pub(super) name: &'static str,
-    /// What is emitted, in a few words.
+    /// Short description of the emitted files.
     pub(super) about: &'static str,
-    /// What opens and closes a comment line.
+    /// Opening and closing delimiters of a comment line.
     pub(super) comment: (&'static str, &'static str),
-    /// Whether a word that other languages leave free means something in this one.
+    /// Tests whether a word that other languages leave free has a meaning in this one.
     pub(super) is_word: fn(&str) -> bool,
     /// Notes what it cannot express.
     pub(super) refuse: fn(&Spec, Option<&Program>, &mut Diagnostics),
-    /// How its files are made.
+    /// Printer of its files.
     pub(super) print: Print,
 }
 
-/// How files are made.
+/// Printer of files.
 pub(super) enum Print {
     /// A program is printed.
     Program(fn(&Code) -> Vec<File>),

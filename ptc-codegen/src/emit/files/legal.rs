@@ -12,7 +12,7 @@ pub(super) struct Check {
     pub(super) test: Test,
     /// The parameter that it is about, with its index in an array; none for what follows from several.
     pub(super) parameter: Option<(String, Option<usize>)>,
-    /// What is legal.
+    /// Legal values.
     pub(super) legal: String,
 }
 
@@ -39,7 +39,7 @@ pub(super) fn checks(test: &Test, copies: &BTreeMap<String, Expr>) -> Vec<Check>
     checks
 }
 
-/// What two tests of one parameter require.
+/// Combines the requirements of two tests of one parameter.
 fn both(first: &str, second: &str) -> String {
     match (first, second, first.strip_prefix(">= "), second.strip_prefix("<= ")) {
         (_, _, Some(least), Some(greatest)) => format!("from {least} to {greatest}"),
@@ -59,7 +59,7 @@ pub(super) fn copies(init: &[Statement]) -> BTreeMap<String, Expr> {
     init.iter().filter_map(copy).collect()
 }
 
-/// What a test compares.
+/// Returns the operands of a comparison.
 fn sides(test: &Test) -> [Option<&Expr>; 2] {
     match test {
         Test::Finite(a) | Test::NotNumber(a) => [Some(a), None],
@@ -87,7 +87,7 @@ fn parameter(value: &Expr) -> Option<(String, Option<usize>)> {
     }
 }
 
-/// What a test requires of the first parameter that it compares.
+/// Returns the requirement of a test on the first parameter that it compares.
 fn legal(
     test: &Test,
     [below, above]: [Option<&Expr>; 2],

@@ -151,8 +151,8 @@ fn printed(
     found.finish(Some(files))
 }
 
-/// Whether a language can express the controller of `spec`: by the names in it, and by its program,
-/// unless it is one in samples.
+/// Checks that a language can express the controller of `spec`: by the names in it, and by its program, unless the
+/// clock counts samples.
 fn accepts(target: &Target, spec: &Spec, program: Option<&Program>) -> Result<(), Vec<Diagnostic>> {
     let mut found = Diagnostics::default();
     for (key, word) in names(spec) {

@@ -1,4 +1,4 @@
-//! What templates around the emitted C know of it.
+//! Outline of the emitted C for the templates around it.
 
 use super::c;
 use crate::code::{Code, Expr, Statement, Variable};
@@ -8,7 +8,7 @@ use crate::request::{Feedback, Guard, Spec, What};
 /// The types and members of a controller in C.
 pub(super) struct Outline {
     pub(super) n: usize,
-    /// How many inputs the plant has, where `step` gives a list of them.
+    /// Number of inputs of the plant, where `step` returns a list of them.
     pub(super) inputs: Option<usize>,
     /// The shape of the state: its length, or rows and their length.
     pub(super) shape: String,
@@ -17,13 +17,13 @@ pub(super) struct Outline {
     pub(super) real: &'static str,
     pub(super) zero: &'static str,
     pub(super) guard: Guard,
-    /// Whether the state at the start is latched.
+    /// True if the state at the start is latched.
     pub(super) latches: bool,
-    /// Whether it is the associated system, in place of the controller.
+    /// True for the associated system, in place of the controller.
     pub(super) associated: bool,
-    /// Whether the law is a function of the user's.
+    /// True if the law is a user-defined function.
     pub(super) extern_law: bool,
-    /// Whether the gains hold u_max, u_min, and g.
+    /// True if the gains hold u_max, u_min, and g.
     pub(super) run_time_limit: bool,
     pub(super) run_time_lower: bool,
     pub(super) divides: bool,

@@ -1,4 +1,4 @@
-//! What enclosures do whatever their ends are.
+//! Operations on enclosures that do not depend on the type of their ends.
 
 use std::iter::Sum;
 
@@ -41,24 +41,24 @@ impl<E: End> Enclosure<E> {
         if low <= high || low > high { Self { low, high } } else { Self::WHOLE }
     }
 
-    /// Whether all of it is > 0.
+    /// Returns true if every number in it is > 0.
     #[inline]
     pub(crate) fn is_positive(&self) -> bool {
         self.low > E::from(0)
     }
 
-    /// Whether all of it is < 0.
+    /// Returns true if every number in it is < 0.
     #[inline]
     pub(crate) fn is_negative(&self) -> bool {
         self.high < E::from(0)
     }
 
-    /// Whether all of it is >= 0.
+    /// Returns true if every number in it is >= 0.
     pub(crate) fn is_not_negative(&self) -> bool {
         self.low >= E::from(0)
     }
 
-    /// Whether 0 is in it.
+    /// Returns true if 0 is in it.
     #[inline]
     pub(crate) fn has_zero(&self) -> bool {
         !self.is_positive() && !self.is_negative()
@@ -69,17 +69,17 @@ impl<E: End> Enclosure<E> {
         self.low.is_zero() && self.high.is_zero()
     }
 
-    /// Whether neither end is infinite.
+    /// Returns true if neither end is infinite.
     pub(crate) fn is_bounded(&self) -> bool {
         self.low > E::BELOW && self.high < E::ABOVE
     }
 
-    /// Whether all of it is below all of `other`.
+    /// Returns true if all of it is below all of `other`.
     pub(crate) fn is_below(&self, other: &Self) -> bool {
         self.high < other.low
     }
 
-    /// Whether every number of `self` is in `other`, with room on both sides.
+    /// Returns true if every number of `self` is in the interior of `other`.
     pub(crate) fn is_inside(&self, other: &Self) -> bool {
         other.low < self.low && self.high < other.high
     }

@@ -7,8 +7,8 @@ use super::{End, Interval};
 use crate::expression::Function;
 use crate::expression::function::{Algebra, Domain, Pieces};
 
-/// Whether x is so small that sin x, atan x and e^x - 1 are x to within the margin of
-/// [`Interval::around`]; the library would take time with the size of its exponent.
+/// Returns true if x is so small that sin x, atan x and e^x - 1 are x to within the margin of [`Interval::around`]; the
+/// library would take time with the size of its exponent.
 fn is_tiny(x: &BigFloat) -> bool {
     x.exponent().is_some_and(|e| e < -70)
 }

@@ -145,7 +145,7 @@ impl Interval {
         Self::around(cache.pi(LONG, RoundingMode::None))
     }
 
-    /// What a function of the library gave, with a margin that its error cannot reach.
+    /// Encloses the result of a library function, with a margin that exceeds its error.
     pub(super) fn around(value: BigFloat) -> Self {
         if value.is_inf() || value.is_zero() {
             return Self::from(value);
@@ -154,7 +154,7 @@ impl Interval {
         Self::new(value.sum(&-&margin, Down), value.sum(&margin, Up))
     }
 
-    /// Whether neither end is beyond the greatest double.
+    /// Returns true if neither end is beyond the greatest double.
     pub(crate) fn is_within_doubles(&self) -> bool {
         self.is_inside(&Self::from(two_to(1024)).both_signs())
     }

@@ -27,9 +27,8 @@ impl Field {
         if inverted { value.pow(-1) } else { Some(value) }
     }
 
-    /// What a function of an angle is where the angle has pi/2 or pi in it: the function, its
-    /// sign, the rest of the angle, and whether the reciprocal is meant. What vanishes with the
-    /// rest then has all its digits.
+    /// Reduces a function of an angle that contains pi/2 or pi: returns the function, its sign, the rest of the angle,
+    /// and true for the reciprocal. A value that vanishes with the rest then has all its digits.
     fn quarter_turned(
         &mut self,
         function: Function,

@@ -11,7 +11,7 @@ use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 use crate::limits::{KERNELS, SIZE, TERMS};
 use powers::is_expanded;
 
-/// What one symbol stands for.
+/// Meaning of one symbol.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Kernel {
     /// A name, or a call, min or max with normal operands.
@@ -30,7 +30,7 @@ pub(super) type Terms = Vec<Ratio>;
 #[derive(Debug, Default)]
 pub(super) struct Field {
     kernels: Vec<Kernel>,
-    /// What each of them is written out.
+    /// Cost of writing out each of them.
     measures: Vec<Measure>,
     /// The normal forms of the expressions met so far.
     found: Found<Terms>,
@@ -54,7 +54,7 @@ impl Field {
         self.kernels.get(usize::from(symbol.index).checked_sub(1)?)
     }
 
-    /// What a kernel of this field is written out.
+    /// Returns the cost of writing out a kernel of this field.
     pub(super) fn measure(&self, symbol: Symbol) -> Measure {
         let index = usize::from(symbol.index).checked_sub(1);
         index.and_then(|index| self.measures.get(index).copied()).unwrap_or_default()

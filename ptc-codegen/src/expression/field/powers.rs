@@ -111,7 +111,7 @@ impl Field {
     }
 }
 
-/// Whether a positive whole power is multiplied out; one that is not is a kernel, over and under a fraction bar.
+/// Returns true if a positive whole power is multiplied out; otherwise it is a kernel, over and under a fraction bar.
 pub(super) fn is_expanded(base: &Ratio, power: i32) -> bool {
     let power = power.unsigned_abs();
     let products = base.num.len().pow(2) * (power as usize);

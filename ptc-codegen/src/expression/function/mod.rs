@@ -52,7 +52,7 @@ pub enum Function {
     Cbrt,
 }
 
-/// What f(-a) is.
+/// Value of f(-a).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parity {
     /// f(a).
@@ -82,7 +82,7 @@ pub(crate) enum Domain {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Edge {
     pub(crate) at: i64,
-    /// Whether the end belongs to the domain.
+    /// True if the end belongs to the domain.
     pub(crate) closed: bool,
 }
 
@@ -108,7 +108,7 @@ impl Domain {
     }
 }
 
-/// Where a function rises and falls: between these places its extremes are at the ends of an interval.
+/// Monotonic pieces of a function: between these places its extremes are at the ends of an interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Pieces {
     /// It rises, or stays, on its whole domain.
@@ -123,7 +123,7 @@ pub(crate) enum Pieces {
     Branches,
 }
 
-/// How the sign of a value follows from that of the argument.
+/// Sign of a value, from that of the argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Signs {
     /// Always > 0.
@@ -132,13 +132,13 @@ pub(crate) enum Signs {
     NeverNegative,
     /// > 0 but for an argument 0, where it is 0.
     Size,
-    /// That of the argument.
+    /// Sign of the argument.
     Argument,
-    /// That of the argument less 1, for a positive argument.
+    /// Sign of the argument less 1, for a positive argument.
     ArgumentLessOne,
-    /// That of the argument, which is not negative.
+    /// Sign of the argument, which is not negative.
     NotNegative,
-    /// That of the argument within +-pi over this number.
+    /// Sign of the argument within +-pi over this number.
     ArgumentWithin(i64),
     /// > 0 within +-pi over this number.
     PositiveWithin(i64),

@@ -6,7 +6,7 @@ use Function::{
 };
 use Parity::{Even, Odd};
 
-/// What is known of a function.
+/// Properties of a function.
 pub(crate) struct Row {
     pub(crate) function: Function,
     /// The name that users write; those of the libraries of all languages are the same.
@@ -14,7 +14,7 @@ pub(crate) struct Row {
     /// The values of the platform.
     pub(crate) double: fn(f64) -> f64,
     pub(crate) single: fn(f32) -> f32,
-    /// Whether every platform rounds the exact value once.
+    /// True if every platform returns the exact value, rounded once.
     pub(crate) is_exact: bool,
     pub(crate) parity: Option<Parity>,
     pub(crate) domain: Domain,
@@ -22,7 +22,7 @@ pub(crate) struct Row {
     /// Bounds of the values.
     pub(crate) bounds: [Option<i64>; 2],
     pub(crate) signs: Signs,
-    /// Whether it has a kink or a jump where its argument is 0.
+    /// True if it has a kink or a jump where its argument is 0.
     pub(crate) has_kink: bool,
     pub(crate) slope: Slope,
     /// Integers at which the value is an integer, and that.

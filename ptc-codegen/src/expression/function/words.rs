@@ -2,14 +2,14 @@
 
 use super::Function;
 
-/// How a function is written.
+/// Notation of a function.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Words {
     /// LaTeX before and after the argument.
     pub(crate) latex: [&'static str; 2],
-    /// Whether Structured Text has it.
+    /// True if Structured Text has it.
     pub(crate) structured_text: bool,
-    /// Whether Frama-C has a contract of the function of the C library.
+    /// True if Frama-C has a contract of the function of the C library.
     pub(crate) contract: bool,
 }
 

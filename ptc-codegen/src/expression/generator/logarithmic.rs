@@ -12,7 +12,7 @@ use crate::expression::normal::moves;
 use crate::expression::ratio::{Ratio, content, times};
 use crate::expression::{Expression, Variable};
 
-/// What moves, in the generator.
+/// Moving symbols, in terms of the generator.
 pub(super) struct Own {
     clock: Clock,
     /// The rate of the generator; 1 where it is t.

@@ -22,7 +22,7 @@ use crate::parameter::Parameter;
 /// The symbol of the generator.
 pub(crate) const GENERATOR: Symbol = Symbol::plain(Kind::Generator);
 
-/// What the generator is of stretched time t.
+/// Generator as a function of stretched time t.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Clock {
     /// t itself.
@@ -146,7 +146,7 @@ fn gcd(a: i32, b: i32) -> i32 {
     if b == 0 { a.abs() } else { gcd(b, a % b) }
 }
 
-/// What all terms of some polynomials have in common beside the generator, with a positive number.
+/// Returns the common factor of all terms of some polynomials, without the generator and with a positive number.
 pub(crate) fn common<'a>(polys: impl Iterator<Item = &'a Poly>) -> Poly {
     let (mut number, mut alike) = (integer(0), Poly::zero());
     for (monomial, c) in polys.flat_map(Poly::terms) {

@@ -17,15 +17,15 @@ pub(crate) enum Rate {
     Infinite,
 }
 
-/// How something falls.
+/// Decay of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Decay {
     pub(crate) rate: Rate,
-    /// Whether it is known to be a constant other than 0 times e^(-rate v), to leading order.
+    /// True if it is known to be a constant other than 0 times e^(-rate v), to leading order.
     pub(crate) pure: bool,
 }
 
-/// How something falls to 0 as `v` grows.
+/// Returns the decay to 0 of `falling` as `v` grows.
 pub(crate) fn decay(falling: &Expression, v: Variable) -> Option<Decay> {
     let found = |series: Series| match series.terms.first() {
         Some(first) => decay_of(first),
@@ -62,7 +62,7 @@ pub(crate) fn decay(falling: &Expression, v: Variable) -> Option<Decay> {
     }
 }
 
-/// How a scale that vanishes compares with exponentials.
+/// Decay of a vanishing scale compared with exponentials.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Class {
     Slow,
@@ -108,8 +108,8 @@ fn leading_sign(expression: &Expression, v: Variable) -> Option<bool> {
     }
 }
 
-/// How the inverse falls of what grows without bound as `to_go` falls to 0: with kappa = -c ln T, T
-/// falls as e^(-t/c); with a power of T as a power of t.
+/// Returns the decay of the inverse of a function that grows without bound as `to_go` falls to 0: with kappa = -c ln T,
+/// T falls as e^(-t/c); with a power of T as a power of t.
 pub(crate) fn decay_of_inverse(kappa: &Expression, to_go: Variable) -> Option<Decay> {
     let turned = inverted(kappa, to_go);
     let forms = [normal(&turned), turned];

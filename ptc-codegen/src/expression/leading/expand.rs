@@ -101,14 +101,14 @@ fn half() -> Expression {
     Expression::integer(1).div(Expression::integer(2))
 }
 
-/// Whether a number is between -1 and 1.
+/// Returns true if a number is between -1 and 1.
 fn is_inside_one(at: &Expression) -> bool {
     let one = || Expression::integer(1);
     let room = [one().sub(at.clone()), one().add(at.clone())];
     room.iter().all(|room| ordering(room) == Some(Ordering::Greater))
 }
 
-/// Whether an angle is between -pi/2 and pi/2.
+/// Returns true if an angle is between -pi/2 and pi/2.
 fn is_acute(angle: &Expression) -> bool {
     let right = Expression::pi().mul(half());
     let room = [right.clone().sub(angle.clone()), right.add(angle.clone())];

@@ -25,7 +25,7 @@ use crate::limits::{COEFFICIENT, SEARCH};
 /// The numbers of terms with which a leading one is sought: where they cancel, more are needed.
 const TERMS: [usize; 4] = [1, 2, 4, 7];
 
-/// How an expression in positive parameters compares with 0.
+/// Compares an expression in positive parameters with 0.
 pub(crate) fn ordering(expression: &Expression) -> Option<Ordering> {
     match sign(expression, &positive_parameters) {
         Some(Sign::Positive) => return Some(Ordering::Greater),
@@ -101,7 +101,7 @@ impl Walk<'_> {
     }
 }
 
-/// What `of` gives for the expansion with the fewest terms with which it gives something.
+/// Returns the result of `of` for the shortest expansion for which it has one.
 fn search<T>(expression: &Expression, v: Variable, of: &dyn Fn(Series) -> Option<T>) -> Option<T> {
     let left = Cell::new(SEARCH.size());
     let with = |most| expand::series(expression, &Walk { v, most, left: &left });

@@ -49,7 +49,7 @@ pub(crate) struct Scale {
     /// 1 if it grows faster than e to any of the products, -1 if it falls so.
     pub(super) fast: i32,
     pub(super) exponent: BTreeMap<Product, Expression>,
-    /// What the exponent leaves open is a bounded multiple of this product.
+    /// Bounding product: the part that the exponent leaves open is a bounded multiple of it.
     pub(super) open: Option<Product>,
 }
 
@@ -95,7 +95,7 @@ impl Scale {
         (left == 0 && self.fast == 0 && self.open.is_none()).then_some(Product(powers))
     }
 
-    /// Whether it grows, stays or vanishes.
+    /// Returns `Greater` if it grows, `Equal` if it stays, and `Less` if it vanishes.
     pub(super) fn tends(&self) -> Option<Ordering> {
         match (self.fast.cmp(&0), self.leading()?) {
             (Ordering::Equal, Some((_, order))) => Some(order),
@@ -168,7 +168,7 @@ impl Scale {
         }
     }
 
-    /// Which of the two grows faster; `None` if it depends on the parameters or is not known.
+    /// Compares the growth of the two; `None` if it depends on the parameters or is not known.
     pub(super) fn compare(&self, other: &Self) -> Option<Ordering> {
         if self.fast != other.fast {
             return Some(self.fast.cmp(&other.fast));

@@ -1,4 +1,4 @@
-//! What a name means where it is used, or why it means nothing there.
+//! Meaning of a name where it is used, or the reason why it has none there.
 
 use super::Subject::{self, Family, Kappa, Law, Mu};
 use super::{NAMES, NameInfo, Sense};
@@ -7,7 +7,7 @@ use crate::expression::{Expression, Function};
 use crate::family::FAMILIES;
 use crate::keys::{KeyInfo, PARAMETERS_TOO, PLANT_KEYS};
 
-/// What the table says of a name.
+/// Entry of the table for a name.
 pub(in crate::expression) enum Found {
     /// It means this.
     Is(Expression),
@@ -23,7 +23,7 @@ impl Found {
     }
 }
 
-/// What `name` means in an expression for `subject`, at order `n`.
+/// Looks up the meaning of `name` in an expression for `subject`, at order `n`.
 pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Found {
     let shown = shorten(name);
     let mut elsewhere = Vec::new();

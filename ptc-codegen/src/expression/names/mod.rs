@@ -7,7 +7,7 @@ use crate::parameter::Parameter;
 
 pub(super) use find::{Found, find};
 
-/// What an expression is for, which decides the names it may use.
+/// Purpose of an expression, which decides the names it may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// mu(t), t the stretched time since the start.
@@ -62,7 +62,7 @@ impl Subject {
     }
 }
 
-/// Where users write expressions, in the order of the documentation.
+/// Keys of the expressions that users write, in the order of the documentation.
 const PLACES: [(Subject, &str); 11] = [
     (Mu, "mu"),
     (Kappa, "kappa"),
@@ -77,7 +77,7 @@ const PLACES: [(Subject, &str); 11] = [
     (Bound, "zeta, upsilon, low, high"),
 ];
 
-/// What a name stands for.
+/// Meaning of a name.
 #[derive(Clone, Copy)]
 enum Sense {
     Variable(Variable),
@@ -203,7 +203,7 @@ impl NameInfo {
         }
     }
 
-    /// What says the same where the name has no meaning.
+    /// Suggests an equivalent where the name has no meaning.
     fn instead(&self, subject: Subject, index: usize) -> Option<String> {
         let of_state = OF_STATE.contains(&subject);
         let text = match (self.name, subject) {

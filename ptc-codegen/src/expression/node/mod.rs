@@ -21,7 +21,7 @@ use crate::algebra::BigRational;
 use crate::parameter::Parameter;
 use table::{SHARDS, TABLE};
 
-/// What an expression is, outermost.
+/// Outermost operation or operand of an expression.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Node {
     /// An exact number.
@@ -30,7 +30,7 @@ pub enum Node {
     Pi,
     /// A parameter: run-time, or fixed.
     Parameter(Parameter),
-    /// What time and state decide.
+    /// A variable, given by time and state.
     Variable(Variable),
     /// -a.
     Neg(Expression),
@@ -107,7 +107,7 @@ impl Shared {
     }
 }
 
-/// What a node alone held is taken apart in a loop, as its height may be that of the stack.
+/// Takes operands that only this node holds apart in a loop: recursion to their height might overflow the stack.
 impl Drop for Shared {
     fn drop(&mut self) {
         let mut alone = Vec::new();
@@ -125,7 +125,7 @@ fn release(node: &mut Node, alone: &mut Vec<Shared>) {
 }
 
 impl Expression {
-    /// What it is, outermost.
+    /// Returns the outermost node.
     pub fn node(&self) -> &Node {
         &self.0.node
     }
@@ -178,7 +178,7 @@ impl PartialOrd for Expression {
 }
 
 impl Ord for Expression {
-    /// By structure. The first operands that differ decide, so that this goes down one path.
+    /// Compares by structure. The first operands that differ decide, so that this goes down one path.
     fn cmp(&self, other: &Self) -> Ordering {
         if self == other { Ordering::Equal } else { self.node().cmp(other.node()) }
     }

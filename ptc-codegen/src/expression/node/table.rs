@@ -26,7 +26,7 @@ impl Hasher for Hashed {
     }
 }
 
-/// What is found of each expression, to be looked up and never listed.
+/// Results by expression, to be looked up and never listed.
 pub(crate) type Found<T> = HashMap<Expression, T, BuildHasherDefault<Hashed>>;
 
 /// Parts of the table, so that threads seldom wait for each other.
@@ -84,7 +84,7 @@ impl Table {
 }
 
 impl Entry {
-    /// Whether one of its nodes is in use; the others are dropped.
+    /// Returns true if one of its nodes is in use; drops the others.
     fn is_used(&mut self) -> bool {
         self.more.retain(|weak| weak.strong_count() > 0);
         self.first.strong_count() > 0 || !self.more.is_empty()

@@ -1,4 +1,4 @@
-//! What the rounding of the constants leaves of the chains that held inputs move, bounded.
+//! Bounds of the effect that rounded constants have on the chains that held inputs move.
 //!
 //! With the constants as they are kept, xi moves from sample to sample as the chains do, and by J beside that: a
 //! residual of these constants and of Phi and Gamma, which are known to so many bits. A chain can be brought
@@ -14,15 +14,15 @@ use crate::linear::{Matrix, Pair, binomial};
 
 /// Bounds of J by what it comes from, and of what it does.
 pub(crate) struct Left {
-    /// By the sizes of the states.
+    /// Weights of the sizes of the states.
     of_states: Matrix,
-    /// By those of v.
+    /// Weights of the sizes of v.
     of_wanted: Matrix,
-    /// By those of what u is beside G^-1 (v - F x).
+    /// Weights of the sizes of u - G^-1 (v - F x).
     of_errors: Matrix,
-    /// By those of u.
+    /// Weights of the sizes of u.
     of_inputs: Matrix,
-    /// How far xi is from eta by J.
+    /// Distance of xi from eta by J.
     apart: Matrix,
     /// The force on each chain by J.
     forces: Matrix,
@@ -32,14 +32,14 @@ pub(crate) struct Left {
 pub(crate) struct Moving<'a> {
     pub(crate) states: &'a [BigRational],
     pub(crate) wanted: &'a [BigRational],
-    /// Of what u is beside G^-1 (v - F x).
+    /// Sizes of u - G^-1 (v - F x).
     pub(crate) errors: &'a [BigRational],
     pub(crate) inputs: &'a [BigRational],
 }
 
 impl Left {
-    /// Of chains that inputs move which are held for `h`; `None` where a mode is too fast for it, or G is
-    /// singular.
+    /// Returns the bounds of chains moved by inputs that are held for `h`; `None` where a mode is too fast for it, or G
+    /// is singular.
     pub(crate) fn new(plant: &Several, h: &BigRational, chains: &Chains) -> Option<Self> {
         let n = plant.states();
         let held = plant.held(h)?;
@@ -63,7 +63,7 @@ impl Left {
         Some(Self { of_states, of_wanted, of_errors, of_inputs, apart, forces })
     }
 
-    /// How far each xi is from eta, and the force on each chain.
+    /// Bounds the distance of each xi from eta, and the force on each chain.
     pub(crate) fn bounds(&self, moving: &Moving<'_>) -> (Vec<BigRational>, Vec<BigRational>) {
         let parts = [
             self.of_states.on(moving.states),
@@ -96,7 +96,7 @@ fn of_chains(orders: &[usize], h: &BigRational) -> (Matrix, Matrix) {
     (Matrix::of(phi), Matrix::of(gamma))
 }
 
-/// What deadbeat, K, makes of J: sum |(Phi - Gamma K)^j| over the samples that it takes, and |K| times that.
+/// Returns the effect of deadbeat, K, on J: sum |(Phi - Gamma K)^j| over the samples that it takes, and |K| times that.
 fn brought_back(orders: &[usize], h: &BigRational) -> Option<(Matrix, Matrix)> {
     let n = orders.iter().sum();
     let (mut apart, mut forces) = (rows(n, n), rows(orders.len(), n));
@@ -157,7 +157,7 @@ mod tests {
         }
     }
 
-    /// Of a plant that is two chains nothing is left but digits; of a wrong row as much as it is wrong.
+    /// Expects only the last digits of a plant that is two chains, and the error of a wrong row.
     #[test]
     fn wrong_constants_leave_what_they_are_off() {
         let number = |rows: &[&[i64]]| -> Vec<Vec<BigRational>> {

@@ -44,7 +44,7 @@ pub struct Several {
 /// more digits than any precision has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chains {
-    /// Of each xi, one chain after the other, its row.
+    /// Row of each xi, one chain after the other.
     pub coordinates: Vec<Vec<BigRational>>,
     /// F.
     pub drift: Vec<Vec<BigRational>>,
@@ -73,7 +73,7 @@ impl Several {
         self.a.len()
     }
 
-    /// Whether the equations of the chains are as many as the states.
+    /// Returns true if the equations of the chains are as many as the states.
     pub(crate) fn has_chains(&self) -> bool {
         let ends = [self.orders.iter().min(), self.orders.iter().max()];
         let near = matches!(ends, [Some(least), Some(most)] if most - least <= 1);
@@ -90,7 +90,7 @@ impl Several {
         })
     }
 
-    /// What a time `over` makes of the states; `None` where a mode is too fast for it.
+    /// Returns Phi and Gamma of a time `over`; `None` where a mode is too fast for it.
     pub(crate) fn held(&self, over: &BigRational) -> Option<Held> {
         let (n, m) = (self.states(), self.orders.len());
         let whole = exponential(&scaled(&self.moves(), over))?;
@@ -100,7 +100,7 @@ impl Several {
         })
     }
 
-    /// How far the entries of (Phi, Gamma) of such a time may be from the true ones.
+    /// Bounds the errors of the entries of (Phi, Gamma) of such a time.
     pub(crate) fn off(&self, over: &BigRational) -> Matrix {
         let units = balanced(&scaled(&self.moves(), over));
         let entry = |i: usize, j: usize| power(EXPONENTIAL + units[i] - units[j]);

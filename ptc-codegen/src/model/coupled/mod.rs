@@ -24,10 +24,10 @@ pub struct Coupled {
     pub inputs: Vec<Name>,
     /// The outputs, one for each input.
     pub outputs: Vec<Output>,
-    /// How the inputs follow from what is wanted of the outputs.
+    /// Computation of the inputs from the wanted derivatives of the outputs.
     pub inverse: Inverse,
-    /// Whether it is what several axes are to a law of all of them: a chain of integrators for each, whose
-    /// states a call is given in rows.
+    /// True if it represents several axes for a law of all of them: a chain of integrators for each, whose states a
+    /// call is given in rows.
     pub is_of_axes: bool,
 }
 
@@ -40,7 +40,7 @@ pub struct Output {
     pub drift: Expression,
 }
 
-/// How the inputs follow from w, the wanted derivatives of order r_i without the drifts.
+/// Computation of the inputs from w, the wanted derivatives of order r_i without the drifts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Inverse {
     /// u = D^-1 w with the decoupling matrix D = (L_gj L_f^(r_i-1) h_i).
@@ -63,7 +63,7 @@ pub enum Inverse {
     Inertia {
         /// M.
         inertia: Vec<Vec<Expression>>,
-        /// What the inputs balance at q'' = 0.
+        /// Inputs that hold q'' = 0.
         bias: Vec<Expression>,
     },
 }
@@ -71,9 +71,9 @@ pub enum Inverse {
 /// Why the outputs are no chains of integrators that the inputs move one by one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum IllCoupled {
-    /// What is wrong of the plant, or of an output, from 0.
+    /// Defect of the plant, or of an output, from 0.
     One(Option<usize>, Ill),
-    /// Whether the determinant is 0 for all states is not decided.
+    /// The determinant may be 0 for all states: undecided.
     Open(String),
     /// The determinant is 0 for all states; the entries of the matrix.
     Singular(String),

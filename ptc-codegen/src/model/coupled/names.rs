@@ -1,4 +1,4 @@
-//! What a plant, and a law of it, call the parts of the plant.
+//! Names of the parts of a plant, in the plant and in a law of it.
 
 use super::super::determinant::{CLOSED, inverse};
 use super::super::named;
@@ -12,9 +12,9 @@ impl Coupled {
         named(&[self.states.as_slice(), &self.inputs].concat(), None, expression)
     }
 
-    /// What a law calls the parts of the plant. Before all stand its states; then those of the chain of each
-    /// output in stretched time, `xi{i}_{j}` for `xi_i` of output j, and as they are, `x{i}_{j}`; of a
-    /// mechanical plant also its inertia, the inverse of it as far as it has a closed form, and its bias.
+    /// Returns the names of the parts of the plant in a law. First come its states; then those of the chain of each
+    /// output in stretched time, `xi{i}_{j}` for `xi_i` of output j, and as they are, `x{i}_{j}`; of a mechanical plant
+    /// also its inertia, the inverse of it as far as it has a closed form, and its bias.
     pub fn names_of_law(&self) -> Vec<(Name, Expression)> {
         let mut all: Vec<(Name, Expression)> = Vec::new();
         let states = (1..).map(|j| Variable::State(j).into());

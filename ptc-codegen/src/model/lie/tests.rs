@@ -177,7 +177,7 @@ where
     (0..LINKS).map(|link| of(link).clone()).collect()
 }
 
-/// What joints do, from what links do.
+/// Converts values of links into those of joints.
 fn of_joints<T: Clone>(links: Vec<T>, minus: &dyn Fn(&T, &T) -> T) -> Vec<T> {
     let of = |j: usize| if j == 0 { links[0].clone() } else { minus(&links[j], &links[j - 1]) };
     (0..LINKS).map(of).collect()

@@ -22,7 +22,7 @@ use crate::parameter::Parameter;
 use number::{Number, characteristic, has_both_signs, solved, times, unstable_roots};
 use rest::{Equations, Point};
 
-/// What is known of the zero dynamics at a rest point.
+/// Result on the zero dynamics at a rest point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Zeros {
     /// The law divides by 0 there.
@@ -42,7 +42,7 @@ pub(crate) enum Zeros {
 /// The zero dynamics at one rest point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct AtRest {
-    /// Where it is, in words: `the origin`.
+    /// Rest point, in words: `the origin`.
     pub(crate) place: String,
     pub(crate) zeros: Zeros,
 }
@@ -53,7 +53,7 @@ impl AtRest {
     }
 }
 
-/// What the outputs follow.
+/// Reference of the outputs.
 pub(crate) enum Followed<'a> {
     /// Constants.
     Constant(&'a [Expression]),
@@ -192,7 +192,7 @@ fn along(
     undecided.or(decided).into_iter().collect()
 }
 
-/// Where a rest point is.
+/// Describes a rest point.
 fn place(plant: &Plant<'_>, point: &Point) -> String {
     let about = point.about();
     if about[..plant.order()].iter().all(|x| *x == 0.0) {

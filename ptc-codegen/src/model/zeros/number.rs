@@ -13,7 +13,7 @@ pub(super) trait Number:
 {
     /// A whole number.
     fn whole(value: i64) -> Self;
-    /// Whether it is certainly not 0.
+    /// Returns true if it is certainly not 0.
     fn is_apart(&self) -> bool;
     /// About its magnitude.
     fn size(&self) -> f64;
@@ -181,7 +181,8 @@ pub(super) fn unstable_roots(coefficients: &[Range]) -> Option<usize> {
     Some(changes)
 }
 
-/// Whether a coefficient has another sign than the leading one, as none does where no root has a positive real part.
+/// Returns true if a coefficient has another sign than the leading one, as none does where no root has a positive real
+/// part.
 pub(super) fn has_both_signs(coefficients: &[Range]) -> bool {
     let signs = coefficients.iter().filter(|c| c.is_apart()).map(|c| c.low() > 0.0);
     let signs: Vec<_> = signs.collect();

@@ -77,7 +77,7 @@ impl<'a> Plant<'a> {
         named.to_string()
     }
 
-    /// What is differentiated for a linearisation and what the outputs are.
+    /// Returns the expressions that a linearisation differentiates, and the outputs.
     pub(super) fn parts(&self) -> impl Iterator<Item = &Expression> {
         self.dynamics.iter().chain(&self.outputs)
     }

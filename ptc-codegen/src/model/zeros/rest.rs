@@ -55,7 +55,7 @@ pub(super) struct Equations {
 }
 
 impl Equations {
-    /// Those of a plant that follows these references, at these times.
+    /// Returns the equations of a plant that follows these references, at these times.
     pub(super) fn new(plant: &Plant<'_>, references: &[Expression], time: Names) -> Self {
         let unknowns = plant.unknowns();
         let zero = Expression::integer(0);
@@ -162,7 +162,7 @@ impl Equations {
         self.rests(&point).then_some(Point::Exact(point))
     }
 
-    /// Whether an exact point solves the equations.
+    /// Returns true if an exact point solves the equations.
     fn rests(&self, point: &[BigRational]) -> bool {
         self.values.iter().all(|e| self.number(e, point).is_some_and(|value| value.is_zero()))
     }
@@ -183,7 +183,7 @@ impl Equations {
         slopes.iter().map(&mut row).collect()
     }
 
-    /// Where Newton's method comes to from a start, with shorter steps where a whole one leads away.
+    /// Runs Newton's method from a start, with shorter steps where a whole one leads away.
     pub(super) fn newton(&mut self, mut x: Vec<f64>) -> Option<Vec<f64>> {
         let size = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>();
         let mut values = self.values_at(&x)?;

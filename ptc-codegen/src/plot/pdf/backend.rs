@@ -1,4 +1,4 @@
-//! What plotters draws, as the operators of a page.
+//! Backend of plotters that writes the operators of a page.
 
 use std::convert::Infallible;
 
@@ -69,7 +69,7 @@ fn parts(BackendColor { rgb: (r, g, b), .. }: BackendColor) -> [f32; 3] {
     [r, g, b].map(|part| f32::from(part) / 255.0)
 }
 
-/// Whether something of this colour is seen; figures have no other transparency.
+/// Returns true if something of this colour is seen; figures have no other transparency.
 fn seen(colour: BackendColor) -> bool {
     colour.alpha > 0.0
 }

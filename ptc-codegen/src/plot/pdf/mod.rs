@@ -36,7 +36,7 @@ impl<'a> Page<'a> {
         Ok(Self { content: Content::new(), font, size, title })
     }
 
-    /// What draws on it.
+    /// Returns the backend that draws on it.
     pub(super) fn backend(&mut self) -> Backend<'_> {
         Backend::new(&mut self.content, &self.font, self.size)
     }

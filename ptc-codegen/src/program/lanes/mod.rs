@@ -26,7 +26,7 @@ pub struct Lanes {
     arrays: Vec<Vec<Pack>>,
 }
 
-/// Where a program in lanes holds an input.
+/// Register in which a program in lanes holds an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Register(usize);
 
@@ -80,7 +80,7 @@ impl Lanes {
         Some(lanes)
     }
 
-    /// Where `input` is held, if the outputs need it.
+    /// Returns the register that holds `input`, if the outputs need it.
     pub fn register(&self, input: Input) -> Option<Register> {
         self.inputs().find(|(own, _)| *own == input).map(|(_, register)| register)
     }

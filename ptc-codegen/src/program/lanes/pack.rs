@@ -53,17 +53,17 @@ impl Pack {
     }
 }
 
-/// Where 2^k and all on the way to it are normal numbers.
+/// Bound of |x| within which 2^k and all intermediate values are normal numbers.
 const NORMAL: f64 = 700.0;
 
 /// ln 2, of which k times the first part is exact.
 #[allow(clippy::excessive_precision)]
 const LN_2: [f64; 2] = [6.931_471_803_691_238_164_90e-1, 1.908_214_929_270_587_700_02e-10];
 
-/// What rounds to integers when it is added, which then are the last bits of the sum.
+/// Constant whose addition rounds to integers, which are then the last bits of the sum.
 const ROUNDS: f64 = 6_755_399_441_055_744.0;
 
-/// Of e^r after 1 + r: 1/2!, 1/3!, ... What is left out is below r^14/14! = 4e-18 for |r| <= ln 2 / 2.
+/// Coefficients of e^r after 1 + r: 1/2!, 1/3!, ... The remainder is below r^14/14! = 4e-18 for |r| <= ln 2 / 2.
 const TERMS: [f64; 12] = {
     let (mut terms, mut factorial, mut i) = ([0.0; 12], 1.0, 0);
     while i < terms.len() {

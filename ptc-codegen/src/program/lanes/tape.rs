@@ -6,14 +6,14 @@ use crate::program::{Input, Op, Program, Root, Stage, Value};
 
 #[derive(Debug)]
 pub(super) struct Tape {
-    /// Of each stage, in order of computation.
+    /// Instructions of each stage, in order of computation.
     pub(super) due: [Vec<Instruction>; 5],
     pub(super) inputs: Vec<(Input, Register)>,
     /// The register of each value that is needed.
     pub(super) places: Vec<usize>,
     /// The stage of each register, and the last one that reads it.
     pub(super) stages: Vec<(Stage, Option<Stage>)>,
-    /// How often each register is read, here or by who looks at it.
+    /// Number of reads of each register, by instructions or from outside.
     pub(super) uses: Vec<usize>,
 }
 
@@ -57,7 +57,7 @@ pub(super) struct Loop {
 }
 
 impl Work {
-    /// Whether it is arithmetic alone.
+    /// Returns true for plain arithmetic.
     pub(super) fn is_simple(&self) -> bool {
         matches!(self, Self::Arithmetic(_) | Self::Plus(_) | Self::Minus(_) | Self::Less(_))
     }

@@ -22,10 +22,10 @@ struct Term {
 /// Lowest degree at which a tree is shorter than Horner's chain by more than the square it needs.
 const DEGREE: usize = 3;
 
-/// Where the program sets `latency`, writes each polynomial of a tick or a step that Horner's rule
-/// evaluates, c_0 + z (c_1 + z (c_2 + ...)), with sums or differences, as a tree: the pairs c_k + z c_(k+1) wait for none of each
-/// other, and neither do pairs of these with z^2, and so on. That takes one multiplication more for each
-/// square, and some log2 of the degree in place of the degree operations in a row.
+/// Writes each polynomial of a tick or a step that Horner's rule evaluates, c_0 + z (c_1 + z (c_2 + ...)), with sums or
+/// differences, as a tree, if the program sets `latency`: the pairs c_k + z c_(k+1) do not wait for each other, and
+/// neither do pairs of these with z^2, and so on. That takes one multiplication more for each square, and some log2 of
+/// the degree in place of the degree operations in a row.
 ///
 /// A power of a large z may leave the range before the sum does, where small coefficients meet z one by one
 /// in Horner's rule. So powers end at z^4 in doubles and at z^2 in floats, which hold for z < 1e77 and
@@ -91,7 +91,7 @@ fn longest(program: &Program, uses: &[usize], root: Value) -> (Polynomial, Vec<V
     candidates.into_iter().map(of).rev().max_by_key(length).unwrap_or_else(none)
 }
 
-/// What Horner's rule in `variable` leaves of `root`, from the lowest coefficient up.
+/// Returns the coefficients of Horner's rule in `variable` that computes `root`, from the lowest up.
 fn peeled(
     program: &Program,
     uses: &[usize],

@@ -3,9 +3,9 @@
 use super::{append, rebuild, uses};
 use crate::program::{Definition, Op, Program, Stage, Value};
 
-/// Where the program sets `fma`, fuses the sums and differences of a tick and a step with a product of
-/// the same stage that nothing else uses, and those in loops. Beside `balance` it is the one pass that changes
-/// roundings: there is one less in each.
+/// Fuses, if the program sets `fma`, the sums and differences of a tick and a step with a product of the same stage
+/// that nothing else uses, and those in loops. Beside `balance` it is the one pass that changes roundings: there is one
+/// less in each.
 ///
 /// A difference of two products stays as it is: it is 0 where they are equal, and has the sign that
 /// they give, while with one of them unrounded it would be what the other was rounded by.

@@ -16,7 +16,7 @@ use super::{Definition, Least, Op, Program, Value};
 pub struct Pass {
     /// Name, for `emit --dump`.
     pub name: &'static str,
-    /// What it does.
+    /// Description.
     pub doc: &'static str,
     run: fn(Program) -> Program,
 }
@@ -92,7 +92,7 @@ pub(crate) fn append(program: &mut Program, op: Op, name: Option<(String, String
     Value(program.values.len() - 1)
 }
 
-/// How often each value is used by what the outputs need, and as an output.
+/// Counts the uses of each value by the operations that the outputs need, and as an output.
 fn uses(program: &Program) -> Vec<usize> {
     let mut uses = vec![0; program.values.len()];
     let outputs = program.outputs();

@@ -10,7 +10,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Axes, Feedback, Reference, Spec, What};
 use crate::syntax::{Node, Value};
 
-/// What is bounded alike on all axes, whose states have the same units.
+/// Keys of the bounds that are alike on all axes, whose states have the same units.
 const BOUNDS: [&str; 6] = ["noise", "noise_rms", "sensor_step", "error", "x0_max", "x_max"];
 
 impl<'a> Reader<'a> {
@@ -57,7 +57,7 @@ impl<'a> Reader<'a> {
         &[]
     }
 
-    /// What the axes of a spec, which is that of the first, have of their own; each has its order.
+    /// Reads the values that differ between the axes of a spec, which is that of the first; each has its order.
     pub(super) fn own_values(
         &mut self,
         spec: &mut Spec,

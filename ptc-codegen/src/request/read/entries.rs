@@ -1,4 +1,4 @@
-//! Which entries there are: known keys, each once.
+//! Admission of entries: known keys, each once.
 
 use super::{Entry, Reader};
 use crate::diagnostic::{Place, near_miss, shorten};
@@ -6,7 +6,7 @@ use crate::keys::{KEYS, KeyInfo};
 use crate::request::has_own_states;
 use crate::syntax::{Node, Value};
 
-/// Whether a name stands in a value.
+/// Returns true if a name occurs in a value.
 fn uses(node: &Node, name: &str) -> bool {
     match &node.value {
         Value::Number(_) | Value::Imaginary(_) => false,

@@ -16,7 +16,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Pole, Spec, gains};
 use crate::syntax::{Node, Value, constant};
 
-/// What the keys of the law say.
+/// Values of the keys of the law.
 pub(super) struct Law {
     pub(super) feedback: Feedback,
     pub(super) gains: FixedValues,

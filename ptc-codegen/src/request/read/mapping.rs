@@ -14,7 +14,7 @@ use crate::syntax::{Argument, Node, Value};
 /// A mapping with the values of its own parameters as far as they are fixed.
 type Read = (TimeMapping, Vec<(Parameter, Fixed)>);
 
-/// Whether abs, sign, min or max is taken of something that time changes.
+/// Returns true if abs, sign, min or max is applied to an expression that depends on time.
 fn has_kink(expression: &Expression) -> bool {
     let of_time = Expression::varies;
     expression.any(&|e| e.is_kink() && of_time(e))
@@ -179,7 +179,8 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a family's parameters are computed from others, as in `exp(a=2*b)`: an expression then.
+/// Returns true if a parameter of a family is computed from others, as in `exp(a=2*b)`, and the mapping thus is an
+/// expression.
 fn computed(info: &FamilyInfo, arguments: &[Argument]) -> bool {
     let own = |argument: &Argument| {
         argument.name.as_ref().is_some_and(|(name, _)| info.parameters.contains(&name.as_str()))

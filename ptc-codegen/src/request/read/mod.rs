@@ -36,7 +36,7 @@ use values::{count, shown, suggestion, whole};
 pub struct Entry {
     /// The key.
     pub key: String,
-    /// Where the key was written.
+    /// Place of the key.
     pub place: Place,
     /// Its value.
     pub value: Node,
@@ -62,7 +62,7 @@ type FixedValues = BTreeMap<Parameter, Fixed>;
 struct Reader<'a> {
     found: Diagnostics,
     keys: BTreeMap<&'static str, &'a Node>,
-    /// What is given for the user's own parameters, and where.
+    /// Values of the user-defined parameters, with their places.
     params: BTreeMap<&'a str, (Place, &'a Node)>,
     mapping_is_read: bool,
 }
@@ -80,7 +80,7 @@ impl<'a> Reader<'a> {
         self.found.push("bad-value", key, place, message, help);
     }
 
-    /// Whether every item names one of these states; on failure, records a diagnostic.
+    /// Returns true if every item names one of these states; on failure, records a diagnostic.
     fn are_states(&mut self, key: &str, node: &Node, states: &[String]) -> bool {
         let known =
             |item: &&Node| matches!(&item.value, Value::Word(word) if states.contains(word));

@@ -114,7 +114,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether eps is the 0 of a clock in samples, which ends in deadbeat.
+    /// Returns true if eps is the 0 of a clock in samples, which ends in deadbeat.
     fn holds_nothing(&self, node: &Node) -> bool {
         let clock = self.keys.get("clock").map(|node| &node.value);
         matches!(clock, Some(Value::Word(word)) if word == "samples")

@@ -98,7 +98,8 @@ impl Reader<'_> {
         value.map(Delay::new)
     }
 
-    /// How early or late a sample may be: less than half a period, so that samples keep their order.
+    /// Reads the largest deviation of a sample from its time: less than half a period, so that samples keep their
+    /// order.
     fn jitter(&mut self) -> Option<Fixed> {
         let node = self.keys.get("jitter").copied()?;
         let value = not_negative(node);

@@ -1,4 +1,4 @@
-//! What the output follows: an expression in time with its derivatives, or an input of each call.
+//! Reference of the output: an expression in time with its derivatives, or an input of each call.
 
 use super::Reader;
 use crate::algebra::integer;
@@ -14,7 +14,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
 use crate::syntax::{Node, Value};
 
-/// How axes have references of their own.
+/// Help text on references that differ between axes.
 pub(super) const OF_AXES: &str = "with a clock in time give `reference` = input: each call is given those of all axes; a clock in samples takes an expression for each axis, and a plant with `inputs` and `outputs` one for each output";
 
 impl Reader<'_> {
@@ -155,7 +155,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a part that repeats meets a condition at every angle, looked at in pieces of a period.
+/// Returns true if a part that repeats meets a condition at every angle, examined in pieces of a period.
 fn is_met_all_round(part: &Expression, condition: Condition, names: &Names) -> bool {
     /// A little more than a whole circle, and pieces that are not halved any more.
     const CIRCLE: f64 = 6.3;
@@ -188,7 +188,7 @@ fn sign_of(name: &Expression, names: &Names) -> Option<Sign> {
     }
 }
 
-/// Whether an expression changes with time.
+/// Returns true if an expression changes with time.
 fn moves(e: &Expression) -> bool {
     e.contains(Variable::Time) || e.contains(Variable::Elapsed)
 }
@@ -232,7 +232,7 @@ fn tidied(rate: Expression, parts: &[Expression]) -> Expression {
     if form.size() <= rate.size() { form } else { rate }
 }
 
-/// What is known of time, which in samples counts from the start, and the parameters.
+/// Returns the enclosures of time, which in samples counts from the start, and of the parameters.
 fn names(spec: &Spec, samples: bool) -> Names {
     let exact = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
     let zero = integer(0);

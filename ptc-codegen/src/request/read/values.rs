@@ -88,7 +88,7 @@ impl Reader<'_> {
     }
 }
 
-/// What is legal, with the name that is meant where one is near.
+/// Describes the legal values, with a suggestion if one is near.
 pub(super) fn suggestion(meant: Option<&str>, legal: &str) -> String {
     match meant {
         Some(name) => format!("did you mean `{name}`? {legal}"),

@@ -21,8 +21,8 @@ pub(super) struct Builder<'a> {
     pub(super) fields: Vec<Variable>,
     /// The value that `init` gives each field.
     pub(super) values: Vec<(String, Shape, Expr)>,
-    /// Of each output, r^(n) over the time in which the latest input acts, and those under way; empty without a
-    /// reference.
+    /// Values of r^(n) of each output over the time in which the latest input acts, and those under way; empty without
+    /// a reference.
     pub(super) rates: Vec<Vec<Expr>>,
     /// The design of each output or axis, where there are several.
     pub(super) designs: &'a [Spec],
@@ -85,7 +85,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What a later function reads: the number itself, or a field that `init` derives.
+    /// Returns the form in which a later function reads a value: the number itself, or a field that `init` derives.
     pub(super) fn keep(&mut self, name: &str, about: &str, value: Expr) -> Expr {
         if matches!(value, Expr::Number(_) | Expr::Count(_)) {
             return value;
@@ -181,8 +181,8 @@ impl Builder<'_> {
         }
     }
 
-    /// That `measured` readings are legal by themselves and `others` finite, where that is checked. A reading that an
-    /// observer can do without is examined later.
+    /// Requires that `measured` readings are legal by themselves and `others` finite, where that is checked. A reading
+    /// that an observer can do without is examined later.
     pub(super) fn legal(
         &self,
         given: &str,
@@ -196,7 +196,7 @@ impl Builder<'_> {
         checked.then_some(Statement::Require(Test::All(tests), Status::Input))
     }
 
-    /// That `arguments` are finite, where they are checked.
+    /// Requires that `arguments` are finite, where they are checked.
     pub(super) fn finite(&self, arguments: impl Iterator<Item = Expr>) -> Option<Statement> {
         let tests = || arguments.map(Test::Finite).collect();
         self.guarded().then(|| Statement::Require(Test::All(tests()), Status::Input))

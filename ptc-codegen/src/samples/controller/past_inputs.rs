@@ -26,8 +26,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What the inputs that acted since tick k - 1 did to state `i` of `pair`, each with `added`
-    /// beside it.
+    /// Returns the effect of the inputs that acted since tick k - 1 on state `i` of `pair`, each with `added` to it.
     pub(in crate::samples) fn moved(&mut self, pair: &Pair, i: usize, added: &Expr) -> Expr {
         let inputs = self.sampled.delay.inputs();
         let parts = [

@@ -92,7 +92,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What is measured, in words.
+    /// Describes the measurement in words.
     pub(in crate::samples) fn given(&self) -> &'static str {
         match (self.sampled.measures_states(), &self.sampled.linear) {
             (true, _) if self.spec.model.is_some() => "the state x of the model",

@@ -10,9 +10,9 @@ const NEAR: u32 = 128;
 /// The ends of the rounds of a controller, in samples from the start.
 #[derive(Clone, Copy)]
 pub(super) struct Ends {
-    /// Of the controller; of an observer alone that of its round.
+    /// End of the controller; for a stand-alone observer that of its round.
     pub(super) last: u32,
-    /// Of the observer.
+    /// End of the observer.
     pub(super) observer: u32,
 }
 
@@ -46,7 +46,7 @@ impl Ends {
     }
 }
 
-/// What is measured at a sample of an undisturbed round: less, the nearer the end is.
+/// Returns the measurement at a sample of an undisturbed round: smaller, the nearer the end is.
 pub(super) fn arriving(spec: &Spec, count: usize, elapsed: u32, ends: Ends) -> Vec<f64> {
     let left = f64::from(ends.last.saturating_sub(elapsed)) / f64::from(ends.last.max(1));
     #[allow(clippy::cast_precision_loss)]

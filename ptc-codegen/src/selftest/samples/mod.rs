@@ -1,4 +1,4 @@
-//! What a self-test of a controller in samples asks, and what must come.
+//! Self-test of a controller in samples, and its expected results.
 //!
 //! Its operations are those of IEEE 754 alone, so the interpreter of the whole program gives every
 //! bit that a target must. What it decides besides is which calls are worth asking: those that take a
@@ -20,7 +20,7 @@ pub struct Call {
     pub start: Option<u32>,
     /// The tick.
     pub k: u32,
-    /// What is measured; behind it the reference and its derivatives, where each call is given them.
+    /// Measurement; behind it the reference and its derivatives, where each call is given them.
     pub y: Vec<f64>,
     /// The input of the tick before, which `update` takes.
     pub applied: Option<f64>,
@@ -48,18 +48,18 @@ pub struct Session {
 pub struct Untaken {
     /// The condition.
     pub condition: Condition,
-    /// What is known of it.
+    /// Reason, as far as it is known.
     pub reason: String,
 }
 
 /// A self-test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SelfTest {
-    /// What must work, the first of them a round to the deadline and beyond.
+    /// Sessions that must succeed, the first of them a round to the deadline and beyond.
     pub sessions: Vec<Session>,
     /// Parameters that `init` must refuse.
     pub refused: Vec<Vec<f64>>,
-    /// What is tested and was never decided otherwise.
+    /// Conditions that were tested with one outcome only.
     pub untaken: Vec<Untaken>,
 }
 

@@ -21,7 +21,7 @@ const LARGE: f64 = 1e6;
 /// Most readings that are lost in a row.
 const LOST: u32 = 64;
 
-/// What was found so far.
+/// State of the search.
 pub(super) struct Search<'a> {
     spec: &'a Spec,
     code: &'a Code,
@@ -49,7 +49,7 @@ struct Life<'a> {
     ends: Ends,
 }
 
-/// What a call is given.
+/// Arguments of a call.
 struct Input {
     start: Option<u32>,
     elapsed: u32,

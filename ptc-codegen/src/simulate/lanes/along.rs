@@ -24,7 +24,7 @@ pub struct Abreast {
     kept: Kept,
 }
 
-/// What time decides at the times that are kept.
+/// Results of a tick at the times that are kept.
 #[derive(Clone, Debug)]
 struct Kept {
     /// The registers that are read later; `None` where a tick is more than arithmetic.

@@ -11,7 +11,7 @@ use crate::simulate::{Controller, Failure, Values};
 /// The same loop as [`Direct`](crate::simulate::Direct), where u stays within its bound.
 #[derive(Clone, Debug)]
 pub struct DirectLanes {
-    /// What `init` checks.
+    /// Controller whose `init` performs the checks.
     controller: Controller,
     step: Value,
     limits: Limits,

@@ -1,4 +1,4 @@
-//! What the methods in lanes have in common: where each lane is, and how long its next step.
+//! Common parts of the methods in lanes: the position of each lane, and the length of its next step.
 
 use crate::program::lanes::{LANES, Pack};
 
@@ -13,7 +13,7 @@ pub(super) fn share_at(sigma: &Pack) -> Pack {
     sigma.map(|sigma| -sigma).exp()
 }
 
-/// How T at a call stands to T at those before.
+/// Relation of T at a call to T at the calls before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tick {
     /// It is another one.
@@ -26,19 +26,19 @@ pub enum Tick {
     Of(usize),
 }
 
-/// What is integrated: a chain by sigma, of which T/tau and the states of the lanes are given.
+/// System to integrate: a chain by sigma, of which T/tau and the states of the lanes are given.
 pub(super) trait Chain {
-    /// How fast it goes, dy_i = pace y_(i+1), and the rate of its last component.
+    /// Returns the pace of the chain, dy_i = pace y_(i+1), and the rate of its last component.
     fn last(&mut self, share: &Pack, state: &[Pack], tick: Tick) -> [Pack; 2];
 
-    /// Whether it goes as fast all over a step, by the part of the step by which T falls.
+    /// Returns true if the pace is the same all over a step, by the part of the step by which T falls.
     fn is_even(&self) -> bool;
 
-    /// By how much later, in sigma, the last component is computed than asked, as times are rounded.
+    /// Returns how much later than requested, in sigma, the last component is computed, as times are rounded.
     fn late(&self, share: &Pack) -> Pack;
 }
 
-/// Where each lane is.
+/// Position of each lane.
 #[derive(Clone, Debug)]
 pub(super) struct Flow {
     /// sigma.
@@ -52,7 +52,7 @@ pub(super) struct Flow {
 pub(super) trait Steps {
     fn flow(&mut self) -> &mut Flow;
 
-    /// How many steps a rest of a run is worth: where it takes more, it is left to another method.
+    /// Returns the number of steps that a rest of a run is worth: where it takes more, it is left to another method.
     fn worth(&self, left: f64) -> f64 {
         let _ = left;
         f64::INFINITY
@@ -91,7 +91,7 @@ impl Flow {
         (length, cut)
     }
 
-    /// Where a lane is after a step of a length, and the next step, by the factor that its error allows.
+    /// Moves a lane on by an accepted step of a length, and sets the next step, by the factor that its error allows.
     pub(super) fn go_on(
         &mut self,
         lane: usize,

@@ -13,7 +13,7 @@ use crate::simulate::frame::{Frame, quantised};
 /// When the samples of each lane are taken, and what its sensors draw.
 #[derive(Clone, Debug)]
 pub(super) struct Frames<'a> {
-    /// What draws, where anything is drawn or quantised.
+    /// Frames that draw, for lanes in which anything is drawn or quantised.
     drawing: [Option<Frame<'a>>; LANES],
     /// Number of the next sample.
     pub(super) index: u32,
@@ -26,7 +26,7 @@ pub(super) struct Frames<'a> {
     /// The input gains of the plants.
     pub(super) gain: Pack,
     u_step: Pack,
-    /// Whether any lane draws its times, what it measures, or resolves its inputs.
+    /// True if any lane draws its times, draws what it measures, or resolves its inputs.
     jitters: bool,
     senses: bool,
     resolves: bool,

@@ -47,7 +47,7 @@ pub struct Job<'a> {
 pub struct Instants<'a> {
     /// The job of each lane of which this is an instant.
     pub jobs: [Option<usize>; LANES],
-    /// Whether it is its last one.
+    /// Lanes at their last instant.
     pub last: Which,
     /// Time-to-go T in s.
     pub time_to_go: &'a Pack,
@@ -57,10 +57,10 @@ pub struct Instants<'a> {
     pub u: &'a Pack,
 }
 
-/// What sees the instants.
+/// Observer of the instants.
 pub type See<'a> = &'a mut dyn FnMut(&Instants<'_>);
 
-/// Where each lane is.
+/// Time of each lane.
 #[derive(Clone, Debug)]
 pub struct Clock {
     tau: Pack,
@@ -77,7 +77,7 @@ pub struct At {
 }
 
 impl At {
-    /// Of runs of length `tau` from `t0`, where `share` of tau is left.
+    /// Returns the clock of runs of length `tau` from `t0`, where `share` of tau is left.
     pub fn of((tau, t0): (&Pack, &Pack), share: &Pack) -> Self {
         Self {
             t: Pack::of(|l| t0.0[l] + (tau.0[l] - tau.0[l] * share.0[l])),
@@ -91,7 +91,7 @@ impl Clock {
         At::of((&self.tau, &self.t0), share)
     }
 
-    /// By how much later, in sigma, t is than where a share of tau is left.
+    /// Returns how much later, in sigma, t is than where a share of tau is left.
     fn late(&self, share: &Pack) -> Pack {
         let at = self.at(share);
         vectorized!(Pack::of(|lane| {
@@ -107,7 +107,7 @@ impl Clock {
     }
 }
 
-/// What rounds a time by more than this, in sigma, leaves no time that is another than the deadline.
+/// Largest rounding of a time, in sigma: more leaves no time that differs from the deadline.
 const LATE: f64 = 0.1;
 
 /// One side of Theorem 1 in lanes.
@@ -115,7 +115,7 @@ pub trait LaneSide {
     /// Number of components.
     fn order(&self) -> usize;
 
-    /// By how much more each component decays in sigma than the next one.
+    /// Returns the difference of the decay rates in sigma of each component and the next one.
     fn slant(&self) -> f64;
 
     /// Gives a lane the values of a run from `x0`.
@@ -136,21 +136,21 @@ pub trait LaneSide {
     /// The lanes on whose way there is, or may be, what is not smooth.
     fn kinks_between(&mut self, from: &At, to: &At) -> Which;
 
-    /// What is integrated, at the start of the plant in `x0`.
+    /// Returns the state to integrate, for a plant that starts in `x0`.
     fn begin(&mut self, at: &At, x0: &[Pack]) -> Vec<Pack>;
 
-    /// Of its chain, by sigma: how fast it goes, dy_i = pace y_(i+1), and the rate of its last component.
+    /// Returns the pace of its chain by sigma, dy_i = pace y_(i+1), and the rate of its last component.
     fn last(&mut self, at: &At, state: &[Pack], tick: Tick) -> [Pack; 2];
 
     /// The plant's state and the control.
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack);
 
-    /// Whether its chain is one of time: its pace is T, and it computes with t, as it is rounded.
+    /// Returns true if its chain is one of time: its pace is T, and it computes with t, as it is rounded.
     fn is_in_time(&self) -> bool {
         false
     }
 
-    /// What |u| has to stay below in each lane, for the run to be that without a bound.
+    /// Returns the bound that |u| has to stay below in each lane, for the run to be that without a bound.
     fn bound(&self) -> Option<Pack> {
         None
     }
@@ -160,7 +160,7 @@ pub trait LaneSide {
 /// less, is ten times as large.
 const CLOSER: f64 = 0.1;
 
-/// What a step of collocation is longer by than one of the explicit method, where a run turns out to be stiff.
+/// Ratio of a step of collocation to one of the explicit method, where a run turns out to be stiff.
 const LONGER: f64 = 4.0;
 
 /// Runs the jobs, and hands over their instants: of each job in order, of all in any. Whether each came

@@ -14,7 +14,7 @@ use crate::simulate::{Failure, Values};
 #[derive(Clone, Debug)]
 pub(super) struct Plants {
     motions: Vec<Motion>,
-    /// What each comes to over a length: a row of E, F B and F c for each state.
+    /// Effect of a length on each state: a row of E, F B and F c.
     rows: Vec<Row>,
     /// The length of each lane, in s; not a number where it has none.
     lengths: Pack,
@@ -35,7 +35,7 @@ struct Row {
 pub(super) struct Times {
     pub(super) from: Pack,
     pub(super) to: Pack,
-    /// Whether a lane moves in it, 1 or 0.
+    /// Lanes that move in it, as 1 or 0.
     pub(super) moves: Pack,
 }
 
@@ -113,7 +113,7 @@ impl Plants {
         Some(alone)
     }
 
-    /// Whether the rows of a lane can be looked up.
+    /// Looks up the rows of a lane; returns false if there are none.
     fn knows(&mut self, lane: usize, length: f64) -> bool {
         self.lengths.0[lane] = f64::NAN;
         let Some((own, rows)) = self.motions[lane].rows(length) else { return false };
@@ -126,7 +126,7 @@ impl Plants {
         true
     }
 
-    /// Where a lane comes to by itself.
+    /// Computes the next state of a lane by itself.
     fn alone(&mut self, lane: usize, x: &[Pack], u: f64, times: (f64, f64)) -> Option<()> {
         let mut own = State::zeros();
         own.iter_mut().zip(x).for_each(|(own, x)| *own = x.0[lane]);

@@ -24,7 +24,7 @@ use crate::simulate::{Controller, Loop, Values};
 /// The same loop as [`Sampled`](crate::simulate::Sampled), of one controller in time.
 #[derive(Clone, Debug)]
 pub struct RunningLanes {
-    /// What `init` checks.
+    /// Controller whose `init` performs the checks.
     controller: Controller,
     law: Abreast,
     /// `None` where a tick is computed anew at each sample.
@@ -47,7 +47,7 @@ pub struct Sampling<'a> {
     pub values: &'a Values,
     /// State at t0.
     pub x0: &'a [f64],
-    /// What is around the controller.
+    /// Environment of the controller.
     pub around: &'a Loop,
     /// When the plant gets other values.
     pub pieces: &'a [Piece],
@@ -153,7 +153,7 @@ impl RunningLanes {
         Some(())
     }
 
-    /// Whether `init` and `arm` succeed in a lane.
+    /// Returns true if `init` and `arm` succeed in a lane.
     fn is_armed(&self, lane: usize) -> bool {
         let get = |value: Value| self.law.lanes.get(value).0[lane];
         let (checks, armed) = self.controller.conditions();

@@ -1,5 +1,5 @@
-//! What a law computes of time alone at each sample, kept for runs that have their parameters and their times in
-//! common.
+//! Values that a law computes from time alone at each sample, kept for runs that have their parameters and their times
+//! in common.
 
 use super::along::Abreast;
 use crate::program::lanes::{Pack, Register};
@@ -16,7 +16,7 @@ pub(super) struct Ticks {
     parameters: Vec<Pack>,
     /// The registers of a tick that are read after it.
     read: Vec<Register>,
-    /// Whether the last runs had the parameters of those before.
+    /// True if the last runs had the parameters of those before.
     shared: bool,
     times: Vec<Pack>,
     /// The numbers of the registers at each sample.
@@ -24,7 +24,7 @@ pub(super) struct Ticks {
 }
 
 impl Ticks {
-    /// Those of a law of which `outputs` are looked at; `None` where a tick is more than arithmetic.
+    /// Creates the ticks of a law of which `outputs` are looked at; `None` where a tick is more than arithmetic.
     pub(super) fn of(law: &Abreast, outputs: &[Value]) -> Option<Self> {
         Some(Self {
             before: law.lanes.before(Stage::Tick).collect(),
@@ -66,7 +66,7 @@ impl Ticks {
     }
 }
 
-/// Whether two packs are the same bit by bit.
+/// Returns true if two packs are the same bit by bit.
 fn has_bits(a: &Pack, b: &Pack) -> bool {
     let differing = a.0.iter().zip(&b.0).fold(0, |all, (a, b)| all | (a.to_bits() ^ b.to_bits()));
     differing == 0

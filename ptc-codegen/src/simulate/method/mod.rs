@@ -34,7 +34,7 @@ pub(super) struct Rates<'a> {
 pub(super) trait Method {
     fn t(&self) -> f64;
 
-    /// Where the last step began.
+    /// Returns the start of the last step.
     fn t_prev(&self) -> f64;
 
     fn y(&self) -> State;
@@ -158,7 +158,7 @@ impl<const N: usize> ODE<f64, SVector<f64, N>> for Short<'_, N> {
         *rates = narrow(&there);
     }
 
-    /// By differences in proportion to each component: the state decays by many powers of ten.
+    /// Computes the Jacobian by differences in proportion to each component: the state decays by many powers of ten.
     fn jacobian(&self, s: f64, y: &SVector<f64, N>, jacobian: &mut Matrix<f64>) {
         let system = self.0;
         let y = wide(y);
@@ -181,7 +181,7 @@ impl<const N: usize> ODE<f64, SVector<f64, N>> for Short<'_, N> {
     }
 }
 
-/// What is accurate enough for a method with states of `N` components.
+/// Required accuracy of a method with states of `N` components.
 #[derive(Clone, Copy)]
 pub(super) struct Wanted<const N: usize> {
     pub(super) relative: f64,
@@ -200,7 +200,7 @@ impl<const N: usize> Wanted<N> {
         Self { relative: relative * used, absolute, floors, states }
     }
 
-    /// Where an error below `nothing` counts as nothing.
+    /// Returns the tolerances, where an error below `nothing` counts as nothing.
     fn tolerances(&self, nothing: f64, state: &SVector<f64, N>) -> Tolerances<N> {
         let wanted = Self { absolute: self.absolute.max(nothing), ..*self };
         (self.relative, wanted.floors(state))

@@ -1,4 +1,4 @@
-//! Where a text is wrong, and the diagnostic of it.
+//! Failure of a parser: the place in the text, and its diagnostic.
 
 use std::ops::Range;
 
@@ -7,14 +7,14 @@ use crate::limits::{Limit, TEXT};
 
 use super::unit::without_unit;
 
-/// Where the text is wrong, and why.
+/// Place and reason of a failure.
 pub(super) struct Failure {
     pub(super) range: Range<usize>,
     reason: Reason,
 }
 
 enum Reason {
-    /// What should be there.
+    /// The expected text.
     Expected(&'static str),
     /// A bound that the text exceeds.
     Beyond(&'static Limit),

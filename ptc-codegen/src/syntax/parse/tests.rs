@@ -1,4 +1,4 @@
-//! How values are read, how deep they may be, and what is said of wrong text.
+//! Tests of the parser: values, their depth, and the messages for wrong text.
 
 use super::*;
 

@@ -44,12 +44,12 @@ impl Affine {
         self.states.iter().copied().chain([self.input])
     }
 
-    /// Whether one of x and u counts at most.
+    /// Returns true if at most one of x and u counts.
     pub(super) fn is_of_one(&self) -> bool {
         self.parts().filter(|part| *part != 0.0).count() <= 1
     }
 
-    /// Whether a state counts.
+    /// Returns true if a state counts.
     pub(super) fn has_states(&self) -> bool {
         self.states.iter().any(|part| *part != 0.0)
     }
@@ -59,7 +59,7 @@ impl Affine {
         Sum { states: self.states.clone(), input: self.input }
     }
 
-    /// What it is within where its sum is within a span.
+    /// Returns the interval of the function where its sum is within a span.
     pub(super) fn moved(&self, sum: Span) -> Span {
         if self.rest == 0.0 {
             return sum;
@@ -68,7 +68,7 @@ impl Affine {
         moved.wider(ROUNDED * (sum.size() + self.rest.abs()))
     }
 
-    /// What it is within where x and u are within spans, each by itself.
+    /// Returns the interval of the function where x and u are within spans, each by itself.
     pub(super) fn over(&self, states: &[Span], input: Span) -> Span {
         let nowhere = Span { low: f64::NEG_INFINITY, high: f64::INFINITY };
         let states = (0..self.states.len()).map(|i| states.get(i).copied().unwrap_or(nowhere));

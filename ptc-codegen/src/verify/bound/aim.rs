@@ -16,8 +16,8 @@ pub(super) enum Aim {
 }
 
 impl Aim {
-    /// Whether what is bounded is a norm, or a function of one linear part of x and u, whose bound over a box is attained
-    /// or nearly so.
+    /// Returns true if the bounded quantity is a norm, or a function of one linear part of x and u, whose bound over a
+    /// box is attained or nearly so.
     pub(super) fn is_close(&self) -> bool {
         match self {
             Self::State { .. }

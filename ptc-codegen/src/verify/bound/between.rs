@@ -1,4 +1,4 @@
-//! How far what a bounded f makes of x and u may be, between two T/tau, from what is linear there.
+//! Deviation of the response of x and u to a bounded f from linear interpolation between two T/tau.
 
 use super::cell::Loop;
 use super::flow::{Rows, dot};
@@ -8,15 +8,15 @@ use super::piece::{along, polynomial, sizes};
 use crate::algebra::BigRational;
 use crate::expression::enclosure::{Interval, Range};
 
-/// What is left far back of second derivatives, which count by the square of the width of a cell, is at
-/// most this part of their sum.
+/// Largest part of the sum of second derivatives, which count by the square of the width of a cell, that may be left
+/// far back.
 const LESS: f64 = 1.0 / 64.0;
 
 impl Loop {
-    /// How far the response to an f of 1 may be, within a cell of T/tau, from what is linear between
-    /// its ends, of which the later one has the response `last`.
+    /// Bounds the deviation of the response to an f of 1, within a cell of T/tau, from linear interpolation between its
+    /// ends, of which the later one has the response `last`.
     ///
-    /// What acts at a lag that both ends know is within h^2/2 |H''| of it. At longer lags the kernel
+    /// The action at a lag that both ends know is within h^2/2 |H''| of it. At longer lags the kernel
     /// begins within the cell: with the integral of it at the later end taken out, and its range times
     /// the time put in, no more than what is linear is left there, and what kappa is bent.
     pub(super) fn beyond(
@@ -73,7 +73,7 @@ impl Loop {
         Some((0..rows.len()).map(one).collect())
     }
 
-    /// What phi_1.. are within over a time.
+    /// Bounds phi_1.. over a time.
     fn range_of_phi(&mut self, lags: Range) -> Option<Vec<Range>> {
         let step = self.flow.step();
         let place = (lags.middle() / step).round();

@@ -17,7 +17,7 @@ use crate::expression::enclosure::{Interval, Range};
 /// Derivatives of x_1 beyond that of g u: cells are as wide as a Taylor series of as many allows.
 pub(super) const BEYOND: usize = 6;
 
-/// What is known of the loop over a cell: x_1..x_n and g u, each by its slope along x_1..x_n at t0.
+/// Enclosure of the loop over a cell: x_1..x_n and g u, each by its slope along x_1..x_n at t0.
 pub(super) struct Cell {
     /// Least and greatest T/tau.
     pub(super) share: [BigRational; 2],
@@ -27,8 +27,8 @@ pub(super) struct Cell {
     pub(super) middle: [Rows; 2],
     /// All over the cell, with the first and the second derivative.
     pub(super) over: [Rows; 3],
-    /// What f adds to each at the least T/tau and at the greatest, with what it may add beyond both
-    /// between them; none where f is 0.
+    /// Contribution of f to each at the least T/tau and at the greatest, with what it may add beyond both between them;
+    /// `None` where f is 0.
     pub(super) added: Option<[Vec<Range>; 2]>,
     /// About what f adds at most.
     pub(super) about: Vec<Range>,
@@ -49,30 +49,30 @@ pub(super) struct Loop {
     start: Rows,
     cells: BTreeMap<[BigRational; 2], Option<Rc<Cell>>>,
     left: usize,
-    /// What f is within, where it is not 0.
+    /// Bounds of f, where it is not 0.
     drift: Option<Drift>,
-    /// How the loop answers f at the T/tau that were looked at, and in the sums by their factors.
+    /// Responses of the loop to f at the T/tau that were looked at, and in the sums by their factors.
     driven: BTreeMap<(BigRational, Vec<u64>), Rc<Response>>,
-    /// What f adds to sums over cells.
+    /// Contributions of f to sums over cells.
     sums: BTreeMap<Sum, Option<[Range; 2]>>,
     pub(super) weight: Option<Rc<Weight>>,
     /// Pieces of lags that may be looked at.
     pub(super) pieces: u64,
 }
 
-/// What f is within.
+/// Bounds of f.
 #[derive(Clone, Copy)]
 pub(super) struct Drift {
     /// Its middle.
     pub(super) middle: Range,
-    /// How far it may be from there for all of a run.
+    /// Largest deviation of f from the middle that is constant over a run.
     pub(super) constant: Range,
-    /// How far it may be from that, as any signal.
+    /// Largest further deviation of f, as any signal.
     pub(super) varying: Range,
 }
 
 impl Drift {
-    /// What f adds.
+    /// Returns the contribution of f.
     fn of(self, signed: Range, size: Range) -> Range {
         self.middle * signed
             + (self.constant * signed).both_signs()
@@ -126,7 +126,7 @@ impl Loop {
         Some(self)
     }
 
-    /// What is known over a cell, if anything; none where no more cells may be looked at.
+    /// Returns the enclosure over a cell, if one exists; `None` where no more cells may be looked at.
     #[allow(clippy::option_option)]
     pub(super) fn cell(&mut self, share: &[BigRational; 2]) -> Option<Option<Rc<Cell>>> {
         if let Some(known) = self.cells.get(share) {
@@ -191,8 +191,8 @@ impl Loop {
         })
     }
 
-    /// What f adds to the sum of x_1..x_n and g u with these factors over a cell, as in
-    /// [`Cell::added`]: less than the sum of what it adds to each, as no one signal is worst for all.
+    /// Returns the contribution of f to the sum of x_1..x_n and g u with these factors over a cell, as in
+    /// [`Cell::added`]: less than the sum of its contributions to each, as no one signal is worst for all.
     pub(super) fn of_sum(
         &mut self,
         share: &[BigRational; 2],
@@ -223,8 +223,8 @@ impl Loop {
         Some([last[0], first[0]])
     }
 
-    /// How the loop answers f at the least T/tau of a cell and at the greatest, and what f adds at
-    /// both, with what it may add beyond that between them.
+    /// Returns the responses of the loop to f at the least T/tau of a cell and at the greatest, and the contributions
+    /// of f at both, with what it may add beyond that between them.
     fn added(
         &mut self,
         drift: Drift,
@@ -246,7 +246,7 @@ impl Loop {
         Some((ends, added))
     }
 
-    /// How x_1..x_n and g u, or a sum of them, answer f at one T/tau.
+    /// Returns the response of x_1..x_n and g u, or of a sum of them, to f at one T/tau.
     fn answer(&mut self, share: &BigRational, sum: Option<&[Range]>) -> Option<Rc<Response>> {
         let key = (share.clone(), sum.map(bits).unwrap_or_default());
         if let Some(known) = self.driven.get(&key) {

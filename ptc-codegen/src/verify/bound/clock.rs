@@ -30,13 +30,13 @@ pub(super) struct Clock {
     known: BTreeMap<BigRational, Interval>,
 }
 
-/// Whether a run of a campaign is that of any other tau in units of tau, or has one tau.
+/// Returns true if a run of a campaign is that of any other tau in units of tau, or has one tau.
 pub(in crate::verify) fn scales(campaign: &Campaign) -> bool {
     Clock::new(campaign, 1, &integer(1)).is_some()
 }
 
 impl Clock {
-    /// The mapping of a campaign; none where it does not scale with a tau that is not known.
+    /// The mapping of a campaign; `None` where it does not scale with a tau that is not known.
     pub(super) fn new(campaign: &Campaign, order: usize, rate: &BigRational) -> Option<Self> {
         let values = values(campaign);
         let (low, high) = campaign.tau;
@@ -157,7 +157,7 @@ impl Clock {
         Some(Arithmetic { variable, series, names, evaluator }.series(form)?.neg().plain())
     }
 
-    /// Whether mu is what is given of the mapping.
+    /// Returns true if the mapping is given by mu.
     pub(super) fn is_of_mu(&self) -> bool {
         matches!(self.form, Form::Complement(_))
     }

@@ -26,13 +26,13 @@ const MOST: u32 = 20_000;
 /// A cell is not halved where T/tau and tau change by less than one part of as many in it.
 const NARROW: i64 = 256;
 
-/// What a bound of an error may be of that in the middle of its cell.
+/// Accepted ratio of the bound of an error over a cell to the one in its middle.
 const CLOSE: f64 = 4.0;
 
 /// Cells after which twice as much may be, again and again: a close bound is of less use than one.
 const PATIENCE: f64 = 400.0;
 
-/// What it may be of the greatest of these, however far from that of its own cell.
+/// Accepted ratio of such a bound to the greatest of those in the middles, however far from the one of its own cell.
 const SMALL: f64 = 1.0 / 1024.0;
 
 /// The emitted program over the envelope.
@@ -116,14 +116,14 @@ impl Emitted {
         Err("the cells at which the emitted program may be looked at are used up".to_owned())
     }
 
-    /// How far u may be from that of the law over a cell; none where that is not bounded.
+    /// Bounds the error of u relative to the law over a cell; `None` where it is not bounded.
     pub(super) fn error(&self, share: &[BigRational; 2]) -> Option<f64> {
         let [low, high] = outwards(share);
         let met = self.errors.iter().filter(|([from, to], _)| *from <= high && low <= *to);
         met.map(|(_, error)| *error).try_fold(0.0, |most: f64, error| Some(most.max(error?)))
     }
 
-    /// What a proof includes of the program.
+    /// Describes the part of the program that a proof includes.
     pub(super) fn scope(&self) -> String {
         let name = self.precision;
         let of_u = match self.error(&[integer(0), integer(1)]) {
@@ -137,8 +137,8 @@ impl Emitted {
     }
 }
 
-/// Whether the bound of an error over a cell is not `close` times the one in its middle; with no bound
-/// in the middle, neither has the cell one.
+/// Returns true if the bound of an error over a cell is at most `close` times the one in its middle, or neither has a
+/// bound.
 fn is_near(error: Option<f64>, here: Option<f64>, close: f64) -> bool {
     match (error, here) {
         (None, here) => here.is_none(),

@@ -38,7 +38,7 @@ pub(super) struct Flow {
     rounded: BTreeMap<u64, Rows>,
     largest: Option<Range>,
     pub(super) impulses: BTreeMap<u64, Rc<Impulse>>,
-    /// Bounds of them at all later times, once these are asked for; none where they fall too slowly.
+    /// Bounds of them at all later times, once these are asked for; `None` where they fall too slowly.
     pub(super) tail: Option<Option<Rc<Tail>>>,
 }
 
@@ -51,7 +51,7 @@ pub(super) fn dot<'a>(
 }
 
 impl Flow {
-    /// Of the gains k_1..k_n; none where they are no numbers of a usual size.
+    /// Returns the flow of the gains k_1..k_n; `None` where they are no numbers of a usual size.
     pub(super) fn new(gains: &[BigRational]) -> Option<Self> {
         let n = gains.len();
         let rate = unit_rate(gains)?;
@@ -96,7 +96,7 @@ impl Flow {
         node
     }
 
-    /// A bound of |e^(At)| in the maximum norm over all t >= 0; none where it falls too slowly.
+    /// A bound of |e^(At)| in the maximum norm over all t >= 0; `None` where it falls too slowly.
     fn largest(&mut self) -> Option<Range> {
         let mut most = Range::from(1.0);
         let falls = |norm: Range| norm.high() < 0.5;
@@ -182,7 +182,7 @@ impl Flow {
         (0..columns).map(one).collect()
     }
 
-    /// e^(A t) `start` for all of a short time, by its Taylor series; none where it is long.
+    /// e^(A t) `start` for all of a short time, by its Taylor series; `None` where it is long.
     pub(super) fn on(&self, start: &Rows, t: Range) -> Option<Rows> {
         let reach = self.norm * t.size();
         if reach.high() > 2.0 {
@@ -213,7 +213,7 @@ impl Flow {
         Some(sum)
     }
 
-    /// e^(A t) `start` for all of a time, piece by piece; none where it is long.
+    /// e^(A t) `start` for all of a time, piece by piece; `None` where it is long.
     pub(super) fn during(&mut self, time: &Interval, start: &Rows) -> Option<Rows> {
         let [first, last] = [Range::from(time).low().max(0.0), Range::from(time).high()];
         let length = f64::from(PIECE) * self.step();

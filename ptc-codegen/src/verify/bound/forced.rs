@@ -1,11 +1,11 @@
-//! What a bounded f makes of x and u.
+//! Response of x and u to a bounded f.
 //!
 //! An f of 1 for a moment ds of stretched time moves xi_n by m ds with the weight m = mu'^n. What comes
 //! of it after the lag s is e^(A s) e_n =: phi(s) times that, mapped back: in row r of x_1..x_n and g u
 //! the kernel H_r(w, s) = m(t - s) sum_j B_rj phi_{j+1}(s) at T/tau = w, t = kappa. Of all |f| <= D the
 //! one that turns with H_r is the worst, with D times the integral of |H_r| over 0 <= s <= t.
 //!
-//! That is summed over pieces of s, over each of which phi and m are polynomials with a small rest. Far
+//! The integral is summed over pieces of s, over each of which phi and m are polynomials with a small rest. Far
 //! back, where all that is left is little beside what is summed, it is bounded by the size of phi.
 //! Between two w the kernel changes slowly at the same lag, however many time constants lie between
 //! them, which is why bounds over a cell are formed there.
@@ -17,7 +17,7 @@ use super::piece::{Piece, sizes};
 use super::weight::Leaf;
 use crate::expression::enclosure::{Interval, Range};
 
-/// What is left far back is at most this part of the sum.
+/// Largest part of the sum that is left far back.
 pub(super) const LITTLE: f64 = 1.0 / 4096.0;
 
 /// Pieces after which it is asked whether what is left is little.
@@ -55,8 +55,8 @@ pub(super) fn chosen(rows: Rows, sum: Option<&[Range]>) -> Rows {
 }
 
 impl Loop {
-    /// What is left of all lags from that of the time `to` on, in blocks that grow with the lag and,
-    /// as the weight may fall like a power of time, at most halve the time.
+    /// Returns the rest of all lags from that of the time `to` on, in blocks that grow with the lag and, as the weight
+    /// may fall like a power of time, at most halve the time.
     pub(super) fn blocks(&mut self, now: f64, mut to: f64) -> Option<Vec<Block>> {
         let mut blocks = Vec::new();
         while to > 0.0 {

@@ -25,9 +25,9 @@ const PATTERNS: usize = 64;
 #[derive(Clone, Debug)]
 pub(super) struct Form {
     pub(super) value: Part,
-    /// What each part has to be, and its spelling.
+    /// Condition on each part, with its spelling.
     pub(super) needs: Vec<(Part, Condition, String)>,
-    /// By the sign of what each abs, sign, min and max is decided.
+    /// Expressions whose sign decides each abs, sign, min and max.
     pub(super) kinks: Vec<Part>,
     values: Values,
     /// The value with these decided, by the signs that are known.
@@ -86,7 +86,7 @@ impl Form {
     }
 }
 
-/// What decides each kink of an expression, from the outside in and from left to right.
+/// Collects the expressions that decide each kink, from the outside in and from left to right.
 fn collect(expression: &Expression, kinks: &mut Vec<Expression>) {
     if !expression.any(&Expression::is_kink) {
         return;
@@ -147,7 +147,7 @@ fn smooth(expression: &Expression, signs: &mut Iter<'_, Option<bool>>) -> Expres
 }
 
 impl Part {
-    /// Whether x and u occur in one linear part alone.
+    /// Returns true if x and u occur in one linear part alone.
     pub(super) fn is_of_one(&self) -> bool {
         let is_of_one = |form: &Expression| {
             let mut parts = Vec::new();
@@ -187,7 +187,7 @@ impl Part {
     }
 }
 
-/// Whether x or u is in it.
+/// Returns true if x or u is in it.
 fn moves(expression: &Expression) -> bool {
     expression.any(&|e| {
         matches!(
@@ -198,7 +198,7 @@ fn moves(expression: &Expression) -> bool {
 }
 
 impl Linear {
-    /// The sum that an expression is; none where it is no such sum as it is spelt.
+    /// The sum that an expression is; `None` where it is no such sum as it is spelt.
     pub(super) fn of(expression: &Expression) -> Option<Self> {
         use Expression as E;
         if !moves(expression) {

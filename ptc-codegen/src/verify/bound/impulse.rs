@@ -120,7 +120,7 @@ impl Flow {
         impulse.terms.iter().enumerate().map(one).collect()
     }
 
-    /// Bounds of |phi_1|.. at all times from a lag on; none where phi falls too slowly.
+    /// Bounds of |phi_1|.. at all times from a lag on; `None` where phi falls too slowly.
     pub(super) fn ever_after(&mut self, lag: f64) -> Option<Vec<Range>> {
         if self.tail.is_none() {
             self.tail = Some(self.tail().map(Rc::new));

@@ -54,37 +54,37 @@ const DRIVEN: usize = 4000;
 /// Cells of T/tau and tau for one objective, after which it is left to sampling.
 const MOST: usize = 20_000;
 
-/// What is known of an objective without a scenario.
+/// Result of the proof of an objective, without a scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Proof {
     /// It holds, for the law in exact arithmetic and every state of the box, every tau, and T/tau
     /// from 1 to the end of a run. A bound of u holds for that of the emitted program.
     Proved {
-        /// What is included of the emitted program, in one line.
+        /// Part of the emitted program that is included, in one line.
         scope: String,
     },
     /// It fails: signals that are allowed exceed it in the loop that runs.
     Refuted {
-        /// What they reach, in one line.
+        /// Value that they reach, in one line.
         why: String,
-        /// By how much, as [`Outcome::excess`](super::Outcome::excess).
+        /// Excess, as [`Outcome::excess`](super::Outcome::excess).
         excess: f64,
     },
     /// Its bound is met: what may be reached and what is reached are both within the allowance of it.
     Met {
-        /// What is reached, in one line.
+        /// Value that is reached, in one line.
         why: String,
     },
     /// The bound of what may be reached leaves no room, which no scenario need attain.
     NoRoom {
-        /// What may be reached, and its bound, in one line.
+        /// Value that may be reached, and its bound, in one line.
         why: String,
-        /// Where that is; `None` in the loop that runs.
+        /// Place; `None` in the loop that runs.
         place: Option<Place>,
     },
     /// Nothing is known: the loop or the objective is none that a proof is about.
     NotProved {
-        /// What stood in the way, in one line.
+        /// Obstacle to a proof, in one line.
         why: String,
     },
 }
@@ -99,17 +99,17 @@ pub struct Place {
 }
 
 impl Proof {
-    /// Whether the objective holds.
+    /// Returns true if the objective is proved to hold.
     pub fn is_proved(&self) -> bool {
         matches!(self, Self::Proved { .. })
     }
 
-    /// Whether it fails.
+    /// Returns true if it is proved to fail.
     pub fn is_refuted(&self) -> bool {
         matches!(self, Self::Refuted { .. })
     }
 
-    /// Where no room is left, if that is known.
+    /// Returns the place at which no room is left, if it is known.
     pub fn place(&self) -> Option<Place> {
         match self {
             Self::NoRoom { place, .. } => *place,
@@ -183,7 +183,7 @@ fn of_states(campaign: &Campaign) -> Vec<Proof> {
     campaign.objectives.iter().map(one).collect()
 }
 
-/// That u stays within its fixed limits; `None` where it has none.
+/// Returns the objective that u keeps its fixed limits; `None` if it has none.
 fn unclipped(spec: &Spec) -> Option<Kind> {
     let [least, most] = spec.limits(0);
     match (least, most) {
@@ -213,7 +213,7 @@ struct Prover {
 type Box = ([BigRational; 2], [BigRational; 2]);
 
 impl Prover {
-    /// That of a campaign, or why its loop is not one that is linear in stretched time.
+    /// Returns the basis of proofs for a campaign, or why its loop is not linear in stretched time.
     fn of(campaign: &Campaign, values: &Values) -> Result<Self, String> {
         let spec = &campaign.spec;
         let LinearLoop { gains, gain } = LinearLoop::of(campaign, values)?;
@@ -280,7 +280,7 @@ impl Prover {
         Err(Gap::spent(share, tau))
     }
 
-    /// Whether an objective holds over a cell, as long as another one may be looked at.
+    /// Tests whether an objective holds over a cell, as long as another one may be looked at.
     fn holds(
         &mut self,
         aim: &Aim,
@@ -299,7 +299,7 @@ impl Prover {
         Ok(cell.and_then(|cell| bounds.holds(closed, aim, (&cell, tau), rounding)))
     }
 
-    /// What x_1..x_n are within over a cell, and about in its middle; none where they are not bounded.
+    /// Bounds x_1..x_n over a cell, and approximately in its middle; `None` where they are not bounded.
     fn states(
         &mut self,
         share: &[BigRational; 2],

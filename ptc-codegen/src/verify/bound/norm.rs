@@ -22,8 +22,8 @@ pub(super) fn norm_about(rows: &[Vec<Range>]) -> f64 {
     size
 }
 
-/// Whether |rows x|^2 < bound |x|^2 for all x but 0, where f, in the last column, adds nothing:
-/// bound - rows^T rows is positive definite, by the pivots of an elimination.
+/// Returns true if |rows x|^2 < bound |x|^2 for all x but 0, where f, in the last column, adds nothing: bound - rows^T
+/// rows is positive definite, by the pivots of an elimination.
 pub(super) fn is_contraction(rows: &[Vec<Range>], bound: Range) -> bool {
     let n = rows.first().map_or(0, |row| row.len() - 1);
     if rows.iter().any(|row| row[n] != Range::from(0.0)) {

@@ -18,7 +18,7 @@ pub(super) struct Piece<'a> {
     /// The weight as a polynomial in y, and its rest.
     pub(super) weight: Vec<Range>,
     pub(super) rest: Range,
-    /// What the Taylor series of phi_1.. leave.
+    /// Remainders of the Taylor series of phi_1..
     pub(super) left: Vec<Range>,
 }
 

@@ -12,7 +12,7 @@ use crate::expression::enclosure::Range;
 /// Why an objective is not seen to hold over a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Why {
-    /// What is bounded may reach the one number, and its bound may be the other.
+    /// The bounded quantity may reach the first number, and its bound may be the second.
     Exceeded(String, f64, f64),
     /// An expression may have no value.
     MayNotExist(String),
@@ -24,18 +24,18 @@ pub(super) enum Why {
     NotEnclosed,
 }
 
-/// What prevents a proof of an objective.
+/// Obstacle to a proof of an objective.
 #[derive(Clone, Debug)]
 pub(super) struct Gap {
     /// In one line.
     pub(super) why: String,
-    /// Where it is, if a run may show there that the objective fails.
+    /// Place, if a run may show there that the objective fails.
     place: Option<Place>,
 }
 
 impl Gap {
-    /// What prevents it at the beginning of a cell. What is bounded by intervals of several parts need not be attained:
-    /// then the gap says nothing of the objective.
+    /// Returns the obstacle at the beginning of a cell. What is bounded by intervals of several parts need not be
+    /// attained: then the gap says nothing of the objective.
     pub(super) fn of(
         why: &Why,
         aim: &Aim,
@@ -69,7 +69,7 @@ impl From<Gap> for Proof {
 }
 
 impl Place {
-    /// Where a cell begins.
+    /// Returns the beginning of a cell.
     fn at(share: &[BigRational; 2], tau: &[BigRational; 2]) -> Self {
         let [share, tau] = [&share[0], &tau[0]].map(|end| end.to_f64().unwrap_or(f64::NAN));
         Self { share, tau }

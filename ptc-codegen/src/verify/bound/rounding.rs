@@ -1,4 +1,4 @@
-//! How far what a program computes may be from what it stands for.
+//! Rounding error of the values that a program computes.
 //!
 //! The bounds of the envelope hold every computed value, and what rounding makes of it follows operation by operation, by
 //! [`rounding`].
@@ -16,7 +16,7 @@ use crate::program::{Op, Program, Value, number, rows};
 /// A computed value and its error.
 #[derive(Clone, Copy)]
 struct Rounded {
-    /// What holds the computed value.
+    /// Enclosure of the computed value.
     value: Computed,
     error: f64,
 }
@@ -28,13 +28,13 @@ impl Rounded {
         Near { least: size.low(), most: size.high(), error: self.error }
     }
 
-    /// What holds the computed value and the exact one.
+    /// Returns the enclosure of the computed value and the exact one.
     fn both(self) -> Range {
         self.value.range + Range::from(self.error).both_signs()
     }
 }
 
-/// A bound of |v - v*| for a value computed within `bounds` by operations that round; none where an
+/// A bound of |v - v*| for a value computed within `bounds` by operations that round; `None` where an
 /// iteration or a function of the user's is in it. `to_go` is the greatest time-to-go.
 pub(super) fn error(
     program: &Program,

@@ -18,7 +18,7 @@ use crate::syntax::number;
 enum Lack {
     /// It is not about the objective.
     Unknown(String),
-    /// What is bounded may reach a value, and its bound.
+    /// The bounded quantity may reach a value, and this is its bound.
     NoRoom { what: String, most: f64, bound: f64 },
 }
 
@@ -55,8 +55,8 @@ pub(super) fn proved(campaign: &Campaign) -> Vec<Proof> {
     campaign.objectives.iter().map(one).collect()
 }
 
-/// What limits the loop that runs: the cause of most of its largest worst |x_i| at the deadline, in one
-/// line; `None` where its worst case is not known.
+/// Names the cause of most of the largest worst |x_i| at the deadline in the loop that runs, in one line; `None` where
+/// its worst case is not known.
 pub fn limits(campaign: &Campaign) -> Option<String> {
     campaign.around.as_ref()?;
     let worst = worst(campaign).ok()?;
@@ -74,7 +74,7 @@ pub fn limits(campaign: &Campaign) -> Option<String> {
     ))
 }
 
-/// What is known of an objective for which the worst case leaves no room, with the excess of what may be reached.
+/// Returns the result for an objective for which the worst case leaves no room, with the excess of the worst case.
 fn exceeded(campaign: &Campaign, worst: &Worst, (kind, most): (&Kind, f64), why: String) -> Proof {
     // Bounds of any signal say nothing of some.
     let is_free = |legal: &[Signal]| {
@@ -96,14 +96,14 @@ fn exceeded(campaign: &Campaign, worst: &Worst, (kind, most): (&Kind, f64), why:
     }
 }
 
-/// What signals that are allowed reach at least.
+/// Lower bound that signals that are allowed reach.
 struct Reached {
     what: String,
     value: f64,
     bound: f64,
 }
 
-/// What is reached of what an objective bounds, where that is known.
+/// Returns the value that the bounded quantity of an objective reaches, if it is known.
 fn reached(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Option<Reached> {
     let spec = &campaign.spec;
     // Quanta are bounded like noise, but nobody chooses them: their part may have the other sign.
@@ -167,12 +167,12 @@ fn sums(campaign: &Campaign) -> impl Iterator<Item = Affine> {
     campaign.objectives.iter().filter_map(of).filter(|affine| !affine.is_of_one())
 }
 
-/// What a sum is within along a run.
+/// Bounds of a sum along a run.
 struct Largest {
     span: Span,
-    /// Whether between the samples too.
+    /// True if they hold between the samples too.
     between: bool,
-    /// Whether that is attained, or nearly so.
+    /// True if that is attained, or nearly so.
     is_close: bool,
 }
 
@@ -190,7 +190,7 @@ impl Largest {
     }
 }
 
-/// What of the run a proof of the objective is about, or why it is not proved.
+/// Names the part of the run that a proof of the objective is about, or why it is not proved.
 fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Lack> {
     let way = || worst.way.as_ref().ok_or("there are more samples than it bounds one by one");
     let beyond = campaign.until < 0.0;

@@ -121,7 +121,7 @@ pub(super) fn power(a: &[Range], p: Range) -> Vec<Range> {
 }
 
 impl Arithmetic<'_> {
-    /// The series of an expression; none where it is not smooth, or has no value.
+    /// The series of an expression; `None` where it is not smooth, or has no value.
     pub(super) fn series(&mut self, e: &Expression) -> Option<Series> {
         use Expression as E;
         if !e.contains(self.variable) {

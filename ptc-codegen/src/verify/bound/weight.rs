@@ -19,14 +19,14 @@ const REST: f64 = 1.0 / 16384.0;
 /// The weight varies by at most this factor over a leaf.
 const STEEP: f64 = 2.0;
 
-/// How far beyond its cuts a leaf holds, as a part.
+/// Relative distance beyond its cuts to which a leaf holds.
 const BEYOND: f64 = 1.0 / 1_048_576.0;
 
 /// The weight over a piece of stretched time.
 pub(super) struct Leaf {
     pub(super) from: f64,
     pub(super) to: f64,
-    /// What its polynomial holds for.
+    /// Range of times for which its polynomial holds.
     holds: Range,
     middle: Range,
     /// The polynomial around the middle, and what is left of it.
@@ -48,7 +48,7 @@ enum Span {
 }
 
 impl Weight {
-    /// That of a mapping until a T/tau; none where it is not enclosed.
+    /// Encloses the weight of a mapping until a T/tau; `None` where it is not enclosed.
     pub(super) fn new(clock: &mut Clock, n: usize, until: &BigRational) -> Option<Self> {
         let whole = if clock.is_of_mu() {
             Span::Time([0.0, Range::from(&clock.stretched(until)?).high()])
@@ -110,7 +110,7 @@ impl Span {
         }
     }
 
-    /// The leaf of a span; none where it is not enclosed closely.
+    /// The leaf of a span; `None` where it is not enclosed closely.
     fn leaf(&self, clock: &mut Clock, n: usize) -> Option<Leaf> {
         let (from, to, holds, middle, around, share, during);
         match self {
@@ -174,7 +174,7 @@ impl Leaf {
         shifted
     }
 
-    /// Whether its polynomial holds for a time.
+    /// Returns true if its polynomial holds for a time.
     pub(super) fn holds(&self, t: Range) -> bool {
         self.holds.low() <= t.low() && t.high() <= self.holds.high()
     }

@@ -21,7 +21,7 @@ pub(super) struct Job<'a> {
     pub(super) q: f64,
 }
 
-/// Where a lane is.
+/// Position of a lane.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     piece: usize,

@@ -181,7 +181,7 @@ impl Run<'_> {
         Some(step)
     }
 
-    /// What xi_(i+1) is in, where time is in units of stretched time.
+    /// Returns the unit of xi_(i+1), where time is in units of stretched time.
     fn unit(&self, i: usize) -> f64 {
         self.rate.powi(exponent(i))
     }

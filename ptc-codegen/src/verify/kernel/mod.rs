@@ -1,6 +1,6 @@
 //! The worst switching of disturbances between their bounds, from the slopes of the loop along a run.
 //!
-//! What a disturbance moves x_n by at a moment moves x at a later instant by the loop's own transition
+//! A movement of x_n by a disturbance at a moment moves x at a later instant by the loop's own transition
 //! from the one to the other: the kernel. Along a run that is the product of the transitions over short
 //! steps, each with the slopes of xn' there. For a direction in which x is to go, each disturbance is
 //! worst at the bound for which its kernel points there: it switches where the kernel changes its sign.
@@ -47,8 +47,8 @@ struct Way {
     scenario: Scenario,
 }
 
-/// Scenarios in which `objective` may be worse than in `from`, at the instant that `from` names if it does; none where
-/// the run has no slopes.
+/// Scenarios in which `objective` may be worse than in `from`, at the instant that `from` names if it does; `None`
+/// where the run has no slopes.
 pub(super) fn worse(
     campaign: &Campaign,
     (trial, rates): (&mut Trial, &mut Rates),

@@ -19,7 +19,7 @@ pub(in crate::verify) struct Rates {
 }
 
 impl Rates {
-    /// Those of a campaign; `None` if its law cannot be run.
+    /// Returns the rates of a campaign; `None` if its law cannot be run.
     pub(in crate::verify) fn new(campaign: &Campaign) -> Option<Self> {
         let spec = Spec { precision: Precision::F64, ..campaign.spec.clone() };
         let plant = &campaign.plant;

@@ -8,7 +8,7 @@ pub(super) struct Step {
     pub(super) length: f64,
     /// Slopes of xn' along x_1..x_n.
     pub(super) slopes: Vec<f64>,
-    /// What each disturbance adds to xn' at its lower and its upper bound.
+    /// Contribution of each disturbance to xn' at its lower and its upper bound.
     pub(super) changes: Vec<[f64; 2]>,
 }
 
@@ -20,7 +20,7 @@ impl Step {
         shifted.map(|value| self.length * value).collect()
     }
 
-    /// What one unit of xn' over the step moves x at the instant by.
+    /// Returns the movement of x at the instant by one unit of xn' over the step.
     pub(super) fn impulse(&self, transition: &[f64], n: usize) -> Vec<f64> {
         let mut term: Vec<_> = (0..n).map(|i| if i + 1 == n { self.length } else { 0.0 }).collect();
         let mut sum = term.clone();

@@ -89,8 +89,8 @@ impl Line {
         self.steps[..=target].iter().rev().flat_map(|steps| steps.iter().rev())
     }
 
-    /// What a change of xn' over each of the steps before an instant, the last one first, moves x there
-    /// by, until that has decayed; and the transition from t0, where it has not.
+    /// Returns the movements of x at an instant by a change of xn' over each of the steps before it, the last one
+    /// first, until they have decayed; and the transition from t0, where they have not.
     fn kernels(&self, target: usize, n: usize) -> (Vec<Vec<f64>>, Option<Vec<f64>>) {
         let mut transition: Vec<f64> =
             (0..n * n).map(|at| f64::from(u8::from(at % (n + 1) == 0))).collect();
@@ -161,7 +161,7 @@ fn rounded(share: f64) -> f64 {
     format!("{share:.5e}").parse().unwrap_or(share)
 }
 
-/// Whether the upper bound moves further along than the lower one.
+/// Returns true if the upper bound moves further along than the lower one.
 fn is_high(along: f64, [low, high]: [f64; 2]) -> bool {
     along * high >= along * low
 }

@@ -21,7 +21,7 @@ pub(crate) struct LaneObserver {
     /// The job of each lane, and |x| at its start.
     jobs: [Option<usize>; LANES],
     at_start: Pack,
-    /// By how much each objective is exceeded in each lane.
+    /// Excess of each objective in each lane.
     excess: Vec<Pack>,
     /// The most since the lane began its job.
     worst: Vec<Pack>,
@@ -96,7 +96,7 @@ impl LaneObserver {
         failed
     }
 
-    /// By how much each objective is exceeded in each lane at an instant.
+    /// Computes the excess of each objective in each lane at an instant.
     pub(crate) fn excess(&mut self, instants: &Instants<'_>) -> &[Pack] {
         let Instants { last, time_to_go, x, u, .. } = instants;
         self.along.control(u);
@@ -145,7 +145,7 @@ impl LaneObserver {
     }
 }
 
-/// Of the numbers of each lane.
+/// Returns the norm of the numbers of each lane.
 fn norms<'a>(x: impl Iterator<Item = &'a Pack>) -> Pack {
     // As the sum of an iterator begins.
     let mut sum = Pack::all(-0.0);

@@ -16,7 +16,7 @@ impl Reader<'_> {
         all
     }
 
-    /// Those that are: intervals of [verify], and the bounds that the design has for others.
+    /// Returns the drawn parameters: intervals of [verify], and the bounds that the design has for others.
     pub(super) fn drawn(&mut self, given: &Given<'_>) -> Vec<(Parameter, Interval)> {
         let legal = self.may_be_drawn();
         let mut drawn = Vec::new();
@@ -44,7 +44,7 @@ impl Reader<'_> {
         drawn
     }
 
-    /// Whether the controller takes a parameter at run time, or holds the one value that [verify] gives: what is
+    /// Checks that the controller takes a parameter at run time, or holds the one value that [verify] gives: what is
     /// compiled in has no interval.
     pub(super) fn is_open(
         &mut self,
@@ -84,7 +84,7 @@ impl Reader<'_> {
         false
     }
 
-    /// Whether an interval of [verify] is within the domain of its parameter.
+    /// Checks that an interval of [verify] is within the domain of its parameter.
     fn admits(&mut self, parameter: Parameter, ends: Interval, given: &Given<'_>) -> bool {
         let name = parameter.spelling();
         let key = format!("verify.{name}");

@@ -11,9 +11,9 @@ use crate::syntax::{Argument, Node, Value};
 /// An integral over the run.
 #[derive(Clone, Debug)]
 pub(super) struct Integral {
-    /// What stands for it where it is written.
+    /// Name that replaces it where it is written.
     pub(super) name: Name,
-    /// What it is of, in the words of the user, in which the names of others may be.
+    /// Integrand in the words of the user, in which the names of others may be.
     written: Expression,
     /// The same of the plant as it is.
     integrand: Expression,

@@ -24,7 +24,7 @@ use integral::Integral;
 use value::{number, to_f64};
 use valued::UNVALUED;
 
-/// What stands at a key, and where the key is.
+/// Node and place of each key.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 
 /// Reads the campaign of a design whose controller is `spec`, with the mistakes in `[plant]` beside
@@ -118,7 +118,7 @@ struct Reader<'a> {
     spec: &'a Spec,
     plant: &'a Plant,
     found: Diagnostics,
-    /// Of all objectives together, each once.
+    /// Integrals of all objectives together, each once.
     integrals: Vec<Integral>,
 }
 

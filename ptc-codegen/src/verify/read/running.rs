@@ -1,4 +1,4 @@
-//! What a campaign of the loop that runs needs beside one of the law.
+//! Additional inputs of a campaign of the sampled loop, compared with one of the law.
 
 use super::{Given, Interval, Reader, number};
 use crate::parameter::Parameter;

@@ -11,11 +11,10 @@ pub(super) const KEY: &str = "ptc.sha256";
 /// The digits while there is no checksum yet.
 pub(super) const OPEN: &str = "0000000000000000000000000000000000000000000000000000000000000000";
 
-/// What stands before the digits: the key as the footer writes it, and the type and the length of the
-/// text that follows.
+/// Bytes before the digits: the key as the footer writes it, and the type and the length of the text that follows.
 const BEFORE: &[u8] = b"ptc.sha256\x18\x40";
 
-/// What every Parquet file ends with, after the length of its footer in four bytes.
+/// Last bytes of every Parquet file, after the length of its footer in four bytes.
 const MAGIC: &[u8] = b"PAR1";
 
 /// SHA-256 in hexadecimal.
@@ -32,7 +31,7 @@ pub(super) fn close<F: Read + Write + Seek>(file: &mut F) -> io::Result<()> {
     file.flush()
 }
 
-/// Whether the file has a checksum, which is that of its bytes. It is at its start then.
+/// Returns true if the file has a checksum that matches its bytes. The file is at its start then.
 pub(super) fn holds<F: Read + Seek>(file: &mut F) -> io::Result<bool> {
     let Some(at) = place(file)? else { return Ok(false) };
     let mut there = [0; OPEN.len()];
@@ -43,7 +42,7 @@ pub(super) fn holds<F: Read + Seek>(file: &mut F) -> io::Result<bool> {
     Ok(holds)
 }
 
-/// Where the digits stand.
+/// Returns the position of the digits.
 fn place<F: Read + Seek>(file: &mut F) -> io::Result<Option<u64>> {
     let length = file.seek(SeekFrom::End(0))?;
     let mut end = [0; 8];

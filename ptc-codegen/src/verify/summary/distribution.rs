@@ -1,11 +1,11 @@
-//! What draws are drawn from, in words.
+//! Distribution of the draws, in words.
 
 use super::super::{Campaign, Signal};
 
 /// Whose state the initial one is, where there are two.
 const FOLLOWS: &str = "of the plant, and not of its tracking error e";
 
-/// What the draws are drawn from.
+/// Describes the distribution of the draws.
 pub(super) fn distribution(campaign: &Campaign) -> String {
     let drawn = campaign.uncertain().filter(|(_, (low, high))| low < high);
     let names: Vec<_> = drawn.map(|(name, _)| name).collect();

@@ -64,13 +64,13 @@ impl Campaign {
 /// The final report.
 #[derive(Clone, Debug)]
 pub struct Summary {
-    /// How much was run.
+    /// Number and kind of runs.
     pub run: String,
-    /// What the draws are drawn from.
+    /// Distribution of the draws.
     pub distribution: String,
     /// One for each objective.
     pub objectives: Vec<Judged>,
-    /// How far the sides of Theorem 1 are apart; `None` for the loop that runs.
+    /// Difference of the sides of Theorem 1; `None` for the loop that runs.
     pub sides: Option<Sides>,
     /// The trajectory of the objective that comes off worst.
     pub trajectory: Option<Trajectory>,
@@ -79,28 +79,28 @@ pub struct Summary {
 /// Both sides of Theorem 1.
 #[derive(Clone, Debug)]
 pub struct Sides {
-    /// How far they are apart, in words.
+    /// Difference of the sides, in words.
     pub told: String,
-    /// Whether that is too far.
+    /// True if that is too large.
     pub apart: bool,
 }
 
 /// An objective, judged.
 #[derive(Clone, Debug)]
 pub struct Judged {
-    /// What is said of it.
+    /// Verdict on the objective.
     pub verdict: Verdict,
     /// The worst that was met of it, as an excess over its bound: below 0 it holds.
     pub excess: f64,
     /// The scenario in which it was met, in words with which it can be run again.
     pub worst: String,
-    /// What of the emitted program a proof includes.
+    /// Part of the emitted program that a proof includes.
     scope: String,
-    /// What it was judged by.
+    /// Basis of the verdict.
     pub details: Vec<String>,
 }
 
-/// What is to be done where the sides differ.
+/// Advice where the sides differ.
 pub const APART: &str =
     "a larger `until` under [verify] keeps away from where rounding is all that is left";
 
@@ -166,7 +166,7 @@ pub fn summary(campaign: &Campaign, trial: &mut Trial, known: &Known<'_>) -> Sum
     Summary { run, distribution, objectives, sides, trajectory }
 }
 
-/// What of a run is looked at.
+/// Describes the part of a run that is looked at.
 fn extent(campaign: &Campaign) -> String {
     let Some(around) = &campaign.around else {
         let emitted = if campaign.has_sides() { "" } else { "with the emitted controller, " };
@@ -183,10 +183,10 @@ fn extent(campaign: &Campaign) -> String {
     format!("in the loop that runs, every {:?} s from t0 to {to}", around.period)
 }
 
-/// What the sides are of a loop that is linear in stretched time.
+/// Explanation of the sides of a loop that is linear in stretched time.
 const PROPAGATED: &str = "\nwhere f is constant from instant to instant, x is the exact propagation of the law, and the second side is u of the emitted program in these states";
 
-/// How far the sides of Theorem 1 are apart.
+/// Compares the sides of Theorem 1.
 fn sides(campaign: &Campaign, trial: &Trial, known: &Known<'_>) -> Sides {
     let others = known.found.iter().map(|found| found.difference);
     let others = others.fold(known.corners.tally.difference.value, f64::max);

@@ -63,7 +63,7 @@ pub(super) fn reasons(
     }
 }
 
-/// What draws without a failure are worth.
+/// Describes the value of draws without a failure.
 fn chance(draws: u64) -> String {
     let all = counted(&draws, "independent draw");
     match confidence(draws) {
@@ -75,7 +75,7 @@ fn chance(draws: u64) -> String {
     }
 }
 
-/// What a bound that is met is worth.
+/// Describes the meaning of a bound that is met.
 fn met(count: &str) -> String {
     format!(
         "{count} meet the bound to a relative {ALLOWANCE:e}, the allowance for rounding and integration: neither a promise nor a failure"

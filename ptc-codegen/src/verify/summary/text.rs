@@ -1,10 +1,10 @@
-//! What a summary comes to, and how it is printed.
+//! Result of a summary, and how it is printed.
 
 use super::super::trajectory::{Trajectory, table};
 use super::super::{Campaign, Verdict};
 use super::{APART, Judged, Sides, Summary};
 
-/// What a verification comes to.
+/// Result of a verification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// Every objective holds.
@@ -31,7 +31,7 @@ impl Judged {
 }
 
 impl Summary {
-    /// What it comes to: an objective that fails decides it.
+    /// Returns the result: an objective that fails decides it.
     pub fn end(&self) -> End {
         let any = |wanted: &dyn Fn(Verdict) -> bool| {
             self.objectives.iter().any(|judged| wanted(judged.verdict))
@@ -47,7 +47,7 @@ impl Summary {
         }
     }
 
-    /// Whether every objective is proved.
+    /// Returns true if every objective is proved.
     fn is_proved(&self) -> bool {
         self.objectives.iter().all(|judged| judged.verdict == Verdict::Proved)
     }

@@ -1,4 +1,4 @@
-//! Which of the uncertain quantities drives an objective.
+//! Uncertain quantities that drive an objective.
 //!
 //! The share of a quantity is the correlation ratio of ranks: draws are ranked by their excess, and the variance
 //! of the mean rank over the parts of the quantity's interval is divided by that of all ranks. It is the
@@ -15,7 +15,7 @@ const PARTS: u8 = 8;
 /// A share this many deviations above what chance makes of it is one.
 const DEVIATIONS: f64 = 4.0;
 
-/// What is uncertain.
+/// Uncertain quantity.
 #[derive(Clone, Debug)]
 pub(super) enum Quantity {
     /// A constant: its name, its place in a row, its interval.
@@ -72,7 +72,7 @@ impl Quantity {
         }
     }
 
-    /// What it explains, if that is more than chance.
+    /// Returns the share that it explains, if that is more than chance.
     pub(super) fn driver(&self, parts: &[BTreeMap<i64, u64>]) -> Option<Driver> {
         let mut all = BTreeMap::<i64, u64>::new();
         parts.iter().for_each(|part| super::add(&mut all, part));

@@ -1,5 +1,5 @@
-//! How the draws of a campaign come off, beside the worst of them: how they spread, what drives them, and which
-//! are worst. An objective measures a draw at its worst instant: [`super::Kind::measure`].
+//! Statistics of the draws of a campaign: their distribution, the quantities that drive them, and the worst of them. An
+//! objective measures a draw at its worst instant: [`super::Kind::measure`].
 //!
 //! Only counts and maxima are kept, so that neither the order of the rows nor their division decides anything.
 
@@ -18,17 +18,17 @@ use scale::{COARSE, FINE};
 /// Worst draws that are kept of each objective.
 const WORST: usize = 10;
 
-/// What is known of the draws.
+/// Statistics of the draws.
 #[derive(Clone, Debug)]
 pub struct Drawn {
-    /// What the verdict needs.
+    /// Tally that the verdict needs.
     pub tally: Tally,
     /// One for each objective.
     pub spreads: Vec<Spread>,
     quantities: Vec<Quantity>,
 }
 
-/// How the measure of an objective spreads over the draws.
+/// Distribution of the measure of an objective over the draws.
 #[derive(Clone, Debug, Default)]
 pub struct Spread {
     /// Draws by the step of a fine scale in which their measure is.
@@ -40,7 +40,7 @@ pub struct Spread {
 }
 
 impl Drawn {
-    /// Of no draw.
+    /// Creates the statistics of no draw.
     pub fn new(campaign: &Campaign) -> Self {
         let quantities = Quantity::all(campaign);
         let shares = quantities.iter().map(|one| vec![BTreeMap::new(); one.parts()]).collect();
@@ -90,7 +90,7 @@ impl Drawn {
         self
     }
 
-    /// What drives an objective, the strongest first; what chance may make of so many draws is left out.
+    /// Returns the drivers of an objective, the strongest first; shares that chance may explain are left out.
     pub fn drivers(&self, objective: usize) -> Vec<Driver> {
         let shares = &self.spreads[objective].shares;
         let all = self.quantities.iter().zip(shares);

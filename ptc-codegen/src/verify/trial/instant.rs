@@ -1,4 +1,4 @@
-//! What a run is at an instant.
+//! State of a run at an instant.
 
 use super::super::observer::Here;
 
@@ -17,9 +17,9 @@ pub struct Instant {
     pub errors: Vec<f64>,
     /// The integrals of the campaign, from t0 to here.
     pub integrals: Vec<f64>,
-    /// By how much each objective is exceeded here.
+    /// Excess of each objective here.
     pub excess: Vec<f64>,
-    /// Whether what has to hold at the end has to hold here.
+    /// True if objectives that have to hold at the end have to hold here.
     pub at_end: bool,
 }
 
@@ -29,7 +29,7 @@ impl Instant {
         self.x.iter().chain(&self.u).chain(&self.errors)
     }
 
-    /// Where it is, for the objectives.
+    /// Returns the instant, for the objectives.
     pub(in crate::verify) fn here(&self) -> Here<'_> {
         let Self { time_to_go, x, u, integrals, .. } = self;
         Here { time_to_go: *time_to_go, x, u, integrals }

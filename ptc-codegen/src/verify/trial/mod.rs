@@ -35,7 +35,7 @@ pub struct Trial {
     pub(super) blur: f64,
 }
 
-/// What a scenario is run in.
+/// Loop in which a scenario is run.
 #[derive(Clone, Debug)]
 enum Closed {
     /// Both sides of Theorem 1.
@@ -49,7 +49,7 @@ enum Closed {
 /// Far below the tolerance of the sides, and an order above what would cost time.
 pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
 
-/// That of a run of which the first accuracy says too little.
+/// Accuracy of a run for which the first accuracy says too little.
 pub(super) const CLOSER: Accuracy = Accuracy { relative: 1e-11, ..ACCURACY };
 
 /// Part of the tolerance of the sides up to which their difference is taken as it is.
@@ -104,7 +104,7 @@ impl Trial {
         Ok(Self { closed, lanes, observer, objectives, inputs, none, blur, floor })
     }
 
-    /// Whether scenarios with an f that is constant from instant to instant are run without an integration.
+    /// Returns true if scenarios with an f that is constant from instant to instant are run without an integration.
     pub(super) fn propagates(&self) -> bool {
         self.lanes.as_ref().is_some_and(|lanes| lanes.propagates())
     }
@@ -161,7 +161,8 @@ impl Trial {
         }
     }
 
-    /// What each objective bounds at the instants of a run: `levels[i][k]` of objective i at instant k.
+    /// Returns the value that each objective bounds at the instants of a run: `levels[i][k]` of objective i at instant
+    /// k.
     ///
     /// # Errors
     /// A parameter without a value.
@@ -233,7 +234,7 @@ fn has_eps(spec: &Spec) -> Result<(), Failure> {
     Err(Failure::input(message, help))
 }
 
-/// Whether a run left the range of numbers.
+/// Returns true if a run left the range of numbers.
 fn is_range(end: &Result<(), Failure>) -> bool {
     end.as_ref().is_err_and(|failure| failure.cause == Cause::Range)
 }

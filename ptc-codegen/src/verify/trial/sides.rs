@@ -7,9 +7,8 @@ use super::watch::along;
 use super::{ACCURACY, is_range};
 use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run};
 
-/// Whether the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel,
-/// the error of a step counts many times, and falls with the accuracy; a difference in what is
-/// integrated does not.
+/// Returns true if the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel, the
+/// error of a step counts many times, and falls with the accuracy; a difference in what is integrated does not.
 pub(in crate::verify) fn is_blurred(outcome: &Outcome, blur: f64) -> bool {
     outcome.ended.is_none() && outcome.difference() > blur
 }
@@ -39,8 +38,8 @@ const GROSS: f64 = 1e-3;
 /// The relative accuracy of a step, to which objectives may differ.
 const NEGLIGIBLE: f64 = ACCURACY.relative;
 
-/// How far the sides are apart. A component that consists of rounding, as u does where its terms cancel throughout,
-/// differs in all its digits; if no objective depends on it, the difference of the objectives counts.
+/// Returns the difference of the sides. A component that consists of rounding, as u does where its terms cancel
+/// throughout, differs in all its digits; if no objective depends on it, the difference of the objectives counts.
 fn difference(first: &Track, second: &Track) -> f64 {
     let apart = first.difference(second);
     let both = first.excess.iter().zip(&second.excess);
@@ -53,7 +52,7 @@ fn difference(first: &Track, second: &Track) -> f64 {
     if apart > GROSS && shown <= NEGLIGIBLE { shown } else { apart }
 }
 
-/// What both sides say, with how each ended.
+/// Compares both sides, with how each ended.
 pub(in crate::verify) fn compared(
     (first, infinite): (&Track, &Result<(), Failure>),
     (second, direct): (&Track, Result<(), Failure>),

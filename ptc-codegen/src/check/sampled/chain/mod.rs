@@ -67,13 +67,13 @@ pub(super) struct Step {
     pub(super) matrix: Matrix,
     pub(super) columns: Vec<Vec<Near>>,
     pub(super) u: Row,
-    /// What rounding of a reference that is not part of the states adds to each of them at most, and to u.
+    /// Upper bound of the rounding error of a reference outside the states, in each state and in u.
     pub(super) lost: Vec<Near>,
     pub(super) lost_of_u: f64,
-    /// How far each measurement is from what an observer predicts, and what rounding of a reference adds to that;
-    /// empty without an observer that can predict alone.
+    /// Innovation of each measurement in an observer, and the rounding error of a reference in it; empty without an
+    /// observer that can predict alone.
     pub(super) innovations: Vec<(Row, f64)>,
-    /// What a constant f of 1 adds to each state over the samples that it joins; `None` for one sample.
+    /// Contribution of a constant f of 1 to each state over the joined samples; `None` for one sample.
     pub(super) force: Option<Vec<Near>>,
 }
 
@@ -101,7 +101,7 @@ pub(super) struct Chain {
     /// h^j/j!, j = 0..=n, rounded.
     pub(super) shares: Vec<f64>,
     pub(super) gain: f64,
-    /// What an input of 1 does to the states in a whole sample, with its errors.
+    /// Response of the states to an input of 1 over a whole sample, with its errors.
     pub(super) whole: Vec<Near>,
     /// The rows of y = C x; `None` if the states of a chain are measured.
     pub(super) outputs: Option<Vec<Vec<Near>>>,
@@ -186,7 +186,7 @@ impl Chain {
         self.outputs.as_ref().map_or(self.n, Vec::len)
     }
 
-    /// What is `near` in each measured value, as a sum over the states.
+    /// Converts a sum over the measured values, with coefficients `near`, to one over the states.
     pub(super) fn of_states(&self, near: &[Near]) -> Vec<Near> {
         let Some(rows) = &self.outputs else {
             let one = |j: usize| near.get(j).copied().unwrap_or((0.0, 0.0));

@@ -15,7 +15,7 @@ use crate::parameter::Precision;
 pub(in crate::check::sampled) struct Rows(Box<[Near]>);
 
 impl Rows {
-    /// Of the rows of u and of what is behind it; `lost` is empty without a reference.
+    /// Collects the entries of the row of u and of the rows behind it; `lost` is empty without a reference.
     pub(in crate::check::sampled) fn new(u: &Row, behind: &[Row], lost: &[f64]) -> Self {
         let rows = std::iter::once(u).chain(behind);
         let all = rows.flat_map(|row| row.of_state.iter().chain(&row.of_cause).copied());
@@ -23,7 +23,7 @@ impl Rows {
     }
 }
 
-/// Which numbers the rows hold.
+/// Dimensions of the rows.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::check::sampled) struct Layout {
     /// States, with what is kept.
@@ -32,7 +32,7 @@ pub(in crate::check::sampled) struct Layout {
     pub(in crate::check::sampled) causes: usize,
     /// Measurements whose innovations are known: all, or none.
     pub(in crate::check::sampled) innovations: usize,
-    /// Where the input that acts is kept; `None` for u itself.
+    /// Index of the kept input that acts; `None` for u itself.
     pub(in crate::check::sampled) acting: Option<usize>,
 }
 
@@ -205,7 +205,7 @@ impl Steps {
     }
 }
 
-/// What an input that is a sum adds to what a state is of itself.
+/// Adds to the own coefficient of a state the contribution of an input that is a sum.
 #[inline]
 fn through(own: Near, (value, error): Near, (entry, off): Near) -> Near {
     let unit = 2.0 * unit_roundoff(Precision::F64);

@@ -19,7 +19,7 @@ use crate::code::{Code, Expr, Place, Statement};
 use crate::request::{After, Gate, Observer, Reference, Sampled, Spec};
 use sample::Sample;
 
-/// What a name holds at one sample.
+/// Value of a name at one sample.
 #[derive(Clone, Debug)]
 enum Held {
     Count(u32),
@@ -33,7 +33,7 @@ enum Held {
 pub(super) struct Samples {
     pub(super) rows: Vec<Rows>,
     layout: Layout,
-    /// Of what the controller keeps the unit and how large it may be at the start.
+    /// Unit of each kept value of the controller, and its bound at the start.
     kept: Vec<(Unit, f64)>,
 }
 
@@ -140,7 +140,7 @@ fn kept(code: &Code) -> impl Iterator<Item = &str> {
     all.filter(|name| !is_rate(name))
 }
 
-/// Whether a field is rho of an input under way.
+/// Returns true if a field is rho of an input under way.
 fn is_rate(name: &str) -> bool {
     name.starts_with("rho")
 }

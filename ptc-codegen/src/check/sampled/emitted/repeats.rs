@@ -7,7 +7,7 @@ use super::Held;
 use super::sample::Sample;
 use crate::code::{Expr, Test};
 
-/// What a sample makes of its counts, in its order.
+/// Record of the computations of a sample with its counts, in order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Trace<'a> {
     entries: RefCell<Vec<Entry<'a>>>,
@@ -65,8 +65,9 @@ impl<'a> Trace<'a> {
 }
 
 impl<'a> Sample<'a> {
-    /// Whether sample `k` does as another one did, by its trace. Numbers that are not made of counts are the same where
-    /// all before them is; a comparison of counts with others is not repeated, as their names are not known here.
+    /// Returns true if sample `k` does the same as another one, judged by the trace of that one. Numbers that are not
+    /// made of counts are the same where all before them is; a comparison of counts with others is not repeated, as
+    /// their names are not known here.
     pub(super) fn repeats(&self, trace: &Trace<'a>, k: usize) -> bool {
         let repeated = || {
             let mut counts = self.counts(k)?;

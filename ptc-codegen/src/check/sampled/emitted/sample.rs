@@ -129,7 +129,7 @@ impl<'a> Sample<'a> {
         Some(Row { of_state, of_cause })
     }
 
-    /// How far each measurement is from its prediction.
+    /// Returns the difference of each measurement from its prediction.
     pub(super) fn innovations(&self) -> Vec<Held> {
         let of = |name: &str| self.locals.get(name).cloned();
         match of("miss") {
@@ -196,7 +196,7 @@ impl<'a> Sample<'a> {
         Some(())
     }
 
-    /// Whether a test holds; what depends on the states is a limit of u, which is not reached.
+    /// Evaluates a test; if it depends on the states it compares with a limit of u, which is not reached.
     pub(super) fn test(&self, test: &'a Test) -> Option<bool> {
         let counts = |outcome: bool| {
             self.trace.test(test, outcome);

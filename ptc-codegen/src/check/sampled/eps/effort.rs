@@ -1,4 +1,4 @@
-//! How closely eps is searched for: at fewer points where each takes longer, so that a choice ends within seconds.
+//! Effort of the search for eps: fewer points where each takes longer, so that a choice ends within seconds.
 
 // Counts become numbers here.
 #![allow(clippy::cast_precision_loss)]
@@ -15,7 +15,7 @@ const OPERATIONS: f64 = 1e9;
 /// Fewest steps and rounds that are a search.
 const LEAST: [u32; 2] = [8, 3];
 
-/// How many eps are tried.
+/// Number of eps to try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Effort {
     /// Steps between the points that are tried first.

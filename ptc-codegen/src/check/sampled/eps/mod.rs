@@ -40,9 +40,9 @@ const OPERATIONS: f64 = 4e9;
 pub struct Choice {
     /// In s.
     pub eps: f64,
-    /// What |x_i| at the deadline is at worst.
+    /// Worst |x_i| at the deadline.
     pub x: Vec<f64>,
-    /// What |u| is at worst, at some 150 samples, fewer of very many, and where the hold begins.
+    /// Worst |u| at some 150 samples, fewer of very many, and where the hold begins.
     pub u: f64,
 }
 
@@ -68,11 +68,11 @@ struct Trial<'a> {
     chain: Chain,
 }
 
-/// What gives the gains at a sample.
+/// Source of the gains at a sample.
 enum Law {
     /// A law in continuous time, with the gains of each sample without a hold.
     Time { free: Arc<[Rows]> },
-    /// A program in samples, which is the same before any hold; none where it is not enclosed.
+    /// A program in samples, which is the same before any hold; `None` where it is not enclosed.
     Samples { free: Option<Arc<[Rows]>> },
 }
 
@@ -147,7 +147,7 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// What the program in samples with an eps makes of the samples from `first` on.
+    /// Evaluates the program in samples with an eps, from sample `first` on.
     fn program(&self, eps: f64, first: usize) -> Option<Samples> {
         let mut spec = self.closed.spec.clone();
         spec.choose_eps(self.exact(eps)?);
@@ -189,7 +189,7 @@ impl<'a> Trial<'a> {
         Some(self.exact(eps)?.to_string())
     }
 
-    /// What an eps leaves at the deadline, and what the loop tolerates with it.
+    /// Describes the worst case at the deadline with an eps, and the stability margins with it.
     fn described(&self, eps: f64) -> String {
         let finals = self.held(eps).map(|sampled| self.finals(&sampled)).unwrap_or_default();
         let nominal = match self.gain.error > 0.0 || self.closed.late.is_some() {
@@ -204,7 +204,7 @@ impl<'a> Trial<'a> {
         format!("|x| of about {}{nominal}, and {stays}", list(finals))
     }
 
-    /// What |x_i| at the deadline is at worst.
+    /// Returns the worst |x_i| at the deadline.
     fn finals(&self, sampled: &Sampled) -> Vec<f64> {
         let state = |i| sampled.bound(&sampled.state(i), self.closed.samples, None).attained();
         (1..=self.closed.spec.n).map(state).collect()
@@ -229,7 +229,7 @@ impl<'a> Trial<'a> {
     }
 }
 
-/// How many of so many samples are looked at for each point of a curve.
+/// Returns how many of `count` samples are examined for each point of a curve.
 fn looked_at(sampled: &Sampled, count: usize) -> usize {
     let [size, count] = [sampled.size(), count].map(|count| count as f64);
     let of_each = 0.5 * count * size * (size + 4.0) * f64::from(POINTS);

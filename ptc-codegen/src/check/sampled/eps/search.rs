@@ -14,7 +14,7 @@ pub(crate) struct Candidate {
     pub(crate) eps: Fixed,
     /// The reason to choose it, in one sentence.
     pub(crate) reason: String,
-    /// Whether the worst case of the search is within `error`, if that is given.
+    /// True if the worst case of the search is within `error`, if that is given.
     pub(crate) is_within: bool,
 }
 
@@ -67,7 +67,7 @@ impl Loop<'_> {
     }
 }
 
-/// What the search makes small.
+/// Objective of the search.
 const LEAST: &str = "the worst |x| at the deadline";
 
 /// The eps that were tried: whole periods are tried once.

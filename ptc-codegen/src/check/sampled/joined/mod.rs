@@ -25,7 +25,7 @@ use run::Run;
 const OPERATIONS: f64 = 7e8;
 const BESIDE: usize = 40;
 
-/// By how much a run of samples may move the plant, as a part of its states: the least and the most that is tried.
+/// Least and greatest tried movement of the plant over a run of samples, as a fraction of its states.
 const MOVED: [f64; 2] = [1.0 / 256.0, 0.5];
 
 /// Most samples of a run: what each of them does is kept until its end.

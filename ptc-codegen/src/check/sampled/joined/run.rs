@@ -98,8 +98,8 @@ impl Run {
         *all = times(all, &sizes, *size);
     }
 
-    /// Whether the plant moves by more than a part of its states, in a scaling in which they are alike, or what is not exact
-    /// grows.
+    /// Returns true if the plant moves by more than a part of its states, in a scaling in which they are alike, or if
+    /// the errors grow.
     pub(super) fn is_far(&self, scale: &[f64], part: f64) -> bool {
         let row = |product: &[f64], i: usize, count: usize| {
             let entry = |j: usize| product[i * self.size + j].abs() * scale[i] / scale[j];

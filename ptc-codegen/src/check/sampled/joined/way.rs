@@ -32,13 +32,13 @@ struct Block {
     moved: Vec<f64>,
 }
 
-/// What a block adds at a sample to the bounds at its first one.
+/// Contribution of a block, at a sample, to the bounds at its first sample.
 struct Added {
     /// To each state of the plant.
     states: Vec<f64>,
     /// To the sum of u over the states.
     of_row: f64,
-    /// What u sees of the errors of its own sample, without the actuator.
+    /// Part of u due to the errors of its own sample, without the actuator.
     direct: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What a reference makes of the bounds of a loop of e: those of the chain of the plant, of w, and the force.
+//! Effect of a reference on the bounds of a loop of e: those of the chain of the plant, of w, and the force.
 
 use super::super::followed::Followed;
 use super::super::rounded::{ROUNDED, unit_roundoff};
@@ -6,11 +6,11 @@ use crate::request::Spec;
 
 /// Bounds of a reference, for a model whose loop is one of e.
 pub(super) struct Beside {
-    /// Of |r|, ..., |r^(n-1)|.
+    /// Bounds of |r|, ..., |r^(n-1)|.
     sizes: Vec<f64>,
-    /// How far each of them may be off as it is computed, and its difference from the coordinate.
+    /// Error bound of each as it is computed, and of its difference from the coordinate.
     pub(super) off: Vec<f64>,
-    /// Of |rho|, how far it may be off, and |r^(n) - rho|.
+    /// Bounds of |rho|, of its error, and of |r^(n) - rho|.
     rate: f64,
     rate_off: f64,
     moves: f64,
@@ -34,8 +34,8 @@ impl Beside {
         ((w + self.rate + self.rate_off) * ROUNDED, chain.collect())
     }
 
-    /// What moves the chain of e beside w, where so much is wanted: r^(n) - rho, and the rounding of rho and of the
-    /// sum with it.
+    /// Bounds the force on the chain of e in addition to w, for wanted rates of at most `wanted`: r^(n) - rho, and the
+    /// rounding of rho and of the sum with it.
     pub(super) fn force(&self, wanted: f64) -> f64 {
         (self.moves + self.rate_off + 2.0 * self.unit * wanted) * ROUNDED
     }

@@ -9,14 +9,14 @@ use crate::request::Spec;
 pub(super) struct OnCells<'a> {
     enclosure: StagedValues<'a>,
     values: Vec<Value>,
-    /// How far each state may be from the cell.
+    /// Largest distance of each state from the cell.
     errors: &'a [f64],
     unit: f64,
 }
 
 impl<'a> OnCells<'a> {
     /// # Errors
-    /// That memory is lacking.
+    /// Fails if memory is lacking.
     pub(super) fn new(
         spec: &Spec,
         program: &'a Program,
@@ -57,7 +57,7 @@ impl<'a> OnCells<'a> {
         self.values.iter().map(|value| self.enclosure.get(*value)).collect()
     }
 
-    /// Whether one of the values is beyond its bound in all of a cell.
+    /// Returns true if one of the values is beyond its bound in all of a cell.
     pub(super) fn is_beyond(&mut self, cell: &[Range], bounds: &[f64]) -> bool {
         let found = self.at(cell, &[]);
         found

@@ -13,7 +13,7 @@ use crate::request::{Clock, PlantBounds, Promises, Spec};
 const SAMPLES: f64 = 5e6;
 
 /// # Errors
-/// That the loops of all these outputs have more samples together than are looked at in seconds.
+/// Fails if the loops of all these outputs together have more samples than are looked at in seconds.
 pub(super) fn few_samples(designs: &[Spec]) -> Result<(), Lacking> {
     let number =
         |value: Option<&Fixed>| value.and_then(Fixed::number).and_then(ToPrimitive::to_f64);

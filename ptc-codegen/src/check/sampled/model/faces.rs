@@ -1,4 +1,4 @@
-//! Whether states whose chains are within bounds stay within the envelope.
+//! Proof that states remain within the envelope if their chains are within bounds.
 
 use super::cell::{OnCells, divided};
 use super::motion::Motion;
@@ -10,11 +10,11 @@ use crate::request::{Spec, one_or_each};
 /// Cells of the faces that are looked at, at most.
 const CELLS: usize = 20_000;
 
-/// That no state on a face of the envelope has all chains within these bounds: one that moves within them, and
-/// starts in the envelope, does not leave it.
+/// Proves that no state on a face of the envelope has all chains within these bounds: a state that moves within them,
+/// and starts in the envelope, does not leave it.
 ///
 /// # Errors
-/// Where one may have.
+/// Fails if one may have.
 pub(super) fn stays(spec: &Spec, motion: &Motion, chains: &[f64]) -> Result<(), String> {
     let program = passes::optimise(plant(spec, &motion.coordinates), &mut |_, _| {});
     let mut coordinates = OnCells::new(spec, &program, &program.watched, &[])?;

@@ -8,11 +8,11 @@ use crate::expression::enclosure::Range;
 use crate::request::one_or_each;
 
 impl Rates<'_> {
-    /// How far the last rates get from what is wanted of them: at a sample by what the sensors and the inputs are
-    /// off, behind it by the rates of the sums. The last rates stay within `last`.
+    /// Bounds how far the last rates get from the wanted ones: at a sample by the errors of the sensors and the inputs,
+    /// behind it by the rates of the sums. The last rates stay within `last`.
     ///
     /// # Errors
-    /// That there is no bound.
+    /// Fails if there is no bound.
     pub(super) fn forces(
         &self,
         cells: &[Vec<Range>],
@@ -62,8 +62,8 @@ impl Rates<'_> {
         }
     }
 
-    /// What is held while the states are in a cell and the last rates s stay within bounds: of a mechanical plant
-    /// s, of any other the inputs that act, D^-1 (s - F) at every state on the way.
+    /// Bounds what is held while the states are in a cell and the last rates s stay within bounds: for a mechanical
+    /// plant s, for any other the inputs that act, D^-1 (s - F) at every state on the way.
     fn held(
         &self,
         emitted: &mut OnCells<'_>,
@@ -81,7 +81,7 @@ impl Rates<'_> {
         acting.zip(&here).map(within).collect()
     }
 
-    /// What sums within these bounds are to the chains: of a mechanical plant the solutions of M s = sum.
+    /// Converts bounds of the sums to those of the chains: for a mechanical plant by the solutions of M s = sum.
     fn of_chains(&self, matrix: &[Option<Rounded>], sums: Vec<f64>) -> Vec<f64> {
         if !self.motion.is_mechanical {
             return sums;

@@ -40,7 +40,7 @@ const ROUNDS: u32 = 10;
 /// A force from which on none is consistent with itself.
 const FAR: f64 = 1e100;
 
-/// By how much more than needed, as a part of it.
+/// Relative excess over the required value.
 const WIDER: f64 = 0.02;
 
 /// The check of a design with such a model.
@@ -77,26 +77,26 @@ impl Lacking {
 
 /// The bounds of the loops.
 struct Bounded {
-    /// Of the chain of each output, which w moves.
+    /// Worst case of the chain of each output, which w moves.
     worst: Vec<Worst>,
-    /// Of |u|, of each input.
+    /// Bound of |u| for each input.
     u: Vec<f64>,
-    /// Of e, errors of sensors, actuator and g, and rounding: the force on each chain.
+    /// Bound of the force on each chain: e, errors of sensors, actuator and g, and rounding.
     force: Vec<f64>,
 }
 
-/// Of |x_i| of each output, and of |u| of each input, from the deadline on.
+/// Bounds of |x_i| of each output, and of |u| of each input, from the deadline on.
 type Afterwards = (Vec<Vec<f64>>, Vec<f64>);
 
 /// One output, whose chain its law moves.
 struct Output {
     spec: Spec,
-    /// What is measured of the chain may be off by.
+    /// Error bounds of the measured coordinates of the chain.
     sensors: Vec<f64>,
     followed: Option<Beside>,
 }
 
-/// What bounds the forces on the envelope.
+/// Basis for bounds of the forces on the envelope.
 struct Envelope<'a> {
     spec: &'a Spec,
     motion: &'a Motion,
@@ -182,8 +182,8 @@ impl<'a> Envelope<'a> {
         )))
     }
 
-    /// What holds from the deadline on, where it is known; of a reference what it does before the deadline
-    /// alone is.
+    /// Returns the bounds that hold from the deadline on, where they are known; with a reference, only those before the
+    /// deadline are.
     fn afterwards(&self, from: &[f64]) -> Option<Afterwards> {
         let follows = self.outputs.iter().any(|output| output.spec.reference.is_some());
         if self.spec.after != After::Hold || follows {

@@ -1,6 +1,6 @@
-//! What moves the last rates s of all chains between the samples.
+//! Motion of the last rates s of all chains between the samples.
 //!
-//! Of a plant whose rates are given s = F + G u, with F the drifts and G the decoupling matrix: one output has
+//! A plant whose rates are given has s = F + G u, with F the drifts and G the decoupling matrix: one output has
 //! F = f and G = g. A mechanical plant has M s + bias = u, and needs no inverse that is written out.
 
 use crate::expression::effort::bounded;
@@ -24,7 +24,7 @@ pub(super) struct Motion {
     pub(super) moved: Vec<Expression>,
     /// G, row by row; of a mechanical plant M.
     pub(super) matrix: Vec<Expression>,
-    /// Whether it is a mechanical plant.
+    /// True if it is a mechanical plant.
     pub(super) is_mechanical: bool,
 }
 
@@ -90,7 +90,7 @@ impl Motion {
         Self { sums, moved, matrix, is_mechanical: true, ..Self::of_plant(coupled) }
     }
 
-    /// What needs no form.
+    /// Returns a motion with its states, inputs and coordinates alone; the other parts are empty.
     fn of_plant(coupled: &Coupled) -> Self {
         let all = coupled.outputs.iter().flat_map(|output| &output.coordinates);
         Self {
@@ -104,7 +104,7 @@ impl Motion {
         }
     }
 
-    /// How these go with each state, one after the other.
+    /// Returns the derivatives of these by each state, one after the other.
     pub(super) fn slopes(&self, of: &[Expression]) -> Vec<Expression> {
         let states = 1..=self.states.len();
         let of_one = |e: &Expression| {

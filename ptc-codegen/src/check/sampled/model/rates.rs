@@ -1,4 +1,4 @@
-//! How large the inputs, and the rates of what they move, may be on the envelope.
+//! Bounds of the inputs, and of the rates of the sums that they move, on the envelope.
 
 use super::super::rounded::{ROUNDED, Rounded};
 use super::cell::{OnCells, cells, size};
@@ -13,10 +13,10 @@ use crate::request::{Spec, one_or_each};
 /// Cells into which the envelope is divided, at most: of one input, and of several.
 const CELLS: [usize; 2] = [600, 1300];
 
-/// How often the box around such cells is divided again.
+/// Number of further divisions of the box around such cells.
 const NARROWER: u32 = 3;
 
-/// What is bounded on the envelope.
+/// Subject of the bounds on the envelope.
 pub(super) struct Rates<'a> {
     pub(super) spec: &'a Spec,
     pub(super) motion: &'a Motion,
@@ -32,19 +32,19 @@ pub(super) struct Rates<'a> {
 
 /// Bounds of the loops of all outputs.
 pub(super) struct Reached {
-    /// Of the last rate that is wanted of each output.
+    /// Bound of the wanted last rate of each output.
     pub(super) wanted: Vec<f64>,
-    /// Of the chains, one after the other.
+    /// Bounds of the chains, one after the other.
     pub(super) chains: Vec<f64>,
-    /// Of what moves each chain beside it.
+    /// Bound of the force on each chain in addition to it.
     pub(super) force: Vec<f64>,
 }
 
 /// Bounds on the envelope.
 pub(super) struct Sizes {
-    /// Of the size of each input.
+    /// Bound of the size of each input.
     pub(super) u: Vec<f64>,
-    /// Of what moves each chain beside what is wanted.
+    /// Bound of the force on each chain in addition to the wanted rate.
     pub(super) force: Vec<f64>,
 }
 
@@ -80,7 +80,7 @@ impl<'a> Rates<'a> {
     /// Bounds of the error of each coordinate of the chains, as the law sees it.
     ///
     /// # Errors
-    /// That a coordinate has none.
+    /// Fails if a coordinate has none.
     pub(super) fn sensors(&self) -> Result<Vec<f64>, String> {
         let (states, chains) = (self.errors.len(), self.motion.coordinates.len());
         let mut rounded = self.on(&self.emitted, &self.emitted.watched)?;
@@ -106,7 +106,7 @@ impl<'a> Rates<'a> {
     /// Cells that hold every state of the envelope whose chains are within bounds.
     ///
     /// # Errors
-    /// That there is none.
+    /// Fails if there is none.
     fn within(&self, chains: &[f64]) -> Result<Vec<Vec<Range>>, String> {
         let exact = vec![0.0; self.errors.len()];
         let mut coordinates =
@@ -128,7 +128,7 @@ impl<'a> Rates<'a> {
     /// The bounds where all is within those that the loops reach.
     ///
     /// # Errors
-    /// That there are none.
+    /// Fails if there are none.
     pub(super) fn sizes(&self, reached: &Reached) -> Result<Sizes, String> {
         let cells = self.within(&reached.chains)?;
         let around = |bounds: &[f64]| -> Vec<_> {
@@ -147,7 +147,7 @@ impl<'a> Rates<'a> {
     }
 
     /// # Errors
-    /// That an input has no bound.
+    /// Fails if an input has no bound.
     fn inputs(&self, cells: &[Vec<Range>], wanted: &[Range]) -> Result<Vec<InputBound>, String> {
         let controls = self.emitted.controls();
         let mut most = vec![(0.0_f64, 0.0_f64); controls.len()];
@@ -192,7 +192,7 @@ impl<'a> Rates<'a> {
         OnCells::new(self.spec, program, values, &self.errors)
     }
 
-    /// What the errors of the sensors do by these slopes.
+    /// Bounds the effect of the sensor errors through these slopes.
     pub(super) fn seen(&self, slopes: &[Option<Rounded>]) -> f64 {
         let part = |(slope, error): (&Option<Rounded>, &f64)| match *error {
             0.0 => 0.0,
@@ -204,10 +204,10 @@ impl<'a> Rates<'a> {
 
 /// Bounds of one input.
 pub(super) struct InputBound {
-    /// Of its size as the program computes it, and as it acts.
+    /// Bounds of its size as the program computes it, and as it acts.
     pub(super) u: f64,
     pub(super) acting: f64,
-    /// How far what acts may be from what was to act.
+    /// Bound of the difference between the input that acts and the intended one.
     pub(super) off: f64,
 }
 

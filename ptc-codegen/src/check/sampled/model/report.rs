@@ -1,4 +1,4 @@
-//! What is said of the bounds of the loops of a model.
+//! Report of the bounds of the loops of a model.
 
 use super::super::outcome::{CLIPPED, NAME, followed, limit_of_u, split};
 use super::motion::Motion;
@@ -92,7 +92,7 @@ pub(super) fn clipped(spec: &Spec, u: &[f64]) -> Option<usize> {
     all.position(|(j, u)| limit_of_u(spec, j).is_some_and(|(limit, _)| *u >= limit))
 }
 
-/// That an input may be above its bound.
+/// Reports that an input may be above its bound.
 fn beyond_limit(spec: &Spec, inputs: &[Name], (j, u): (usize, f64)) -> String {
     let most = digits_up(u);
     let (limit, key) = limit_of_u(spec, j).unwrap_or((f64::INFINITY, "u_max"));
@@ -103,7 +103,7 @@ fn beyond_limit(spec: &Spec, inputs: &[Name], (j, u): (usize, f64)) -> String {
     format!("|{name}| is only known to be below {most}, above {key} of {}", digits(limit))
 }
 
-/// What the bounds are about.
+/// Describes the assumptions of the bounds.
 fn assumed(found: &Bounded) -> String {
     let samples = found.worst.first().map_or(0, |worst| worst.samples);
     let chains = if found.worst.len() > 1 { "chains are" } else { "chain is" };

@@ -1,4 +1,4 @@
-//! What a worst case takes the plant and its surroundings to be, in words.
+//! Assumptions of a worst case about the plant and its surroundings, in words.
 
 use num_traits::ToPrimitive;
 
@@ -9,7 +9,7 @@ use crate::diagnostic::digits;
 use crate::parameter::Parameter;
 use crate::request::{PlantBounds, Spec};
 
-/// What the bounds are about, and what was left out.
+/// Describes the assumptions of the bounds, and lists the effects that are left out.
 pub(super) fn assumed(spec: &Spec, samples: usize) -> String {
     let promises = &spec.promises;
     let mut absent = Vec::new();
@@ -61,7 +61,7 @@ fn gain(spec: &Spec) -> String {
     }
 }
 
-/// Whether the plant has an input gain of its own.
+/// Returns true if the plant has an input gain of its own.
 fn has_gain(spec: &Spec) -> bool {
     matches!(&spec.promises.plant, Some(PlantBounds::Bounded { gain: Some(_), .. }))
 }
@@ -70,7 +70,7 @@ fn number(value: &BigRational) -> String {
     digits(value.to_f64().unwrap_or(f64::NAN))
 }
 
-/// What f of the plant is taken as.
+/// Describes the assumed f of the plant.
 fn force(spec: &Spec) -> String {
     let Some(PlantBounds::Bounded { middle, constant, varying, .. }) = &spec.promises.plant else {
         return "f = 0".to_owned();

@@ -1,4 +1,4 @@
-//! What a bound is made of, cause by cause.
+//! Parts of a bound, cause by cause.
 
 use super::super::cells::Worst;
 use super::super::worst::Bound;
@@ -16,7 +16,7 @@ fn of_sensor(spec: &Spec, j: usize, part: f64) -> [(String, f64); 2] {
     [(format!("noise of {name}"), share(noise)), (format!("sensor_step of {name}"), share(quanta))]
 }
 
-/// What a bound is made of: the state at the start, every other cause that adds to it, and rounding.
+/// Splits a bound by cause: the state at the start, every other cause that adds to it, and rounding.
 pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
     let sensors = bound.noise.iter().zip(1..).map(|(part, j)| (part, of_sensor(spec, j, *part)));
     let sensors: Vec<_> = sensors.collect();
@@ -45,7 +45,7 @@ pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
     all
 }
 
-/// Where the worst case of a state comes from.
+/// Describes the parts of the worst case of a state.
 pub(in crate::check::sampled) fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     let bound = &worst.states[i];
     let parts = causes(spec, bound);

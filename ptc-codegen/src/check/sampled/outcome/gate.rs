@@ -1,4 +1,4 @@
-//! What a report says of the gate of an observer.
+//! Report of the gate of an observer.
 
 use super::super::cells::Worst;
 use super::super::gating::{Cost, Gating};
@@ -16,7 +16,7 @@ pub(in crate::check::sampled) struct Closed {
     pub(super) fix: Option<String>,
 }
 
-/// How much more than what readings reach a gate should let pass.
+/// Factor by which a suggested gate exceeds the largest readings.
 const ROOM: f64 = 1.001;
 
 /// The gate of the observer of a design.
@@ -75,7 +75,7 @@ pub(in crate::check::sampled) fn closed(spec: &Spec, worst: &Worst) -> Option<Cl
     Some(Closed { why, fix })
 }
 
-/// What readings that are not believed, or wild and believed, cost.
+/// Describes the cost of readings that are not believed, or wild and believed.
 pub(super) fn costs(spec: &Spec, worst: &Worst, looped: &Loop<'_>) -> Vec<String> {
     let (Some(gate), Some(found)) = (gate(spec), &worst.gating) else { return Vec::new() };
     let of_gate = limits(spec, |l| gate.innovation(l).cloned());
@@ -99,7 +99,7 @@ pub(super) fn costs(spec: &Spec, worst: &Worst, looped: &Loop<'_>) -> Vec<String
     lines
 }
 
-/// What one reading costs, or why that is not bounded.
+/// Describes the cost of one reading, or why it is not bounded.
 fn costs_of(
     spec: &Spec,
     (name, cost): (&str, &Cost),

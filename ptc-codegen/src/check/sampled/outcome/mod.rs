@@ -168,7 +168,7 @@ fn noise_alone(worst: &Worst, wanted: &[f64], clipped: bool) -> Option<String> {
     (most > 1.0).then(|| format!("noise alone is {} times `error`{limit}", digits(most)))
 }
 
-/// Whether what a state ends at may be rounding alone: as little of its peak as doubles lose, where
+/// Returns true if the final value of a state may be rounding alone: as small a part of its peak as doubles lose, where
 /// the sum itself is 0.
 fn within_rounding(worst: &Worst, state: usize) -> bool {
     let peak = worst.way.as_ref().map_or(0.0, |way| way.x[state]);
@@ -196,7 +196,7 @@ pub(super) fn limit_of_u(spec: &Spec, index: usize) -> Option<(f64, &'static str
     Some((radius, name))
 }
 
-/// Whether u may be clipped, and what is known of it.
+/// Describes whether u is clipped; the flag is true if it may be.
 pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option<String>, bool) {
     let name = match limit_of_u(spec, 0) {
         None if spec.has_open_limit() => {
@@ -245,7 +245,7 @@ fn unclipped(spec: &Spec, worst: &Worst) -> Option<String> {
 pub(super) const UNKNOWN: &str =
     "each call is given the reference, which is not known between the samples";
 
-/// What x and u are where the law follows a reference.
+/// Describes x and u where the law follows a reference.
 pub(super) fn followed(spec: &Spec) -> Option<String> {
     let u = match spec.reference.as_ref()? {
         Reference::Known(_) => "u is that of the plant",
@@ -258,7 +258,7 @@ pub(super) fn followed(spec: &Spec) -> Option<String> {
     Some(format!("x is the tracking error, {follows}, which x0_max bounds at the start; {u}"))
 }
 
-/// Whether the plant is not a chain.
+/// Returns true if the plant is not a chain.
 fn linear(spec: &Spec) -> bool {
     spec.sampled().is_some_and(|own| own.linear.is_some())
 }
@@ -270,7 +270,7 @@ fn on_the_way(worst: &Worst) -> Option<String> {
     Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits_up(way.u)))
 }
 
-/// What holds after the deadline.
+/// Describes the bounds after the deadline.
 fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
     worst.way.as_ref()?;
     let Some(after) = &worst.after else {
@@ -290,7 +290,7 @@ fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
     Some(format!("from the deadline on{at} |x| <= {x} and |u| <= {}{clipped}", digits_up(after.u)))
 }
 
-/// What random noise adds, which has no bound.
+/// Describes the contribution of random noise, which has no bound.
 fn random(worst: &Worst) -> Option<String> {
     let rms: Vec<_> = worst.states.iter().map(|bound| bound.rms).collect();
     let of_u = worst.way.as_ref().map(|way| format!(", of u up to {}", digits(way.u_rms)));
@@ -300,7 +300,7 @@ fn random(worst: &Worst) -> Option<String> {
     })
 }
 
-/// What accounts for most of an error that is too large, and the eps that makes it least.
+/// Names the main cause of an error that is too large, and the eps that makes it least.
 fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
     let bound = &worst.states[state];
     let mut parts = causes(spec, bound);

@@ -61,7 +61,7 @@ fn samples(count: usize) -> String {
     if count == 1 { "1 more sample".to_owned() } else { format!("{count} more samples") }
 }
 
-/// What the loop that stays tolerates, one at a time.
+/// Margins of the loop with its final gains, one at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stability {
     /// The least and the greatest true input gain, in parts of the known one, between which it is stable.
@@ -94,7 +94,7 @@ impl fmt::Display for Stability {
 }
 
 impl Stability {
-    /// By which part it tolerates what is wanted: 3 for all of it.
+    /// Returns the share of the wanted margins that it keeps, summed over gain, delay and resonance: 3 for all of them.
     pub(super) fn share(&self, wanted: &Wanted) -> f64 {
         let part =
             |found: f64, asked: f64| if asked > 0.0 { (found / asked).min(1.0) } else { 1.0 };
@@ -115,7 +115,7 @@ pub(super) struct Stays {
 }
 
 impl Stays {
-    /// That of a loop whose gains are held at eps; 0 is deadbeat.
+    /// Returns the loop whose gains are held at eps; 0 is deadbeat.
     pub(super) fn new(
         closed: &Loop<'_>,
         numbers: &Numbers<'_>,
@@ -155,7 +155,7 @@ impl Stays {
         f64::from(SQUARINGS * TRIALS) * size.powi(3)
     }
 
-    /// What it tolerates, of resonances those of the design or those `around` them too; `None` if it is not stable as
+    /// Returns its margins, for the resonances of the design or also those `around` them; `None` if it is not stable as
     /// it is.
     pub(super) fn stability(&self, around: bool) -> Option<Stability> {
         self.is_stable(1.0, 0).then_some(())?;
@@ -177,7 +177,7 @@ impl Stays {
         Some(Stability { gain: [last(1.0 / MOST), last(MOST)], delay, resonance })
     }
 
-    /// Whether it is stable with all of what is wanted.
+    /// Returns true if it is stable within all wanted margins.
     pub(super) fn keeps(&self, wanted: &Wanted) -> bool {
         let steps = (f64::from(EACH) * wanted.gain.log2()).ceil().max(1.0);
         #[allow(clippy::cast_possible_truncation)]
@@ -188,7 +188,8 @@ impl Stays {
             && self.resists()
     }
 
-    /// Whether the loop is stable with a true input gain of `gain` times the known one, that acts `more` samples later.
+    /// Returns true if the loop is stable with a true input gain of `gain` times the known one, that acts `more`
+    /// samples later.
     fn is_stable(&self, gain: f64, more: usize) -> bool {
         self.is_stable_with(&self.rigid, gain, more)
     }

@@ -7,13 +7,13 @@ use crate::algebra::BigRational;
 use crate::linear::{Linear, Rows, flow};
 use crate::request::Side;
 
-/// What a sample makes of the states of the plant, and of the input that acts, of which the plant has `n` known states
-/// and then others.
+/// Motion over a sample of the states of the plant, and of the input that acts. The plant has `n` known states and then
+/// others.
 #[derive(Clone, Debug)]
 pub(super) struct Plant {
     pub(super) n: usize,
     pub(super) others: usize,
-    /// By rows, all states in a row.
+    /// Matrix of the motion row by row, all states in a row.
     pub(super) motion: Vec<f64>,
     pub(super) input: Vec<f64>,
 }

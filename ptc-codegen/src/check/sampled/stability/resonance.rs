@@ -40,19 +40,19 @@ pub(super) struct Resonances {
 /// Frequencies in Hz, from the lower one to the higher one.
 pub(crate) type Band = [f64; 2];
 
-/// Which resonances leave the loop stable that stays.
+/// Resonances with which the loop with its final gains is stable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Damped {
     /// Frequencies of the design, lowest and highest one, in Hz.
     pub given: [f64; 2],
     /// Frequencies that were looked at.
     pub examined: [f64; 2],
-    /// Those of them with which the loop is not stable.
+    /// Ranges of them with which the loop is not stable.
     pub unstable: Vec<[f64; 2]>,
 }
 
 impl Resonances {
-    /// Those of a design; `None` without a resonance.
+    /// Returns the resonances of a design; `None` without a resonance.
     pub(super) fn of(closed: &Loop<'_>) -> Option<Self> {
         let spec = closed.spec;
         let Resonance { frequency, damping, inertia_ratio, measured } =
@@ -112,7 +112,7 @@ fn corners(all: [[f64; 2]; 3]) -> Vec<(f64, f64, f64)> {
 }
 
 impl Stays {
-    /// Whether it is stable with every resonance of the design; `true` without one.
+    /// Returns true if it is stable with every resonance of the design; `true` without one.
     pub(super) fn resists(&self) -> bool {
         let Some(resonances) = &self.resonances else { return true };
         // Those that are most often too much come first.
@@ -122,7 +122,7 @@ impl Stays {
         grid.into_iter().all(|frequency| self.is_damped(resonances, frequency))
     }
 
-    /// Which resonances leave it stable: of the design alone, or those around them too.
+    /// Returns the resonances with which it is stable: of the design alone, or also those around them.
     pub(super) fn damped(&self, around: bool) -> Option<Damped> {
         let resonances = self.resonances.as_ref()?;
         let [low, high] = resonances.frequency;
@@ -161,7 +161,7 @@ impl Stays {
         Some(Damped { given: resonances.frequency, examined, unstable })
     }
 
-    /// Whether it is stable with all resonances of a frequency.
+    /// Returns true if it is stable with all resonances of a frequency.
     fn is_damped(&self, resonances: &Resonances, frequency: f64) -> bool {
         let mut plants = resonances.plants(frequency);
         plants.all(|plant| plant.is_some_and(|(plant, gain)| self.is_stable_with(&plant, gain, 0)))
@@ -195,7 +195,7 @@ impl Damped {
     }
 }
 
-/// Which resonances leave the loop of a design stable whose eps is set; `None` without a resonance.
+/// Returns the resonances with which the loop of a design is stable, whose eps is set; `None` without a resonance.
 ///
 /// # Errors
 /// Why that is not known.

@@ -20,7 +20,7 @@ const STEP: f64 = 1.1;
 /// Largest eps of a search, in parts of tau.
 const LATEST: f64 = 0.9;
 
-/// What a loop is to tolerate.
+/// Required margins of a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Wanted {
     pub(super) gain: f64,
@@ -50,7 +50,7 @@ impl fmt::Display for Wanted {
     }
 }
 
-/// What the final gains of a design tolerate, beside what it is to tolerate.
+/// Margins of the final gains of a design, and the required ones.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tolerance {
     pub(crate) wanted: Wanted,

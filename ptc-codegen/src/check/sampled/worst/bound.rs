@@ -9,8 +9,8 @@ use super::{Output, Sampled, earlier};
 /// The largest size of an output, by cause.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bound {
-    /// What the middles of the box of states at the start and of f, and a known reference, make of it, with its sign: no
-    /// signal is chosen there.
+    /// Contributions of the middles of the box of states at the start and of f, and of a known reference, with their
+    /// signs: no signal is chosen there.
     pub middle: [f64; 3],
     /// From how far the state at the start may be from the middle.
     pub x0: f64,
@@ -45,19 +45,19 @@ impl Bound {
         Self { jitter: self.jitter.min(jitter), ..self }
     }
 
-    /// What the worst signals reach, but for rounding, with the input gain in the middle of its interval,
-    /// samples in time and a reference that r^(n) of each sample follows.
+    /// Returns the value that the worst signals reach, except for rounding, with the input gain in the middle of its
+    /// interval, samples in time and a reference that r^(n) of each sample follows.
     pub fn attained(&self) -> f64 {
         self.centre().abs() + self.middle[2].abs() + self.chosen()
     }
 
-    /// What the worst signals reach at least, but for rounding. What a reference makes of it is no signal that is chosen, and
-    /// only counts against it.
+    /// Returns a lower bound of the value that the worst signals reach, except for rounding. The contribution of a
+    /// reference is not a chosen signal, and only counts against it.
     pub(in crate::check::sampled) fn at_least(&self) -> f64 {
         (self.centre().abs() - self.middle[2].abs()).max(0.0) + self.chosen() - self.reference
     }
 
-    /// What signals add whose signs are chosen.
+    /// Returns the contribution of signals whose signs are chosen.
     fn chosen(&self) -> f64 {
         self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
     }
@@ -67,7 +67,7 @@ impl Bound {
         self.middle[0] + self.middle[1]
     }
 
-    /// What the value itself is within.
+    /// Returns the interval of the value itself.
     pub fn span(&self) -> Span {
         let centre = self.centre();
         // The radius is found by a difference of what is rounded up already.
@@ -75,17 +75,17 @@ impl Bound {
         Span { low: centre - radius, high: centre + radius }
     }
 
-    /// What the state at the start accounts for.
+    /// Returns the contribution of the state at the start.
     pub fn of_start(&self) -> f64 {
         self.middle[0].abs() + self.x0
     }
 
-    /// What a reference accounts for.
+    /// Returns the contribution of a reference.
     pub fn of_reference(&self) -> f64 {
         self.middle[2].abs() + self.reference
     }
 
-    /// What f of the plant accounts for.
+    /// Returns the contribution of f of the plant.
     pub fn of_force(&self) -> f64 {
         self.middle[1].abs() + self.force
     }
@@ -187,13 +187,13 @@ impl Sampled {
     }
 }
 
-/// What the causes of all samples add: the errors of each measured state, then that of the actuator.
+/// Contributions of the causes of all samples: the errors of each measured state, then that of the actuator.
 struct Causes {
     limits: Vec<f64>,
     rms: Vec<f64>,
-    /// Those that are not 0, or that a jitter moves: most loops have few.
+    /// Indices of the causes that are not 0, or that a jitter moves: most loops have few.
     active: Vec<usize>,
-    /// How much of each the output sees.
+    /// Part of each that the output sees.
     seen: Vec<f64>,
     sums: Vec<f64>,
     variance: f64,

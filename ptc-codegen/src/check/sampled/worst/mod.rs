@@ -1,7 +1,7 @@
 //! The worst case of a sampled loop, to the sign of each signal.
 //!
-//! What a row q sees at sample K is linear in the state at the start and in all that disturbs the
-//! loop on the way: q s_K = p_0 s_0 + sum_k sum_l p_{k+1} b_{l,k} w_{l,k}, p_K = q, p_k = p_{k+1} M_k.
+//! The product of a row q with the state at sample K is linear in the state at the start and in all that
+//! disturbs the loop on the way: q s_K = p_0 s_0 + sum_k sum_l p_{k+1} b_{l,k} w_{l,k}, p_K = q, p_k = p_{k+1} M_k.
 //! Its largest size over bounded s_0 and w is the sum of the sizes of the coefficients times the
 //! bounds, attained by their signs. The rows are computed in doubles; how far rounding, here and
 //! in the emitted program, may change the sum is bounded in [`trust`](super::trust).
@@ -34,11 +34,11 @@ pub(super) struct Sampled {
     steps: Steps,
     /// The steps that bounds are computed with, where many walks pass through few of them: the samples, or runs of them.
     ready: Arc<[Step]>,
-    /// Of each state its unit.
+    /// Unit of each state.
     units: Vec<Unit>,
-    /// Of each x_j in units of gains, what it is at each sample.
+    /// Unit of each x_j in units of gains, at each sample.
     gains: BTreeMap<usize, Vec<f64>>,
-    /// How far x_j may be from its middle at the start.
+    /// Largest deviation of x_j from its middle at the start.
     pub(super) x0: Vec<f64>,
     /// The middle of x_j at the start.
     pub(super) middle: Vec<f64>,
@@ -48,26 +48,25 @@ pub(super) struct Sampled {
     pub(super) noise_rms: Vec<f64>,
     /// Bound of the error of the actuator: half its step.
     pub(super) actuator: f64,
-    /// What moves the plant beside u.
+    /// Force on the plant in addition to u.
     pub(super) force: Option<Force>,
-    /// What a reference moves; `None` without one.
+    /// Effect of a reference; `None` without one.
     pub(super) moved: Option<Moved>,
     /// Bounds of what is kept at the start, behind the states of the plant that [`x0`](Self::x0) bounds.
     pub(super) kept: Vec<f64>,
-    /// How far the true input gain may be from that of the chain, as a part of it.
+    /// Largest relative deviation of the true input gain from that of the chain.
     pub(super) gain_error: f64,
-    /// How far the time of each sample but the first may be from its own.
+    /// Timing errors of each sample but the first.
     pub(super) late: Option<Late>,
     /// The plant between two samples; `None` if it is not known there.
     pub(super) between: Option<Between>,
     /// Sums that are bounded on the way.
     pub(super) sums: Vec<Sum>,
-    /// What an observer believes; `None` for all that is finite.
+    /// Limits within which an observer believes a reading; `None` if it believes all that is finite.
     pub(super) gate: Option<Gate>,
 }
 
-/// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds), or by how much it has
-/// changed in a sample.
+/// Output to be bounded: `row` s_K + `direct` (u_K and the contribution of the actuator), or its change in a sample.
 #[derive(Clone, Debug)]
 pub(super) struct Output {
     pub(super) row: Vec<f64>,
@@ -152,7 +151,7 @@ impl Sampled {
         self.units[place]
     }
 
-    /// Where the input that acts is kept; `None` for u itself.
+    /// Returns the index of the kept input that acts; `None` for u itself.
     pub(super) fn acting(&self) -> Option<usize> {
         self.steps.layout().acting
     }

@@ -15,8 +15,8 @@ use super::words::{MARK, REFUSED};
 /// Time between two looks at the child.
 const PAUSE: Duration = Duration::from_millis(5);
 
-/// How long the pipes of a child that has ended are read on: what it wrote is there, and a process
-/// that it started may hold them open for as long as it likes.
+/// Time for which the pipes of a child that has ended are still read: its output is there, and a process that it
+/// started may hold them open for as long as it likes.
 const GRACE: Duration = Duration::from_secs(1);
 
 /// Last lines of a child that are shown with an error.
@@ -39,7 +39,7 @@ pub(super) enum Wrong {
     Ended(ExitStatus, String),
     /// The child did not understand its request, with what it said.
     Refused(String),
-    /// What the child answered.
+    /// The answer of the child is garbled.
     Garbled(String),
 }
 
@@ -72,7 +72,7 @@ impl fmt::Display for Wrong {
 }
 
 impl Wrong {
-    /// What the child said, by lines.
+    /// Returns the output of the child, by lines.
     pub(super) fn said(&self) -> Vec<String> {
         let (Self::Aborted(said)
         | Self::Ended(_, said)
@@ -141,7 +141,7 @@ pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Resul
     Ok(answer)
 }
 
-/// What a pipe gives, read beside what else goes on so that the child never waits for it.
+/// Reader of a pipe, in the background so that the child never waits for it.
 struct Drain {
     bytes: Arc<Mutex<Vec<u8>>>,
     ended: Receiver<()>,
@@ -192,7 +192,7 @@ fn aborted(status: ExitStatus) -> bool {
 mod tests {
     use super::*;
 
-    /// What a shell in place of a worker brings about.
+    /// Returns the result of a shell in place of a worker.
     fn shell(script: &str) -> Result<Value, Wrong> {
         let mut command = Command::new("sh");
         command.args(["-c", script]);

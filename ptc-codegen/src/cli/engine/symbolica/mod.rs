@@ -30,7 +30,7 @@ const PROGRAM: &str = "ptc-engine-symbolica";
 /// The variable of the environment with another path of it.
 const PROGRAM_KEY: &str = "PTC_ENGINE_PROGRAM";
 
-/// How long a run waits for its turn, and then for its worker, unless the environment says otherwise.
+/// Time that a run waits for its turn, and then for its worker, unless the environment says otherwise.
 const PATIENCE: Duration = Duration::from_secs(300);
 
 /// The variable of the environment with that time in seconds.

@@ -1,5 +1,5 @@
-//! What the engine and the program that asks it agree on: an answer is a line, an expression is words
-//! between spaces, operands before operators.
+//! Protocol between the engine and the program that asks it: an answer is a line, an expression is words between
+//! spaces, operands before operators.
 //!
 //! A number `3/4`, a symbol `v2` by its place in a list that only the asking side has, a sum `+3` and a
 //! product `*3` of so many operands, a power `^`, and functions of one operand by their names. Flat
@@ -11,7 +11,7 @@ pub(super) const MARK: &str = "ptc-answer: ";
 /// The exit code of the engine for a request that it does not understand.
 pub(super) const REFUSED: u8 = 3;
 
-/// What expressions are read into.
+/// Target into which expressions are read.
 pub(super) trait Target {
     /// The result.
     type Value;

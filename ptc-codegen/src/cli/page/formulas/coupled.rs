@@ -14,7 +14,7 @@ use crate::cli::mathml::{
 };
 use crate::cli::report::Failure;
 
-/// Those of a plant with several inputs: the plant, the mapping, and the law of each output.
+/// Returns the groups of a plant with several inputs: the plant, the mapping, and the law of each output.
 pub(super) fn groups(
     (spec, coupled): (&Spec, &Coupled),
     plant: &Plant,

@@ -1,4 +1,4 @@
-//! What a group of formulas is, and what several groups write.
+//! Group of formulas, and the formulas that several groups write.
 
 use crate::expression::Variable;
 use crate::request::Spec;
@@ -8,7 +8,7 @@ use crate::cli::mathml::{Math, number, relation, variable};
 /// Formulas of one subject.
 pub(crate) struct Group {
     pub(crate) title: &'static str,
-    /// What they are, in a sentence or two.
+    /// Description of the formulas, in a sentence or two.
     pub(crate) told: String,
     pub(crate) formulas: Vec<Math>,
 }

@@ -30,7 +30,8 @@ pub(super) fn groups(report: &Report, plant: &Plant) -> Result<Vec<Group>, Failu
     Ok(vec![plant, closed::mapping(spec), closed::r(spec)?, closed::matrix(spec)?, law::law(spec)?])
 }
 
-/// Those of a clock in samples, whose law is that of the emitted program. A linear plant is in the design alone.
+/// Returns the groups of a clock in samples, whose law is that of the emitted program. A linear plant is in the design
+/// alone.
 fn in_samples(report: &Report, plant: &Plant) -> Vec<Group> {
     let spec = &report.spec;
     let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());

@@ -26,7 +26,7 @@ pub(super) fn law(report: &Report) -> Group {
     Group { title: "Law in samples", told, formulas }
 }
 
-/// Where deadbeat takes over.
+/// Writes the number of samples from which deadbeat takes over.
 fn deadbeat(from: u64) -> Math {
     mathml::row([words("deadbeat with "), mathml::relation(name("M"), "\u{2264}", number(from))])
 }

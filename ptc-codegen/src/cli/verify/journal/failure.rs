@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::cli::report::Failure;
 
-/// What is there was not made by a journal.
+/// Reports a file that was not made by a journal.
 pub(super) fn foreign(path: &Path, what: &str) -> Failure {
     Failure::because(
         format!("{} {what}", path.display()),

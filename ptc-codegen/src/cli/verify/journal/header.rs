@@ -1,4 +1,4 @@
-//! What a journal begins with: a line that names its owner, and a header that names its run.
+//! Beginning of a journal: a line that names its owner, and a header that names its run.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use crate::verify::{Campaign, ENGINE};
 /// Bytes of the line that names the owner.
 pub(super) const OWNER: usize = PROGRAM.len() + ", owner 0000000000, ".len() + 16 + 1;
 
-/// What a journal is of.
+/// Header of a journal: the identity of its run.
 pub(super) struct Header {
     pub(super) version: String,
     /// The scenarios in words.

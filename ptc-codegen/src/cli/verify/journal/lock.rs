@@ -9,7 +9,7 @@ use super::header::{OWNER, owner};
 use crate::cli::output::same_file;
 use crate::cli::report::Failure;
 
-/// How often a file that its last owner is about to remove is opened again.
+/// Number of attempts to open a file that its last owner is about to remove.
 const TRIES: usize = 100;
 
 /// The file at `path`, which no other process has.

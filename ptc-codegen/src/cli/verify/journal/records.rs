@@ -19,9 +19,9 @@ const ENDS: usize = 16;
 /// The ends of the chunks of a run, by their starts.
 type Chunks = BTreeMap<u64, u64>;
 
-/// What cannot be used again.
+/// Damaged part, which cannot be used again.
 pub(super) struct Damage {
-    /// Where it begins, and how many bytes there are of it.
+    /// Offset at which it begins, and the number of its bytes.
     at: u64,
     bytes: u64,
     /// Scenarios that are kept, and all of the run.
@@ -112,7 +112,7 @@ impl Journal {
         legal.get(&chunk.start) == Some(&chunk.end) && !self.has(chunk)
     }
 
-    /// Whether the last `left` bytes, from `at` on, are the beginning of a record: its run was ended there.
+    /// Returns true if the last `left` bytes, from `at` on, are the beginning of a record: its run was ended there.
     fn was_being_written(&self, at: u64, left: u64, legal: &Chunks) -> io::Result<bool> {
         if left < HEAD as u64 {
             return Ok(true);

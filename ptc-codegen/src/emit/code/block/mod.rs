@@ -1,4 +1,4 @@
-//! What the printers of languages share whose calls end where a test fails.
+//! Shared printing code of the languages in which a call ends where a test fails.
 
 mod finish;
 mod locals;
@@ -31,7 +31,7 @@ pub(in crate::emit) struct Branch {
 
 /// Statements in the words of a language.
 pub(in crate::emit) trait Block: Text {
-    /// Where the lines go.
+    /// Output lines.
     fn out(&mut self) -> &mut Lines;
 
     /// The lines so far.
@@ -43,7 +43,7 @@ pub(in crate::emit) trait Block: Text {
     /// Ends a chain of tests that says nothing of where none of them holds.
     fn neither(&mut self) {}
 
-    /// What opens and closes a comment.
+    /// Opening and closing delimiters of a comment.
     fn comment(&self) -> (&'static str, &'static str) {
         ("// ", "")
     }
@@ -74,7 +74,7 @@ pub(in crate::emit) trait Block: Text {
         refused(self, test)
     }
 
-    /// What joins the parts of a long test that is negated as a whole.
+    /// Operator that joins the parts of a long test that is negated as a whole.
     fn joint_of_not(&self) -> &'static str {
         self.branch().joint
     }
@@ -190,7 +190,7 @@ pub(in crate::emit) fn same(finish: &Finish) -> (Vec<&Test>, &Finish, &Finish) {
     (tests, yes, rest)
 }
 
-/// That one of the tests holds.
+/// Prints the disjunction of the tests.
 pub(in crate::emit) fn either(text: &(impl Text + ?Sized), tests: &[&Test]) -> String {
     match tests {
         [one] => text.test(one),
@@ -215,7 +215,7 @@ pub(in crate::emit) fn refused(text: &(impl Block + ?Sized), test: &Test) -> Str
     }
 }
 
-/// Whether it is one test for a finite number, which every language writes as a call.
+/// Returns true if the test is a single finiteness test, which every language writes as a call.
 fn is_finite(test: &Test) -> bool {
     match test {
         Test::Finite(_) => true,

@@ -273,7 +273,7 @@ impl Rust<'_> {
     }
 }
 
-/// What the lints need not judge: names and shape follow the formulas.
+/// Lints to allow: names and shape follow the formulas.
 const ALLOWED: &str = "\
 #[allow(
     non_snake_case,

@@ -20,11 +20,11 @@ pub(in crate::emit) struct Rust<'a> {
     code: &'a Code,
     /// Path of the types that the items use.
     runtime: &'static str,
-    /// What the function gives that is being printed.
+    /// Result of the function being printed.
     gives: Gives,
-    /// Whether u and its status are chosen together.
+    /// True if u and its status are chosen together.
     together: bool,
-    /// What is put before the line that comes at this place, which takes room.
+    /// Position of a line and the text to put before it, which takes up part of its width.
     lead: (usize, &'static str),
     out: Lines,
 }

@@ -5,7 +5,7 @@
 pub(in crate::emit) struct Lines {
     lines: Vec<String>,
     depth: usize,
-    /// Whether the last line opens a block.
+    /// True if the last line opens a block.
     opened: bool,
 }
 
@@ -29,7 +29,7 @@ impl Lines {
         }
     }
 
-    /// Whether a line at the present depth has room for `text`.
+    /// Returns true if `text` fits on a line at the present depth.
     pub(in crate::emit) fn has_room(&self, text: &str) -> bool {
         4 * self.depth + text.len() <= WIDTH
     }

@@ -1,4 +1,4 @@
-//! What the printers share: how an expression is written, by the words of a language.
+//! Printing of expressions, shared by the printers and parameterised by the words of a language.
 
 mod lines;
 
@@ -8,7 +8,7 @@ use super::expression;
 use crate::code::{AXIS, Expr, Index, Standing, Status, Test, Whose};
 use crate::parameter::Precision;
 
-/// How tightly an expression holds together.
+/// Precedence of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::emit) enum Level {
     /// A choice between two.
@@ -141,21 +141,21 @@ pub(in crate::emit) trait Text {
         self.choose(&self.not_zero(a), a, &self.nan())
     }
 
-    /// That a number is neither 0 nor no number.
+    /// Test that a number is neither 0 nor NaN.
     fn not_zero(&self, a: &str) -> String {
         let (zero, or) = (self.literal("0.0"), self.or());
         format!("({a} < {zero}) {or} ({a} > {zero})")
     }
 
-    /// What the user's function `name` gives for an array and a time.
+    /// Call of the user's function `name` with an array and a time.
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
         format!("{name}({array}, {time})")
     }
 
-    /// Whether a number is finite.
+    /// Test that a number is finite.
     fn finite(&self, value: &str) -> String;
 
-    /// Whether it is no number.
+    /// Test that a number is NaN.
     fn not_number(&self, value: &str) -> String;
 
     /// A status.
@@ -182,12 +182,12 @@ pub(in crate::emit) trait Text {
         self.at("u", &self.place(index, self.first()))
     }
 
-    /// That a status is not negative.
+    /// Test that a status is not negative.
     fn stands(&self, status: &str) -> String {
         format!("{status} >= {}", self.status(Status::Ok))
     }
 
-    /// That a status is negative.
+    /// Test that a status is negative.
     fn fails(&self, status: &str) -> String {
         format!("{status} < {}", self.status(Status::Ok))
     }
@@ -202,7 +202,7 @@ pub(in crate::emit) trait Text {
         "||"
     }
 
-    /// What compares for equality.
+    /// Operator that tests for equality.
     fn equal(&self) -> &'static str {
         "=="
     }

@@ -66,12 +66,12 @@ pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
     }
 }
 
-/// What a function is given by address.
+/// Pointer argument of a function.
 struct Pointer {
     name: String,
     /// Length of an array; none for a single object.
     count: Option<usize>,
-    /// Whether it is written.
+    /// True if the function writes to it.
     out: bool,
 }
 
@@ -88,7 +88,7 @@ impl Pointer {
     }
 }
 
-/// What callers must see to of pointers; with `nullable` any of them may be NULL.
+/// Returns the preconditions on pointers; with `nullable` any of them may be NULL.
 fn requires(pointers: &[Pointer], nullable: bool) -> Vec<String> {
     let either =
         |name: &str| if nullable { format!("{name} == \\null || ") } else { String::new() };
@@ -135,8 +135,7 @@ fn predicates(controller: &Controller<'_>, program: &Code) -> String {
     text
 }
 
-/// Whether Eva sees that a field is finite: `init` or `arm` has asked `isfinite` of a variable that it
-/// is.
+/// Returns true if Eva sees that a field is finite: `init` or `arm` has called `isfinite` on the variable stored in it.
 fn is_seen(controller: &Controller<'_>, name: &str) -> bool {
     let plan = Plan::new(controller.program);
     let Some(field) = plan.fields.iter().find(|field| field.name == name) else { return false };
@@ -219,7 +218,7 @@ fn step(spec: &Spec, full: bool, x: &Pointer) -> String {
     comment(&conditions, "*u", OF_U)
 }
 
-/// What a trusting guard trusts beside pointers.
+/// Returns the preconditions, besides those on pointers, of a guard that does not check its inputs.
 fn trusted(spec: &Spec, time: bool) -> Vec<String> {
     if spec.guard != Guard::None {
         return Vec::new();

@@ -67,7 +67,7 @@ fn contract(name: &str, function: &Function) -> String {
     comment(&conditions, &assigned.join(", "), &ensures.join("\n"))
 }
 
-/// What is trusted to be finite where nothing is checked.
+/// Returns the finiteness preconditions of a function that checks nothing.
 fn trusted(function: &Function) -> Vec<String> {
     let argument = |(name, shape): (&str, Shape)| match shape {
         Shape::Reals(count) => (0..count).map(|j| format!("{name}[{j}]")).collect(),

@@ -1,4 +1,4 @@
-//! What an emitted file requires of its compiler, as directives that refuse any other.
+//! Requirements of an emitted file on its compiler, as directives that reject any other.
 
 use crate::parameter::Precision;
 

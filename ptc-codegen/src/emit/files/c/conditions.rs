@@ -5,7 +5,7 @@ use super::super::text::{Text, bare};
 use super::{C, Notes};
 use crate::code::{Code, Condition as Decision, Expr, Statement, Test};
 
-/// What a parameter has to be.
+/// Condition on a parameter.
 pub(in crate::emit) struct Condition {
     /// The test on local copies of the parameters.
     pub(in crate::emit) test: String,

@@ -126,7 +126,7 @@ impl C<'_> {
     }
 }
 
-/// Which memory of a call must not overlap: results are set before the arguments are read.
+/// Returns the memory of a call that must not overlap: results are set before the arguments are read.
 fn apart(function: &Function) -> String {
     let name = |own: &Variable| own.name.clone();
     let given: Vec<_> = function.results.iter().map(name).collect();

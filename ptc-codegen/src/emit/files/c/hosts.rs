@@ -20,7 +20,7 @@ const MACROS: [(&str, &str); 6] = [
     ("float.h", "DECIMAL_DIG"),
 ];
 
-/// What the names of the macros of `math.h` and `float.h` begin with.
+/// Prefixes of the macros of `math.h` and `float.h`.
 const PREFIXES: [&str; 5] = ["DBL_", "FLT_", "FP_", "LDBL_", "MATH_"];
 
 /// The header that defines a macro of this name.

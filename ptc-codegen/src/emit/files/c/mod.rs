@@ -26,7 +26,7 @@ use crate::parameter::Precision;
 /// The lines behind an iteration with a tolerance, in numbers of a type.
 type Behind = fn(root: &str, tolerance: &str, real: &str) -> Vec<String>;
 
-/// What is added to the files of a controller for a proof.
+/// Annotations added to the files of a controller for a proof.
 #[derive(Default)]
 pub(in crate::emit) struct Notes {
     /// Predicates of the contracts.
@@ -63,15 +63,15 @@ pub(in crate::emit) fn externs(name: &str, callbacks: &[Callback]) -> Vec<(Strin
 pub(super) struct C<'a> {
     code: &'a Code,
     notes: &'a Notes,
-    /// What leads to a field.
+    /// Prefix of the access to a field.
     owner: &'static str,
-    /// What the variable `status` holds, where it is known.
+    /// Value of the variable `status`, where it is known.
     standing: Option<Status>,
-    /// How many inputs the function gives, if several.
+    /// Number of inputs that the function returns, if several.
     inputs: Option<usize>,
-    /// Whether results that are one number are 0 from the start.
+    /// True if scalar results are 0 from the start.
     zeroed: bool,
-    /// Whether the text is for another file, which lacks the macros of the source.
+    /// True if the text is for another file, which lacks the macros of the source.
     outside: bool,
     /// The local value that is stored as soon as it is known, and the result that it is.
     stored: Option<(String, String)>,

@@ -9,7 +9,7 @@ use crate::code::{
 };
 use crate::internal::fault;
 
-/// What leads to a field in `init`, which sets the fields of the user's only where it succeeds.
+/// Prefix of a field in `init`, which copies the fields to those of the user only on success.
 pub(super) const BUILT: &str = "built.";
 
 impl C<'_> {
@@ -154,7 +154,7 @@ impl C<'_> {
         is_stored.then(|| (name.clone(), result.name.clone()))
     }
 
-    /// Whether the only result has been stored.
+    /// Returns true if the only result has been stored.
     fn is_stored(&self, values: &[Expr]) -> bool {
         let stored = self.stored.as_ref();
         stored.is_some_and(|(local, _)| matches!(values, [Expr::Local(name)] if name == local))

@@ -215,7 +215,7 @@ impl Cpp<'_> {
     }
 }
 
-/// Whether `init` calls a function of the library.
+/// Returns true if `init` calls a function of the library.
 fn init_calls(code: &Code) -> bool {
     code.init.iter().any(calls)
 }

@@ -23,7 +23,7 @@ pub(in crate::emit) fn file(code: &Code) -> File {
 
 pub(super) struct Cpp<'a> {
     code: &'a Code,
-    /// What the function gives that is being printed.
+    /// Result of the function being printed.
     gives: Gives,
     /// The text around the name of a field.
     prefix: &'static str,

@@ -2,7 +2,7 @@
 
 use super::super::outline::Outline;
 
-/// What `step` or `rate` is handed beside time and state: functions of the harness, and no context.
+/// Returns the arguments of `step` or `rate` besides time and state: functions of the harness, and a null context.
 pub(super) fn handed(name: &str, externs: &[(String, &'static str)]) -> String {
     let one = |(_, argument): &(String, &'static str)| match *argument {
         "context" => "NULL, ".to_owned(),

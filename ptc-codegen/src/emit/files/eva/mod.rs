@@ -27,9 +27,8 @@ use ranges::{Range, ranges, stem};
 const STATE: f64 = 10.0;
 const LAW: f64 = 10.0;
 
-/// How far Eva goes: apart as many states as calls and cases need, the rounds of a loop one after
-/// the other, statuses apart, expressions in which a variable stands twice in pieces, and what is
-/// known of a value known of its copies.
+/// Precision of Eva: enough separate states for all calls and cases, loops unrolled round by round, statuses kept
+/// apart, expressions in which a variable occurs twice subdivided, and equalities tracked between copies of a value.
 const OPTIONS: &str = "-eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all \
                        -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality";
 
@@ -38,7 +37,7 @@ struct Drawn {
     place: String,
     /// Stem of its range.
     stem: String,
-    /// Whether it is a count.
+    /// True for a count.
     count: bool,
     /// The function that draws it, up to the range.
     source: &'static str,
@@ -175,17 +174,17 @@ fn without_contract(program: &Code) -> Vec<String> {
 #[template(path = "eva/time.c.txt", escape = "none")]
 struct Harness<'a> {
     name: &'a str,
-    /// What macros begin with.
+    /// Prefix of macros.
     prefix: &'a str,
     frame: &'a Outline,
-    /// Whether every pointer and input is checked.
+    /// True if every pointer and input is checked.
     full: bool,
-    /// Whether `init` takes all legal parameters: none makes a product too small that may also be 0, which
-    /// an interval of gains would include.
+    /// True if `init` accepts all legal parameters: none makes a product too small that may also be 0, which an
+    /// interval of gains would include.
     starts: bool,
-    /// Whether x and t are trusted to be finite.
+    /// True if x and t are trusted to be finite.
     finite_inputs: bool,
-    /// Whether tau, t0 and u_max are left to run time.
+    /// True if tau, t0 and u_max are left to run time.
     open_tau: bool,
     open_t0: bool,
     run_time_limit: bool,
@@ -193,7 +192,7 @@ struct Harness<'a> {
     fixed_limit: Option<String>,
     /// Lower limit of u in the assertion, as an expression.
     lower: String,
-    /// Whether u_min is left to run time.
+    /// True if u_min is left to run time.
     open_lower: bool,
     /// Arguments between state and u.
     handed: String,
@@ -206,11 +205,11 @@ struct Harness<'a> {
     timed_calls: Vec<String>,
     /// Places of all run-time parameters.
     all_places: Vec<String>,
-    /// Whether comparisons alone show the domain of any parameter.
+    /// True if comparisons alone show the domain of any parameter.
     compared: bool,
     options: &'static str,
-    /// Whether Eva sees that u is finite with any inputs: what a trusting guard asks of v - v takes
-    /// NaN to the right side of a comparison, which Eva does not.
+    /// True if Eva sees that u is finite for any inputs. A guard without checks compares v - v, and NaN takes the right
+    /// branch; Eva does not see that.
     sees_all: bool,
     ranges: Vec<Range>,
     drawn: Vec<Drawn>,
@@ -219,7 +218,7 @@ struct Harness<'a> {
     /// Bounds of the reference and its derivatives, where each call is given them.
     r_max: Vec<String>,
     law: String,
-    /// Whether the hold begins at a field, which is negative.
+    /// True if the hold begins at a field, which is negative.
     holds: bool,
     /// The function of the C library for |x|.
     abs: &'static str,
@@ -230,7 +229,7 @@ struct Harness<'a> {
     /// Ratio of the ends of a piece of time-to-go.
     ratio: String,
     sixteen: String,
-    /// What fields hold that nothing has set.
+    /// Value of fields that nothing has set.
     pattern: String,
     one: String,
     /// A time long after the deadline, s.

@@ -1,4 +1,4 @@
-//! What the harness draws each parameter from.
+//! Ranges from which the harness draws each parameter.
 
 use super::super::Controller;
 use super::{literal, rounded};
@@ -10,7 +10,7 @@ pub(super) struct Range {
     pub(super) stem: String,
     pub(super) least: String,
     pub(super) greatest: String,
-    /// Whether a user may give others; not where the design fixes the value.
+    /// True if a user may give other values; false where the design fixes the value.
     pub(super) open: bool,
 }
 
@@ -18,8 +18,8 @@ pub(super) fn stem(prefix: &str, parameter: Parameter) -> String {
     format!("{prefix}_{}", parameter.spelling().to_uppercase())
 }
 
-/// What each parameter is drawn from in finite mode. Those of time are there even where they are
-/// fixed, as time itself is drawn around them.
+/// Range of each parameter in finite mode. Those of time are included even where they are fixed, as time itself is
+/// drawn around them.
 pub(super) fn ranges(controller: &Controller<'_>, prefix: &str) -> Vec<Range> {
     let spec = controller.spec();
     let own = |p: Parameter| match (spec.fixed.get(&p), spec.bounds.get(&p)) {

@@ -115,7 +115,7 @@ fn most_input(spec: &Spec) -> Option<f64> {
     most.is_finite().then_some(most)
 }
 
-/// What each parameter that is open is drawn from in finite mode.
+/// Range of each open parameter in finite mode.
 fn ranges(spec: &Spec, prefix: &str) -> Vec<Range> {
     let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.highest_order()));
     let range = |p: Parameter| {
@@ -136,7 +136,7 @@ fn ranges(spec: &Spec, prefix: &str) -> Vec<Range> {
     spec.run_time_parameters().map(range).collect()
 }
 
-/// What the functions give beside u.
+/// Results of the functions besides u.
 fn results(code: &Code) -> Vec<Variable> {
     let results = code.functions.iter().flat_map(|function| &function.results);
     results.filter(|result| result.name != "u").cloned().collect()
@@ -175,24 +175,24 @@ struct Harness<'a> {
     parameters: Vec<Drawn>,
     has_parameters: bool,
     compared: bool,
-    /// Whether u_max is left to run time, the stem of its range, and its value where it is fixed.
+    /// True if u_max is left to run time; then the stem of its range, and its value where it is fixed.
     run_time_limit: bool,
     limit_stem: String,
     fixed_limit: Option<String>,
     /// Lower limit of u in the assertion, as an expression.
     lower: String,
-    /// Whether u_min is left to run time.
+    /// True if u_min is left to run time.
     open_lower: bool,
-    /// What is measured: its name, and the macros of its bounds.
+    /// Measurement: its name, and the macros of its bounds.
     given: &'static str,
     y: Vec<String>,
     /// The macros of the bounds of the reference and its derivatives.
     r: Vec<String>,
     /// The macro of the bound of the input that an observer alone is given.
     applied: Option<String>,
-    /// What calls change.
+    /// Fields that calls change.
     kept: Vec<Kept>,
-    /// Whether every pointer and input is checked.
+    /// True if every pointer and input is checked.
     full: bool,
     alone: bool,
     /// The call of `step` or `update`, and those that give the estimates with their results.
@@ -203,6 +203,6 @@ struct Harness<'a> {
     null_calls: Vec<String>,
     zero: String,
     one: String,
-    /// What fields hold that nothing has set.
+    /// Value of fields that nothing has set.
     pattern: String,
 }

@@ -1,4 +1,4 @@
-//! What each file of an FMU is filled in with.
+//! Values that fill the templates of an FMU.
 
 use askama::Template;
 
@@ -68,11 +68,11 @@ pub(super) struct Core<'a> {
     pub(super) kept: Vec<Kept>,
     pub(super) constants: Vec<Constant>,
     pub(super) start_reference: Option<usize>,
-    /// Where the number of samples is set, or its value where it is fixed.
+    /// Value reference of the number of samples, or its value where it is fixed.
     pub(super) samples_reference: Option<usize>,
     pub(super) samples_fixed: Option<(usize, String)>,
     pub(super) samples: Option<Samples>,
-    /// Whether the last estimate is that of the disturbance.
+    /// True if the last estimate is that of the disturbance.
     pub(super) disturbance: bool,
     pub(super) frame: &'a Outline,
 }

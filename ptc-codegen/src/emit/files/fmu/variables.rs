@@ -23,7 +23,7 @@ pub(super) struct Variable {
     pub(super) dependencies: String,
     /// The parameter that it is.
     pub(super) parameter: Option<Parameter>,
-    /// Where the instance keeps it, if it can be set.
+    /// Member of the instance that stores it, if it can be set.
     pub(super) place: Option<String>,
     /// Power of s of its unit; none without a unit that is known.
     exponent: Option<i64>,
@@ -87,7 +87,7 @@ pub(super) fn outputs(variables: &[Variable]) -> Vec<&Variable> {
     variables.iter().filter(|v| v.causality == "output").collect()
 }
 
-/// What an observer estimates, by name, in the order in which the controller gives it.
+/// Returns the estimates of an observer, by name, in the order in which the controller returns them.
 pub(super) fn estimates(spec: &Spec) -> Vec<(String, String)> {
     let Some(sampled) = spec.sampled().filter(|sampled| sampled.observes()) else {
         return Vec::new();

@@ -1,9 +1,9 @@
-//! What the head of an emitted file says of several axes.
+//! Description of several axes in the head of an emitted file.
 
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
-/// How many axes there are, and what each has of its own.
+/// Describes the number of axes, and the values that differ between them.
 pub(super) fn lines(spec: &Spec) -> Vec<String> {
     let Some(axes) = &spec.axes else { return Vec::new() };
     let (each, first) = match &spec.coupled {
@@ -46,7 +46,7 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
     lines
 }
 
-/// Whether each axis has a value of its own of a parameter that the spec fixes.
+/// Returns true if each axis has its own value of a parameter that the spec fixes.
 pub(super) fn have_own(spec: &Spec, parameter: Parameter) -> bool {
     spec.axes.as_ref().is_some_and(|axes| match parameter {
         Parameter::Gain(_) => !axes.gains.is_empty(),

@@ -1,4 +1,4 @@
-//! What the head of an emitted file says of a plant with several inputs.
+//! Description of a plant with several inputs in the head of an emitted file.
 
 use std::fmt::Display;
 
@@ -11,7 +11,7 @@ use crate::model::Coupled;
 use crate::model::coupled::Inverse;
 use crate::request::{Exact, Reference, Spec};
 
-/// What the outputs follow, and what the laws see of it.
+/// Describes the references of the outputs, and the tracking errors that the laws see.
 pub(super) fn references(spec: &Spec) -> Vec<String> {
     if spec.reference == Some(Reference::Input) {
         return vec![
@@ -25,7 +25,7 @@ pub(super) fn references(spec: &Spec) -> Vec<String> {
     [vec!["  e_i = x_i - r^(i-1) with the reference r of the output:".to_owned()], each].concat()
 }
 
-/// What each output, or axis, follows, with the derivatives.
+/// Describes the reference of each output, or axis, with its derivatives.
 pub(super) fn known_references(spec: &Spec, each: &str) -> Vec<String> {
     let of_each = |(index, derivatives): (usize, &[Expression])| {
         let rates = (1..).zip(&derivatives[1..]).map(|(i, r)| format!(", r^({i}) = {r}"));
@@ -79,7 +79,7 @@ fn number(value: &BigRational) -> String {
     digits(value.to_f64().unwrap_or(f64::NAN))
 }
 
-/// How u follows from what is wanted of the outputs.
+/// Describes how u is computed from the wanted rates of the outputs.
 pub fn law(coupled: &Coupled) -> Vec<String> {
     let zero = Expression::integer(0);
     let mut lines = Vec::new();

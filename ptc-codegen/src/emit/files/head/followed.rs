@@ -7,7 +7,7 @@ use crate::request::{Reference, Sampled, Spec};
 /// When t of a known reference is, and what its rho is.
 const MIDDLE: &str = "t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in which u acts:";
 
-/// What becomes of the tracking error, and how the reference enters the law; nothing without one.
+/// Describes the tracking error, and how the reference enters the law; empty without a reference.
 pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     if spec.axes.is_some() {
         return of_several(spec);

@@ -118,7 +118,7 @@ pub(super) fn pi0(spec: &Spec) -> String {
     }
 }
 
-/// What f and g are, and x where it is not the state itself.
+/// Describes f and g, and x where it is not the state itself.
 pub(super) fn of_plant(spec: &Spec) -> Vec<String> {
     let text = |e: &Expression| match &spec.model {
         Some(model) => model.text(e),
@@ -132,7 +132,7 @@ pub(super) fn of_plant(spec: &Spec) -> Vec<String> {
     x.chain(f).chain(g).collect()
 }
 
-/// What the reference is, and what the law sees of it.
+/// Describes the reference, and the tracking error that the law sees.
 pub(super) fn of_reference(spec: &Spec) -> Vec<String> {
     let n = spec.n;
     match &spec.reference {

@@ -1,4 +1,4 @@
-//! What the head of a file says of an observer alone.
+//! Description of a stand-alone observer in the head of a file.
 
 use super::{Language, samples};
 use crate::internal::fault;
@@ -9,7 +9,7 @@ fn end(observer: &Observer) -> u32 {
     observer.samples.unwrap_or_else(|| fault("an observer alone without an end"))
 }
 
-/// What becomes of the estimates, and how.
+/// Describes the goal of the estimates, and how it is reached.
 pub(super) fn purpose(sampled: &Sampled, observer: &Observer) -> [String; 2] {
     let end = end(observer);
     let exact = match observer.eps {

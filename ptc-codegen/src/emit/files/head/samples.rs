@@ -11,7 +11,7 @@ use crate::parameter::Fixed;
 use crate::parameter::Name;
 use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
 
-/// What becomes of the plant, and by which law; nothing for an observer alone.
+/// Describes the goal of the plant and the law; empty for a stand-alone observer.
 pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
     let spec = &report.spec;
     match spec.sampled() {
@@ -107,7 +107,7 @@ fn plant_line(spec: &Spec, sampled: &Sampled) -> String {
     format!("Plant: {plant}{disturbance}{given}; {late}.")
 }
 
-/// What becomes of the plant, by which law, and of what with a reference.
+/// Describes the goal of the plant, the law and, with a reference, the tracking error.
 fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     let plant = match (spec.sampled_exactly(), &spec.coupled) {
         (Some(exact), _) => sampled_exactly(exact),
@@ -207,7 +207,7 @@ fn estimates(observer: &Observer) -> String {
     )
 }
 
-/// Which readings the observer believes, and what becomes of a sample with another one.
+/// Describes which readings the observer accepts, and how it treats a sample with another one.
 pub(super) fn gate(observer: &Observer) -> Option<String> {
     let gate = &observer.gate;
     let listed = |bounds: &[Fixed]| {
@@ -233,7 +233,7 @@ pub(super) fn gate(observer: &Observer) -> Option<String> {
     ))
 }
 
-/// What follows the round of an observer.
+/// Describes the phase after an observer has converged.
 pub(super) fn then(observer: &Observer) -> &'static str {
     match observer.after.is_empty() {
         true => {
@@ -243,7 +243,7 @@ pub(super) fn then(observer: &Observer) -> &'static str {
     }
 }
 
-/// What is checked of the arguments, in two grammars.
+/// Describes the checks of the arguments, in two grammars.
 pub(super) fn guard(spec: &Spec, language: Language, [given, arguments]: [&str; 2]) -> String {
     let pointers = language == Language::C;
     match (spec.guard, pointers) {

@@ -19,13 +19,13 @@ use crate::parameter::Precision;
 
 pub(super) struct Matlab<'a> {
     code: &'a Code,
-    /// What leads to a field.
+    /// Prefix of the access to a field.
     owner: &'static str,
-    /// Whether the function fails by an error, and what is wrong then.
+    /// Error message, if the function fails by an error.
     raises: Option<String>,
     /// The local values that are parameters.
     copies: BTreeMap<String, Expr>,
-    /// What the function gives that is being printed, and the name of it.
+    /// Result of the function being printed, and its name.
     gives: Gives,
     result: String,
     out: Lines,
@@ -196,7 +196,7 @@ impl<'a> Matlab<'a> {
         values.iter().map(|value| self.alone(value)).collect()
     }
 
-    /// Whether a status is among the results.
+    /// Returns true if a status is among the results.
     fn has_status(&self) -> bool {
         matches!(
             self.gives,

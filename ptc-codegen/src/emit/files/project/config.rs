@@ -24,7 +24,7 @@ pub(super) struct Setting {
     pub(super) about: String,
 }
 
-/// What the templates of a project are given.
+/// Input of the templates of a project.
 pub(super) struct Config {
     pub(super) name: String,
     pub(super) type_name: String,
@@ -43,7 +43,7 @@ pub(super) struct Config {
     pub(super) clock: Clock,
 }
 
-/// What is known of the clock and the plant.
+/// Clock and plant of a project.
 pub(super) enum Clock {
     Time(Time),
     Samples(Samples),
@@ -57,7 +57,7 @@ pub(super) struct Time {
     pub(super) tau: String,
     pub(super) tau_fixed: bool,
     pub(super) period: String,
-    /// Whether nothing shows that the run arrives with it.
+    /// True if the run is not known to arrive.
     pub(super) open: bool,
     /// A constant input gain of the plant.
     pub(super) gain: Option<String>,

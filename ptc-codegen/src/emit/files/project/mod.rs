@@ -57,7 +57,7 @@ impl Project {
         Self::ALL.into_iter().find(|project| project.name() == name)
     }
 
-    /// What is made, in a few words.
+    /// Describes the project in a few words.
     pub fn about(self) -> &'static str {
         match self {
             Self::CortexM => "firmware in C for a bare Cortex-M4F",
@@ -67,7 +67,7 @@ impl Project {
         }
     }
 
-    /// What keeps the controller of `spec` from being made a project.
+    /// Checks that the controller of `spec` can be made a project.
     ///
     /// # Errors
     /// What it cannot do alone, and an input gain that its plant cannot have.
@@ -128,8 +128,8 @@ impl Project {
     }
 }
 
-/// What the files of the projects call their own parts: in the sources, among the files, and among
-/// the crates; and the targets that CMake keeps for itself, with the library it links.
+/// Reserved names of the parts of the projects: in the sources, among the files, and among the crates; and the targets
+/// that CMake keeps for itself, with the library it links.
 const NAMES: &str = "
     arrived build config control core debug due fail failed largest loop measure norm plant real row
     rows run sample sent setup start_timer steps step_count stop table ticks turn turns vector word

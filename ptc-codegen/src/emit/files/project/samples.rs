@@ -15,7 +15,7 @@ use crate::request::{Sampled, Spec};
 /// A constant that is added to u, where the controller estimates one.
 const FORCE: f64 = 0.1;
 
-/// What the templates are given of the clock and the plant.
+/// Clock and plant of a project in samples, for the templates.
 pub(super) struct Samples {
     /// N, and whether it is fixed.
     pub(super) count: String,
@@ -31,14 +31,14 @@ pub(super) struct Samples {
     pub(super) delay: usize,
     /// The part of a sample in which the oldest of them still acts; `None` for all of it.
     pub(super) part: Option<String>,
-    /// What is added to u; `None` if the controller knows no disturbance.
+    /// Force added to u; `None` if the controller knows no disturbance.
     pub(super) force: Option<String>,
     /// The plant in a line.
     pub(super) about: String,
     pub(super) plant: Plant,
 }
 
-/// How the state moves from sample to sample.
+/// State transition from sample to sample.
 pub(super) enum Plant {
     /// x_n' = f + g u; where they are not 0 and 1.
     Chain { gain: Option<String>, force: Option<String> },

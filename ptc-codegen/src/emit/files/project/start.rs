@@ -1,4 +1,4 @@
-//! Where the run of a project starts, so that u stays within its bound.
+//! Start of the run of a project, chosen so that u stays within its bound.
 
 use num_traits::ToPrimitive;
 
@@ -45,11 +45,11 @@ struct Run {
     code: Code,
     given: Vec<(Parameter, f64)>,
     phi: Vec<Vec<f64>>,
-    /// What the oldest input does that acts, and the one that takes over from it within a sample.
+    /// Effect of the oldest acting input; `newer` is that of the input that replaces it within a sample.
     older: Vec<f64>,
     newer: Vec<f64>,
     c: Vec<Vec<f64>>,
-    /// What acts beside u, in units of u.
+    /// Known force that acts besides u, in units of u.
     known: f64,
     delay: usize,
     samples: u32,

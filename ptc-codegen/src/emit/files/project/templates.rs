@@ -6,7 +6,7 @@ use super::Project;
 use super::config::{Clock, Config, Time};
 use super::samples::{Plant, Samples};
 
-/// What a project does and how it is built.
+/// Description and build instructions of a project.
 #[derive(Template)]
 #[template(path = "project/readme.md.txt", escape = "none")]
 pub(super) struct Readme<'a> {
@@ -16,7 +16,7 @@ pub(super) struct Readme<'a> {
     pub(super) commands: Vec<String>,
     pub(super) needs: &'static str,
     pub(super) config_file: &'static str,
-    /// Where the controller is written again.
+    /// Folder into which the controller is regenerated.
     pub(super) source: &'static str,
     pub(super) config: &'a Config,
 }
@@ -68,7 +68,7 @@ pub(super) struct ConfigSamplesC<'a> {
 pub(super) struct MainSamplesC<'a> {
     pub(super) config: &'a Config,
     pub(super) samples: &'a Samples,
-    /// Whether the timer of the core calls it.
+    /// True if the timer of the core calls it.
     pub(super) timer: bool,
 }
 
@@ -131,7 +131,7 @@ pub(super) struct Properties<'a> {
 #[template(path = "project/Cargo.toml.txt", escape = "none")]
 pub(super) struct Cargo<'a> {
     pub(super) name: &'a str,
-    /// Whether the controller calls functions.
+    /// True if the controller calls library functions.
     pub(super) libm: bool,
 }
 

@@ -6,7 +6,7 @@ use super::Python;
 use crate::code::{Expr, For, Place, Statement, Status, Subroutine, Test};
 use crate::internal::fault;
 
-/// Where an element of a batch has left a loop.
+/// Name of the mask of the elements of a batch that have left a loop.
 const DONE: &str = "done";
 
 impl Python<'_> {
@@ -171,7 +171,7 @@ return Axes(
         self.out.line(format!("{DONE} = {DONE} | ({test})\nif {DONE}.all():\n    break"));
     }
 
-    /// Whether a test is one of all elements: it compares indices of loops alone.
+    /// Returns true if a test has one outcome for all elements: it compares only loop indices.
     fn is_of_all(&self, test: &Test) -> bool {
         if matches!(test, Test::Stands(_) | Test::Fails(_)) {
             return false;
@@ -187,7 +187,7 @@ return Axes(
         all
     }
 
-    /// What a statement sets, and its value.
+    /// Returns the target of a statement, and its value.
     fn sets(&self, statement: &Statement) -> Option<(String, String)> {
         let (place, value) = match statement {
             Statement::Settle(whose, status) => {
@@ -210,7 +210,7 @@ return Axes(
         Some((place, value))
     }
 
-    /// What a branch sets last, and its value, where that is all it sets.
+    /// Returns the target and value of the last statement of a branch, if it sets nothing else.
     fn sets_last(&self, branch: &[Statement]) -> Option<(String, String)> {
         let (last, before) = branch.split_last()?;
         before.iter().all(|statement| self.sets(statement).is_none()).then(|| self.sets(last))?

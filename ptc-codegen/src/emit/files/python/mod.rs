@@ -20,17 +20,17 @@ use crate::parameter::Precision;
 
 pub(super) struct Python<'a> {
     code: &'a Code,
-    /// Whether a call takes a batch of times and states.
+    /// True if a call takes a batch of times and states.
     batch: bool,
-    /// Where a statement takes effect, if not in all elements of a batch.
+    /// Mask of the elements of a batch in which a statement takes effect; `None` for all.
     mask: Option<String>,
     /// The indices of the loops around a statement.
     indices: Vec<String>,
-    /// Whether it fails by an exception, and what is wrong then.
+    /// Error message, if the function fails by an exception.
     raises: Option<String>,
     /// The local values that are parameters.
     copies: BTreeMap<String, Expr>,
-    /// What the function gives that is being printed.
+    /// Result of the function being printed.
     gives: Gives,
     /// The text before the name of a field.
     owner: &'static str,
@@ -134,7 +134,7 @@ impl Text for Python<'_> {
         "_R(np.nan)".to_owned()
     }
 
-    /// Of a number, which may be one of a batch.
+    /// Test of a number, which may be one of a batch.
     fn not_zero(&self, a: &str) -> String {
         let zero = self.literal("0.0");
         format!("({a} < {zero}) | ({a} > {zero})")

@@ -137,7 +137,7 @@ impl Python<'_> {
     }
 }
 
-/// What `simulate` takes too where nothing is given: a start at 0, and u without a bound.
+/// Default arguments of `simulate`: a start at 0, and u without a bound.
 fn default(parameter: &Variable) -> &'static str {
     match (parameter.name.as_str(), parameter.shape.length()) {
         ("t0", None) => " = 0.0",

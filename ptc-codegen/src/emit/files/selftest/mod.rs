@@ -16,12 +16,12 @@ use numbers::Numbers;
 pub(super) use samples::files as in_samples;
 pub(super) use time::files as in_time;
 
-/// What the header says of a self-test.
+/// Contents of the header of a self-test.
 struct About<'a> {
     sessions: usize,
     calls: usize,
     refused: usize,
-    /// What is expected, with its verb, and where it comes from, in lines.
+    /// Subject and verb of the expectation, and the origin of the expected values, in lines.
     subject: &'static str,
     expected: &'a [String],
     /// Conditions that are not taken both ways, with the reasons.

@@ -11,7 +11,7 @@ use crate::emit::files::outline::Outline;
 use crate::request::{Guard, Spec};
 use crate::selftest::samples::{Call, SelfTest, Session};
 
-/// Where the expected values come from.
+/// Origin of the expected values.
 const EXPECTED: [&str; 2] = [
     "computed by the generator, which runs this very program in the arithmetic of IEEE 754: the",
     "operations are its own alone, so that a target has to give the same numbers.",
@@ -120,18 +120,18 @@ struct Source<'a> {
     name: &'a str,
     noun: &'static str,
     abs: String,
-    /// What a result is before a call, which must overwrite it.
+    /// Value of a result before a call, which must overwrite it.
     poison: String,
-    /// What stands behind u where there are several, and u as an argument.
+    /// Array dimension behind u where there are several, and u as an argument.
     dimension: String,
     result: &'static str,
     /// The shape of what is measured.
     shape: String,
-    /// Whether it is an observer alone.
+    /// True for a stand-alone observer.
     alone: bool,
     /// States that are estimated; `None` without an observer.
     states: Option<usize>,
-    /// Whether the disturbance is estimated.
+    /// True if the disturbance is estimated.
     disturbance: bool,
     /// The fields of each entry of the tables.
     sessions: &'a [String],

@@ -78,7 +78,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
     both(spec, &about, source.render())
 }
 
-/// Whether `tick` and `axis` are called beside `step`; of several axes each call compares `step` with them.
+/// Returns true if `tick` and `axis` are called besides `step`; with several axes each call compares `step` with them.
 fn has_gains(controller: &Controller<'_>) -> bool {
     controller.program.axis.is_some() && controller.spec().axes.is_none()
 }
@@ -95,7 +95,7 @@ fn pointers(spec: &Spec) -> Vec<[&'static str; 4]> {
     given.map(without).collect()
 }
 
-/// Where the expected u comes from.
+/// Describes the origin of the expected u.
 fn expected(spec: &Spec) -> [String; 2] {
     [
         format!(
@@ -184,19 +184,20 @@ struct Source<'a> {
     laws: Option<usize>,
     /// States of all chains in stretched time.
     chains: usize,
-    /// What u is before a call, which must overwrite it.
+    /// Value of u before a call, which must overwrite it.
     poison: String,
     /// The greatest finite number.
     largest: String,
     /// The functions that stand for the user's.
     pi0: String,
     after: String,
-    /// What u is, where a call gives it.
+    /// Result argument for u.
     result: &'static str,
     is_after: bool,
     has_context: bool,
     has_gains: bool,
-    /// Whether `step` of several axes is compared with `tick` and `axis`, and whether that takes the axis.
+    /// True if `step` of several axes is compared with `tick` and `axis`; and if the latter takes the number of the
+    /// axis.
     has_axes: bool,
     numbers_axes: bool,
     /// Calls of `axis` of which each lacks a pointer: gains, x, r and u.

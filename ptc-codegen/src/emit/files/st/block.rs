@@ -30,12 +30,12 @@ impl StructuredText<'_> {
         found.unwrap_or_else(|| fault(format!("no function {name}")))
     }
 
-    /// Whether it is an observer, whose u is an input.
+    /// Returns true for an observer, whose u is an input.
     pub(super) fn observes(&self) -> bool {
         self.code.function("update").is_some()
     }
 
-    /// What a call does beside `init` and `arm`.
+    /// Returns the function that a call runs unless it is `init` or `arm`.
     fn call(&self) -> &Function {
         self.function(if self.observes() { "update" } else { "step" })
     }
@@ -119,8 +119,7 @@ impl StructuredText<'_> {
         self.out.text().trim_end().to_owned()
     }
 
-    /// What `init` and `arm` do: the fields are built apart, so that a call that fails changes
-    /// nothing.
+    /// Prints `init` and `arm`: the fields are built separately, so that a call that fails changes nothing.
     fn start(&mut self, arm: &Function) {
         let code = self.code;
         self.out.open("IF init OR arm THEN");

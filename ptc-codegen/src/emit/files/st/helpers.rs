@@ -23,7 +23,7 @@ END_IF;"
     of_two(format!("{name}_ticks"), "UDINT", "a - b, modulo 2^32.", body)
 }
 
-/// How much of a count is left.
+/// Function that returns the remainder of a count, or 0.
 pub(super) fn left(name: &str) -> Unit {
     let body = format!(
         "\
@@ -82,7 +82,7 @@ status; on a negative one nothing has changed:
   -3  an estimate is not finite
 Numbers are those of IEEE 754.";
 
-/// How the function block is used.
+/// Describes the usage of the function block.
 pub(super) fn about(code: &Code, real: &str) -> String {
     let (start, again, call) = match code.start {
         None => ("at tick 0", "tick k", "once for each tick k"),

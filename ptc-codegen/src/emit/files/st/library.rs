@@ -1,4 +1,4 @@
-//! What the file of a function block holds: its data types, its functions, and the block.
+//! Contents of the file of a function block: its data types, its functions, and the block.
 
 use super::super::text::Lines;
 
@@ -28,7 +28,7 @@ pub(in crate::emit) struct Vector {
 pub(in crate::emit) struct Member {
     pub(in crate::emit) name: String,
     pub(in crate::emit) kind: Kind,
-    /// What it is; empty where its name says it.
+    /// Description; empty where the name suffices.
     pub(in crate::emit) about: String,
 }
 

@@ -39,7 +39,7 @@ pub(in crate::emit) fn file(code: &Code) -> File {
     File { name: format!("{}.st", code.name), text: library(code).text() }
 }
 
-/// What that file holds.
+/// Returns the contents of that file.
 pub(in crate::emit) fn library(code: &Code) -> Library {
     StructuredText::new(code).library()
 }

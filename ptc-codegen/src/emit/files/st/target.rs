@@ -121,7 +121,7 @@ pub(in crate::emit) fn names_itself(spec: &Spec, file: &File, found: &mut Diagno
     }
 }
 
-/// How often code outside of comments has `name`, in capitals or not.
+/// Counts the occurrences of `name` in code outside of comments, ignoring case.
 fn occurrences(text: &str, name: &str) -> usize {
     let code = text.split("(*").map(|part| part.split_once("*)").map_or(part, |(_, code)| code));
     let words = |code: &str| {

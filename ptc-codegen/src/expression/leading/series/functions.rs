@@ -72,7 +72,7 @@ impl Series {
         share.composed(&mut coefficient, walk)?.shifted(&lead, walk)
     }
 
-    /// What follows the first term, divided by that.
+    /// Returns the terms after the first, divided by it.
     fn without_the_first(&self, walk: &Walk<'_>) -> Option<Self> {
         let first = self.terms.first()?;
         let coefficient = normal(&Expression::integer(1).div(first.coefficient.clone()));
@@ -158,7 +158,8 @@ fn exponential_of(constant: &Expression) -> Expression {
     }
 }
 
-/// Whether it grows faster than every power, so that e to it grows faster than e to any product.
+/// Returns true if it grows faster than every power, so that e to it grows faster than e to any product; `None` if
+/// that is not known.
 fn is_fast(scale: &Scale) -> Option<bool> {
     let leading = scale.leading()?;
     let exponential = leading.is_some_and(|(p, o)| o.is_gt() && *p > Product::logarithm(1));

@@ -25,7 +25,7 @@ pub(super) struct Series {
     pub(super) rest: Vec<Scale>,
 }
 
-/// What of a series grows, its limit without that, and what vanishes.
+/// Growing terms of a series, its limit without them, and the vanishing rest.
 struct Parts {
     growing: Vec<Term>,
     constant: Expression,
@@ -203,7 +203,7 @@ impl Series {
             .then_some((parts.constant, parts.vanishing))
     }
 
-    /// Whether it grows without bound, to which side.
+    /// Returns the sign of the side to which it grows without bound; `None` if it does not.
     pub(super) fn grows(&self) -> Option<i64> {
         self.terms.first()?.scale.tends()?.is_gt().then(|| self.sign())?
     }

@@ -1,4 +1,4 @@
-//! What is known when a program is made is computed then.
+//! Tests of `fold`: it computes values that are known at generation.
 
 use super::super::append;
 use super::{after, program};
@@ -42,7 +42,7 @@ fn fold_divides_without_a_test_by_what_is_not_0() {
     assert!(matches!(by(0), Op::Quotient(..)));
 }
 
-/// What a library computes differs from machine to machine, so it is left to the target.
+/// Leaves library results to the target: they differ from machine to machine.
 #[test]
 fn fold_computes_a_root_but_calls_no_library() {
     let folded = after(

@@ -12,11 +12,11 @@ use crate::syntax::{Node, Value};
 /// The keys that only such a plant has.
 const KEYS: [&str; 4] = ["inputs", "outputs", "inertia", "bias"];
 
-/// What does not stand beside such a plant.
+/// Keys that exclude such a plant.
 const OTHERS: [&str; 8] = ["input", "output", "axes", "f", "g", "A", "B", "C"];
 
 impl Reader<'_> {
-    /// Whether the plant has several inputs and outputs, however it is written.
+    /// Returns true if the plant has several inputs and outputs, in either notation.
     pub(in super::super) fn has_coupled(&self) -> bool {
         KEYS.iter().any(|key| self.keys.contains_key(key))
     }
@@ -135,7 +135,7 @@ impl Reader<'_> {
         }
     }
 
-    /// That a list has as many items as `of`.
+    /// Checks that a list has as many items as `of`.
     fn count(&mut self, key: &'static str, node: &Node, wanted: usize, of: &str) -> Option<()> {
         let found = items(node).len();
         if found == wanted {

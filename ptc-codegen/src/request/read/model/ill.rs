@@ -1,4 +1,4 @@
-//! What is told of a model whose output is no chain.
+//! Diagnostics of a model whose output is not a chain.
 
 use super::super::{Reader, items};
 use crate::diagnostic::Place;

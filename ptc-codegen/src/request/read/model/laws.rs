@@ -9,8 +9,8 @@ use crate::parameter::{Name, Parameter};
 use crate::request::Feedback;
 use crate::syntax::Node;
 
-/// What the names begin with that a law has for parts of a plant, the last of them for those of a
-/// mechanical one. A parameter that is called so is a part that does not exist.
+/// Stems of the names that a law uses for parts of a plant, the last of them for those of a mechanical one. A parameter
+/// with such a name is a part that does not exist.
 const STEMS: [&str; 5] = ["xi", "x", "inertia", "inverse_inertia", "bias"];
 
 impl Reader<'_> {
@@ -59,7 +59,7 @@ impl Reader<'_> {
         law
     }
 
-    /// That a law does not use an input of the plant, which follows from it.
+    /// Returns true if a law does not use an input of the plant, which follows from it; else records a diagnostic.
     pub(in super::super) fn gives_inputs(
         &mut self,
         node: &Node,
@@ -115,14 +115,14 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a parameter is called as a derivative of mu.
+/// Returns true if a parameter has the name of a derivative of mu.
 fn is_derivative(parameter: &Parameter) -> bool {
     let text = parameter.spelling();
     let index = text.strip_prefix("r_").and_then(|index| index.parse::<usize>().ok());
     index.is_some_and(|k| text == Variable::R(k).to_string())
 }
 
-/// Whether a parameter has a stem of the parts of a plant, and then numbers alone.
+/// Returns true if the name of a parameter is a stem of the parts of a plant, followed by numbers alone.
 fn is_of_plant(parameter: &Parameter) -> bool {
     let text = parameter.spelling();
     let numbers =

@@ -17,10 +17,10 @@ use crate::syntax::{Node, Value};
 /// The keys that A, B and C stand for.
 const REPLACED: [&str; 4] = ["input", "output", "dynamics", "measured"];
 
-/// What keeps a model from being A, B and C: key, place, message, help.
+/// Reason why a model is not A, B and C: key, place, message, help.
 type Refusal = (&'static str, Option<Place>, String, String);
 
-/// What is legal.
+/// Help text on legal models.
 const LEGAL: &str =
     "a clock in samples takes a linear model with rational numbers; leave `clock` out for this one";
 
@@ -110,12 +110,12 @@ impl Reader<'_> {
         Some(Entry { key: "output".to_owned(), place, value: numbers(&row.states, place) })
     }
 
-    /// Whether a model is linear in the states and the input, whatever its parameters are.
+    /// Returns true if a model is linear in the states and the input, whatever its parameters are.
     pub(in crate::request::read) fn is_linear(&self, model: &Model) -> bool {
         self.curved(model).is_none()
     }
 
-    /// What of a model is not linear, with a slope that shows it.
+    /// Describes the nonlinear part of a model, with a slope that shows it.
     pub(super) fn curved(&self, model: &Model) -> Option<String> {
         let values = self.fixed_names();
         let moves = Expression::varies;
@@ -163,7 +163,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Where the rates of the states were written.
+    /// Returns the places of the rates of the states.
     fn rate_places(&self, model: &Model) -> Vec<Option<Place>> {
         let Some(node) = self.keys.get("dynamics").copied() else { return Vec::new() };
         let of = |state: &Name| match &node.value {

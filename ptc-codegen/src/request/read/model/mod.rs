@@ -30,7 +30,7 @@ pub(super) struct Read {
 }
 
 impl Reader<'_> {
-    /// Whether the design has a model, however it is written.
+    /// Returns true if the design has a model, in either notation.
     pub(super) fn has_model(&self) -> bool {
         // Beside A and B the output is a row, and the states have names alone.
         let of_plant =

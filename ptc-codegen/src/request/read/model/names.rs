@@ -129,7 +129,7 @@ pub(crate) fn state_name(node: &Node) -> Option<Name> {
     word(node).filter(|word| !is_taken(word)).and_then(Name::new)
 }
 
-/// Whether a word means something in every expression.
+/// Returns true if a word has a meaning in every expression.
 fn is_taken(word: &str) -> bool {
     ["pi", "min", "max", "mean"].contains(&word)
         || Function::ALL.iter().any(|(function, _)| *function == word)

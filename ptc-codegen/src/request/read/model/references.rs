@@ -1,4 +1,4 @@
-//! What the outputs of a plant with several, or axes in samples, follow: one reference for each.
+//! References of the outputs of a plant with several, or of axes in samples: one for each.
 
 use super::super::{Reader, items};
 use super::names::word;

@@ -6,7 +6,7 @@ use crate::linear::{Following, Linear};
 use crate::request::{Spec, What};
 
 impl Reader<'_> {
-    /// Where the plant follows the reference; `None` without one.
+    /// Reads the output that follows the reference, and computes state and input for it; `None` without a reference.
     pub(super) fn following(&mut self, spec: &Spec, plant: &Linear) -> Option<Following> {
         let given = self.keys.get("output").copied();
         // An observer alone refuses one.

@@ -47,7 +47,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What needs a clock in time.
+    /// Rejects the keys that need a clock in time.
     pub(super) fn has_no_meaning(&mut self, spec: &Spec) {
         let mut against = |key: &str, wrong: bool, message: &str, help: &str| {
             if wrong {

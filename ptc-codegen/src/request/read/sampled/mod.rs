@@ -27,7 +27,7 @@ const MAX_KEPT: usize = 4;
 const MAX_SAMPLES: u32 = 1 << 31;
 
 impl Reader<'_> {
-    /// Whether the clock counts samples.
+    /// Returns true if the clock counts samples.
     pub(super) fn counts_samples(&mut self) -> bool {
         self.choice("clock", &[("time", false), ("samples", true)]).unwrap_or(false)
     }

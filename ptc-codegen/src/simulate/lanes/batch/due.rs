@@ -13,7 +13,7 @@ const SETTLED: usize = 8;
 /// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
 const REFUSED: usize = 200;
 
-/// Where a run is.
+/// Position of a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub(super) job: usize,
@@ -32,7 +32,7 @@ impl Place {
         self.finish - at
     }
 
-    /// Whether a run goes on that has come to `at` and takes a step of `step` next, where the rest is worth
+    /// Returns true if a run goes on that has come to `at` and takes a step of `step` next, where the rest is worth
     /// `most` of them.
     pub(super) fn goes_on(&self, (at, step): (f64, f64), most: f64) -> bool {
         #[allow(clippy::cast_precision_loss)]

@@ -1,4 +1,4 @@
-//! How lanes that are idle get their next run, or their next piece.
+//! Assignment of the next run, or the next piece, to idle lanes.
 
 use super::super::flow::{Steps, Which, share_at};
 use super::super::{LaneSide, See};

@@ -78,7 +78,7 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
         }
     }
 
-    /// Those that are left.
+    /// Runs all jobs and returns those that are left.
     pub(super) fn run(mut self, see: See<'_>) -> Vec<Due> {
         while self.load(see) {
             self.step(see);

@@ -10,7 +10,7 @@
 //! pace by the part of the step, dy_i = pace y_(i+1), its states follow from the rates K of the last component
 //! at the nodes, y_n = y_n(0) + A K and y_i = y_i(0) + A pace y_(i+1), so that a system of NODES equations is
 //! what is solved, whatever n is.
-//! Where the plant and the law are linear its first solution is the exact one.
+//! If the plant and the law are linear its first solution is the exact one.
 
 mod equations;
 mod nodes;
@@ -28,14 +28,14 @@ const FACTORS: [f64; 2] = [0.2, 4.0];
 /// Longest step, in sigma: time-to-go falls by a factor of e.
 const LONGEST: f64 = 1.0;
 
-/// Where the error of a step that is tried again, shorter, has not fallen to this part, it is the rounding of
-/// the rates: from there on a step may have that many times it, to the accuracy that is not loosened further or to what
-/// rounding leaves of any accuracy.
+/// Ratio of the errors of a step that is tried again, shorter: at more than this the error is rounding of the rates.
+/// From there on a step may have that many times it, to the accuracy that is not loosened further or to what rounding
+/// leaves of any accuracy.
 const FALLEN: f64 = 0.5;
 const LOOSER: f64 = 10.0;
 const LOOSEST: f64 = 1e-7;
 
-/// What rounding makes of the highest terms of a polynomial, in parts of what it makes of the states: rates at the nodes
+/// Effect of rounding on the highest terms of a polynomial, as a multiple of that on the states: rates at the nodes
 /// follow from these by differences.
 const ROUNDED: f64 = 1000.0;
 
@@ -44,7 +44,7 @@ const ROUNDED: f64 = 1000.0;
 pub(super) struct Collocation {
     flow: Flow,
     equations: Equations,
-    /// Where the last step begins, and by what part T falls on it.
+    /// Start of the last step, and the part by which T falls on it.
     from: Pack,
     fall: Pack,
     /// The error that a step may have, and that of the step that was refused before; 0 for none.

@@ -24,7 +24,7 @@ impl System {
 
     /// K less what the slopes make of the states that follow from K: with A, which integrates, and P, how fast the
     /// chain goes, x_n = A K and x_i = A P x_(i+1), so that this is 1 - (((S_1 A P + S_2) A P + ...) + S_n) A.
-    /// Where that pace is `even`, powers of A are all that it takes.
+    /// If that pace is `even`, powers of A are all that it takes.
     pub(super) fn form(
         &mut self,
         nodes: &Nodes,
@@ -123,7 +123,7 @@ fn less(own: &mut Pack, factor: &Pack, solved: &Pack) {
     }
 }
 
-/// What the slopes at a node make of the rates, where the pace is even.
+/// Returns the contribution of the slopes at a node to the rates, where the pace is even.
 #[inline(always)]
 fn of_powers(nodes: &Nodes, node: usize, pace: &Pack, slopes: &[[Pack; NODES]]) -> [Pack; NODES] {
     let (mut own, mut scale) = (NONE, Pack::all(1.0));
@@ -187,7 +187,7 @@ pub(super) fn integrated(row: &[Pack; NODES], columns: &[[f64; NODES]; NODES]) -
 mod tests {
     use super::*;
 
-    /// Of a chain in time powers say what its states do one by one.
+    /// Checks that for a chain in time powers give the same as its states one by one.
     #[test]
     fn an_even_pace_takes_powers_alone() {
         let nodes = Nodes::new(3);

@@ -23,9 +23,9 @@ use tableau::{ALL, DENSE, END, Row, STAGES, Tableau};
 const SAFETY: f64 = 0.9;
 const FACTORS: [f64; 2] = [0.2, 10.0];
 
-/// What collocation takes instead: a step of it as many of these for each component and one more, on a way of
-/// this length each, once some that are shorter have brought it to where that suffices. With these campaigns take the
-/// fewest instructions.
+/// Cost of a step of collocation per component, and once more, in steps of this method; the length of such a step in
+/// sigma; and the number of shorter steps at its start, in steps of that length. With these campaigns take the fewest
+/// instructions.
 const DEARER: f64 = 0.2;
 const FAR: f64 = 0.3;
 const SHORT: f64 = 6.0;
@@ -39,7 +39,7 @@ pub(super) struct Explicit {
     tableau: Arc<Tableau>,
     order: usize,
     accuracy: Accuracy,
-    /// By how much more each component decays than the next one.
+    /// Difference of the decay rates of each component and the next one.
     slant: f64,
     flow: Flow,
     /// Rates at y.

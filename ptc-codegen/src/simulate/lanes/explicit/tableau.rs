@@ -26,12 +26,12 @@ pub(super) struct Tableau {
     pub(super) error: Row,
     /// The weights less those of the embedded method of order 3.
     pub(super) embedded: Row,
-    /// Of the dense output from its fifth coefficient on.
+    /// Weights of the dense output from its fifth coefficient on.
     pub(super) dense: Vec<Row>,
 }
 
 impl Tableau {
-    /// That of the library.
+    /// Reads the tableau of the library.
     pub(super) fn new() -> Self {
         let ButcherTableau { c, a, b, bh, bi, er } = ButcherTableau::<f64, STAGES, ALL>::dop853();
         let row = |numbers: &[f64]| -> Row {

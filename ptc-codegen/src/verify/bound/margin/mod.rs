@@ -1,4 +1,4 @@
-//! Whether an objective holds over a cell of T/tau and one of tau.
+//! Test whether an objective holds over a cell of T/tau and one of tau.
 
 mod point;
 mod value;
@@ -16,7 +16,7 @@ use crate::parameter::Parameter;
 use crate::verify::linear::Values;
 use point::{Corner, Point};
 
-/// What stands beside the loop in an objective.
+/// Inputs of an objective other than the loop: the input gain, the box of initial states and the values of names.
 pub(super) struct Bounds {
     n: usize,
     gain: Range,
@@ -55,8 +55,8 @@ impl Bounds {
         Self { n: campaign.spec.n, gain, start, corners, names, evaluator: Evaluator::new() }
     }
 
-    /// What stands in the way of an objective over a cell and `tau`, with a u that is off by at most
-    /// `rounding`; it holds on all of both where nothing does.
+    /// Succeeds if an objective holds over a cell and `tau`, with a u that is off by at most `rounding`; otherwise
+    /// returns the obstacle.
     pub(super) fn holds(
         &mut self,
         closed: &mut Loop,

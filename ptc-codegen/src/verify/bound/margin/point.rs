@@ -61,8 +61,8 @@ impl Bounds {
         point
     }
 
-    /// What x_1..x_n are within over a cell of T/tau and one of tau, and about in the middle of both;
-    /// none where they are not bounded.
+    /// Bounds x_1..x_n over a cell of T/tau and one of tau, and approximately in the middle of both; `None` where they
+    /// are not bounded.
     pub(in crate::verify::bound) fn states(
         &self,
         cell: &Cell,
@@ -132,13 +132,13 @@ impl Bounds {
         moves.map(corner).collect()
     }
 
-    /// What row i of a point is over the box of initial states.
+    /// Bounds row i of a point over the box of initial states.
     pub(super) fn of_row(&self, point: &Point, i: usize) -> Range {
         let values = point.corners.iter().map(|corner| self.along(&corner.rows[i]));
         values.reduce(|a, b| a.hull(&b)).unwrap_or(Range::WHOLE)
     }
 
-    /// What a row is over the box of initial states.
+    /// Bounds a row over the box of initial states.
     pub(super) fn along(&self, row: &[Range]) -> Range {
         dot(row, &self.start)
     }

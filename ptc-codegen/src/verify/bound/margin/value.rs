@@ -47,7 +47,7 @@ impl Bounds {
         if value.is_bounded() { Ok(value) } else { Err(unknown(&form.value)) }
     }
 
-    /// What holds the values of a part wherever they exist.
+    /// Encloses the values of a part wherever they exist.
     fn part(&mut self, closed: &mut Loop, part: &Part, point: &Point) -> Result<Interval, Why> {
         let mut names = point.names.clone();
         for (k, linear) in part.linear.iter().enumerate() {
@@ -94,9 +94,9 @@ impl Bounds {
         Some(rest + values.into_iter().reduce(|a, b| a.hull(&b))?)
     }
 
-    /// What f adds at both ends of a cell to a sum of several of x_1..x_n and u, taken as one: with
-    /// factors c_r about in the middle, where tau = 1, it adds what it does to sum c_r x_r, and to each
-    /// x_r as much as its factor is beside c_r.
+    /// Returns the contribution of f at both ends of a cell to a sum of several of x_1..x_n and u, taken as one: with
+    /// factors c_r about in the middle, where tau = 1, it adds its contribution to sum c_r x_r, and to each x_r as much
+    /// as its factor is beside c_r.
     fn added(
         &self,
         closed: &mut Loop,

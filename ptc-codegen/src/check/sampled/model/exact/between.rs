@@ -12,15 +12,15 @@ use crate::algebra::BigRational;
 use crate::linear::{Between, Matrix, Several};
 use crate::request::Exact;
 
-/// What holds at a sample.
+/// Bounds that hold at a sample.
 pub(super) struct AtSample<'a> {
-    /// Of xi.
+    /// Bounds of xi.
     pub(super) chains: &'a [BigRational],
-    /// Of v.
+    /// Bounds of v.
     pub(super) wanted: &'a [BigRational],
-    /// Of what u is beside G^-1 (v - F x).
+    /// Bounds of the difference of u from G^-1 (v - F x).
     pub(super) errors: &'a [BigRational],
-    /// Of u as it acts.
+    /// Bounds of u as it acts.
     pub(super) inputs: &'a [BigRational],
 }
 

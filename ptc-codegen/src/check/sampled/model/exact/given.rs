@@ -1,4 +1,4 @@
-//! What is given of the loops, and bounds as fractions and as doubles.
+//! Given values of the loops, and bounds as fractions and as doubles.
 
 use num_traits::Signed;
 
@@ -26,7 +26,7 @@ pub(super) fn with_starts(designs: Vec<Spec>, maps: &Maps) -> Result<Vec<Output>
     designs.into_iter().map(with).collect()
 }
 
-/// By what part of itself an input may act otherwise.
+/// Returns the largest relative error of an input as it acts.
 pub(super) fn gain_error(parts: &[Fixed]) -> BigRational {
     let one = BigRational::from_integer(1.into());
     let parts = parts.iter().filter_map(Fixed::number).map(|part| (part - &one).abs());
@@ -39,7 +39,7 @@ pub(super) fn doubles(bounds: &[BigRational]) -> Vec<f64> {
 }
 
 /// # Errors
-/// That one is no number.
+/// Fails if one is not a number.
 pub(super) fn fractions(bounds: &[f64]) -> Result<Vec<BigRational>, Lacking> {
     let all = bounds.iter().map(|bound| BigRational::from_float(*bound));
     all.collect::<Option<_>>().ok_or_else(|| {

@@ -1,4 +1,4 @@
-//! How the outputs with their derivatives, the states and the inputs go with the chains that inputs move exactly:
+//! Maps from the chains that inputs move exactly to the outputs with their derivatives, the states and the inputs:
 //! exact fractions, of which sizes are summed.
 
 use crate::algebra::BigRational;

@@ -40,35 +40,35 @@ pub(super) fn outcome(spec: &Spec, exact: &Exact) -> Result<Outcome, Lacking> {
     Ok(report::judged(&of_plant, &found, afterwards.as_ref()))
 }
 
-/// What is unknown of the chains; each bounds the size of one.
+/// Error bounds of the chains, one for each coordinate.
 #[derive(Clone)]
 struct Errors {
-    /// What moves each chain beside v.
+    /// Force on each chain in addition to v.
     forces: Vec<f64>,
-    /// How far each xi is off as the law sees it.
+    /// Error of each xi as the law sees it.
     sensors: Vec<f64>,
-    /// How far each xi is from the chain that v and the force move.
+    /// Distance of each xi from the chain that v and the force move.
     apart: Vec<f64>,
 }
 
 /// The bounds of the loops.
 struct Bounded {
-    /// Of the chain of each output.
+    /// Worst case of the chain of each output.
     worst: Vec<Worst>,
     errors: Errors,
     sizes: Sizes,
 }
 
-/// What a loop reaches.
+/// Bounds of the signals of a loop.
 struct Sizes {
-    /// Of xi at the samples.
+    /// Bounds of xi at the samples.
     chains: Vec<BigRational>,
-    /// Of v.
+    /// Bounds of v.
     wanted: Vec<BigRational>,
-    /// Of u as it is computed, and as it acts.
+    /// Bounds of u as it is computed, and as it acts.
     u: Vec<BigRational>,
     acting: Vec<BigRational>,
-    /// Of what it is beside G^-1 (v - F x).
+    /// Bounds of the difference of u from G^-1 (v - F x).
     errors: Vec<BigRational>,
 }
 
@@ -82,9 +82,9 @@ struct Exactly<'a> {
     left: Left,
     /// The chains, and the inputs from v, as they are emitted.
     emitted: Program,
-    /// How far each measured state may be off.
+    /// Error bound of each measured state.
     noise: Vec<BigRational>,
-    /// How far an input may be off, and the part of it by which its gain may be.
+    /// Error bound of an input, and relative error bound of its gain.
     step: BigRational,
     gain: BigRational,
 }
@@ -134,7 +134,7 @@ impl<'a> Exactly<'a> {
         })
     }
 
-    /// What the sensors alone are off.
+    /// Returns the errors of the sensors alone.
     fn measured(&self) -> Errors {
         let sensors = doubles(&summed(&self.maps.coordinates, &self.noise));
         Errors { forces: vec![0.0; self.outputs.len()], apart: vec![0.0; sensors.len()], sensors }
@@ -186,7 +186,7 @@ impl<'a> Exactly<'a> {
         }
     }
 
-    /// Those of each output.
+    /// Splits `all` into the values of each output.
     fn of_each(&self, all: &[f64]) -> Vec<Vec<f64>> {
         let mut rest = all;
         let own = self.outputs.iter().map(|output| {

@@ -1,4 +1,4 @@
-//! What is unknown of the chains in loops that reach so much.
+//! Errors of the chains in loops that reach given sizes.
 
 use super::super::super::relative::upper;
 use super::super::cell::{OnCells, size};
@@ -39,7 +39,7 @@ impl Exactly<'_> {
         Ok((errors, Sizes { chains, wanted, u, acting, errors: beside }))
     }
 
-    /// How far rounding takes each xi, and each input, from what the program means.
+    /// Bounds the rounding error of each xi, and of each input.
     fn rounded(
         &self,
         states: &[BigRational],

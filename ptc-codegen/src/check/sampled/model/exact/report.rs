@@ -1,4 +1,4 @@
-//! What is said of the bounds of the loops of a plant whose chains are exact at the samples.
+//! Report of the bounds of the loops of a plant whose chains are exact at the samples.
 
 use super::super::super::outcome::{NAME, causes};
 use super::super::report::{clipped, decided, of_chains, of_inputs, of_output};
@@ -54,7 +54,7 @@ fn at_deadline(plant: &Exactly<'_>, found: &Bounded) -> Vec<Vec<f64>> {
     totals.map_or_else(infinite, |totals| plant.at_sample(&totals))
 }
 
-/// What holds from the deadline on.
+/// Returns the bounds that hold from the deadline on.
 fn after(plant: &Exactly<'_>, found: &Bounded) -> Option<Sizes> {
     let after = found.worst.iter().map(|worst| worst.after.as_ref());
     let after = after.collect::<Option<Vec<_>>>()?;
@@ -68,7 +68,7 @@ fn sums(a: &[f64], b: &[f64]) -> Option<Vec<BigRational>> {
     Some(both(fractions(a).ok()?, &fractions(b).ok()?))
 }
 
-/// What the bounds are about.
+/// Describes the assumptions of the bounds.
 fn assumed(found: &Bounded) -> String {
     let samples = found.worst.first().map_or(0, |worst| worst.samples);
     format!(
@@ -76,7 +76,7 @@ fn assumed(found: &Bounded) -> String {
     )
 }
 
-/// What moves a chain beside v.
+/// Describes the force on a chain in addition to v.
 fn force(force: f64) -> String {
     format!(
         "xi, its chain as it is sampled, is moved by the law without an error of the period; rounding, and what sensors and inputs are off, move it like a force of at most {}",
@@ -84,7 +84,7 @@ fn force(force: f64) -> String {
     )
 }
 
-/// What the bound of a coordinate of a chain is made of.
+/// Describes the parts of the bound of a coordinate of a chain.
 fn split(spec: &Spec, bound: &Bound, i: usize) -> String {
     let chain = Spec { model: None, ..spec.clone() };
     let part = |(cause, part): &(String, f64)| match cause.as_str() {

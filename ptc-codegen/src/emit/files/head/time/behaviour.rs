@@ -1,4 +1,4 @@
-//! What a controller does at its limits: after the deadline, at the bound of u, with wrong inputs.
+//! Behaviour of a controller at its limits: after the deadline, at the bound of u, with wrong inputs.
 
 use super::super::precision::{self, is_library};
 use super::super::{Controller, Language};
@@ -51,7 +51,7 @@ pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<
     lines
 }
 
-/// Where u is clipped, and what this does to the deadline.
+/// Describes where u is clipped, and the effect on the deadline.
 pub(in crate::emit::files::head) fn limits_of_u(spec: &Spec, deadline: &str) -> String {
     if spec.is_unlimited() {
         return "u is not clipped.".to_owned();

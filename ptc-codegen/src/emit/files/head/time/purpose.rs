@@ -38,7 +38,7 @@ pub(super) fn purpose(spec: &Spec) -> Vec<String> {
     ]
 }
 
-/// Where the state of a chain is at the deadline.
+/// State of a chain at the deadline.
 fn goal(spec: &Spec) -> &'static str {
     match &spec.reference {
         None => "x = 0",
@@ -47,7 +47,7 @@ fn goal(spec: &Spec) -> &'static str {
     }
 }
 
-/// Where an output and its derivatives are at the deadline.
+/// Values of an output and its derivatives at the deadline.
 fn followed(spec: &Spec) -> &'static str {
     match &spec.reference {
         None => "0",

@@ -38,7 +38,7 @@ pub(super) struct Equations {
     /// At each node: how fast the chain goes, and the slopes of the last rate by the components.
     pace: AtNodes,
     slopes: Vec<AtNodes>,
-    /// By which part of the step each last rate is computed later.
+    /// Delay of each last rate, as a fraction of the step.
     late: AtNodes,
     system: System,
 }
@@ -100,7 +100,7 @@ impl Equations {
         }
     }
 
-    /// Of rates by sigma those by the part of the step, and of rates in moved states the slopes.
+    /// Converts rates by sigma to rates by the part of the step, and rates in moved states to slopes.
     #[inline(always)]
     fn on_step(&mut self, moved: &[Pack]) {
         for node in 0..NODES {
@@ -121,7 +121,7 @@ impl Equations {
         }
     }
 
-    /// What the slopes make of how far the states are from the first one.
+    /// Adds the product of the slopes and the difference of the states from the first one.
     #[inline(always)]
     fn add_off(&self, right: &mut AtNodes) {
         for i in 0..self.x.len() {
@@ -158,7 +158,7 @@ impl Equations {
         }
     }
 
-    /// Of each component what an error counts.
+    /// Returns the weight of an error of each component.
     #[inline(always)]
     fn weights(&self) -> Vec<Pack> {
         let Accuracy { relative, absolute, .. } = self.accuracy;
@@ -206,7 +206,7 @@ impl Equations {
         }
     }
 
-    /// What the highest terms of the polynomials make of the states: accurate enough is 1.
+    /// Returns the contribution of the highest terms of the polynomials to the states; 1 is accurate enough.
     #[inline(always)]
     pub(super) fn error(&self) -> Pack {
         let mut error = Pack::all(0.0);
@@ -232,8 +232,9 @@ impl Equations {
         error
     }
 
-    /// What the rounding of the last rate at the end of the step makes of the states, as a part of what an error counts. Its
-    /// terms may be far larger than itself, as those of a law that holds a disturbance are; a loop that is stiff damps it.
+    /// Returns the effect on the states of rounding in the last rate at the end of the step, as a fraction of the
+    /// tolerated error. Its terms may be far larger than itself, as those of a law that holds a disturbance are; a loop
+    /// that is stiff damps it.
     #[inline(always)]
     pub(super) fn rounding(&self) -> Pack {
         let end = NODES - 1;

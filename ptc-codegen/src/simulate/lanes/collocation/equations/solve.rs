@@ -5,7 +5,7 @@ use super::{AtNodes, Equations, NONE};
 use crate::program::lanes::{LANES, Pack, vectorized};
 use crate::simulate::lanes::flow::{Chain, Tick, Which};
 
-/// What is left of the equations counts as nothing below this part of the error of a step.
+/// Residual of the equations that counts as nothing, as a fraction of the error of a step.
 const SOLVED: f64 = 0.05;
 
 /// Corrections after which the equations count as not solved.
@@ -52,7 +52,7 @@ impl Equations {
         std::array::from_fn(|lane| active[lane] && !left[lane])
     }
 
-    /// What rates by sigma have more than those of the solution.
+    /// Converts rates by sigma to the residual: their excess over the rates of the solution.
     #[inline(always)]
     fn missing(&self, rates: &mut AtNodes) {
         for node in 0..NODES {
@@ -86,7 +86,7 @@ impl Equations {
         }
     }
 
-    /// How far the states are from others, as a part of what an error counts; infinite for what is no number.
+    /// Returns the distance of the states from others, as a fraction of the tolerated error; infinite for NaN.
     #[inline(always)]
     fn change<'a>(&'a self, other: impl Fn(usize, usize) -> &'a Pack) -> Pack {
         let mut most = Pack::all(0.0);
