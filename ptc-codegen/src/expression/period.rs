@@ -6,9 +6,11 @@ use super::normal::normal;
 use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, integer};
 
-/// An expression that repeats: a function of an angle, which stands where time stood.
+/// Expression that repeats, as a function of an angle.
 pub(crate) struct Periodic {
     pub(crate) of_angle: Expression,
+    /// Variable that represents the angle.
+    pub(crate) angle: Variable,
     /// Circles until it repeats.
     pub(crate) circles: f64,
 }
@@ -16,7 +18,7 @@ pub(crate) struct Periodic {
 /// Returns an expression as a function of one angle, in units of which all its angles have whole or rational speeds;
 /// `None` if time does anything else in it.
 ///
-/// `2*sin(w*t/2)*cos(w*t/2)` becomes `2*sin(t)*cos(t)` and repeats after a circle.
+/// `2*sin(w*t/2)*cos(w*t/2)` becomes `2*sin(dt)*cos(dt)`, dt the angle, and repeats after a circle.
 pub(crate) fn periodic(e: &Expression) -> Option<Periodic> {
     let times = [Variable::Time, Variable::Elapsed];
     let mut times = times.into_iter().filter(|time| e.contains(*time));
@@ -41,16 +43,15 @@ pub(crate) fn periodic(e: &Expression) -> Option<Periodic> {
     let start = |angle: &Expression| {
         angle.substitute(&|part| (part.variable() == Some(time)).then(|| Expression::integer(0)))
     };
-    let moved = |to: &dyn Fn(Expression) -> Expression| {
-        e.substitute(&|part| {
-            let (function, angle) = turned(part)?;
-            let turned = to(Expression::from(ratio(angle)?));
-            Some(Expression::call(function, start(angle).add(turned)))
-        })
-    };
-    let rest = moved(&|_| Expression::integer(0));
-    let of_angle = moved(&|ratio| ratio.mul(Variable::Time.into()));
-    (!rest.contains(time)).then_some(Periodic { of_angle, circles: circles.to_f64()? })
+    // Another variable than time, which shows whether all of that is gone.
+    let turned_by = if time == Variable::Time { Variable::Elapsed } else { Variable::Time };
+    let of_angle = e.substitute(&|part| {
+        let (function, angle) = turned(part)?;
+        let turned = Expression::from(ratio(angle)?).mul(turned_by.into());
+        Some(Expression::call(function, start(angle).add(turned)))
+    });
+    let circles = circles.to_f64()?;
+    (!of_angle.contains(time)).then_some(Periodic { of_angle, angle: turned_by, circles })
 }
 
 /// The function and the angle, of one that repeats.

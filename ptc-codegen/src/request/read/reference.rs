@@ -160,11 +160,11 @@ fn is_met_all_round(part: &Expression, condition: Condition, names: &Names) -> b
     /// A little more than a whole circle, and pieces that are not halved any more.
     const CIRCLE: f64 = 6.3;
     const LEAST: f64 = 1e-3;
-    let Some(Periodic { of_angle, circles }) = periodic(part) else { return false };
+    let Some(Periodic { of_angle, angle, circles }) = periodic(part) else { return false };
     let (mut names, mut evaluator) = (names.clone(), Evaluator::new());
     let mut open = vec![(0.0, CIRCLE * circles)];
     while let Some((low, high)) = open.pop() {
-        names.insert(Variable::Time.into(), Range::new(low, high).into());
+        names.insert(angle.into(), Range::new(low, high).into());
         let value = evaluator.value(&of_angle, &names);
         if value.is_some_and(|value| condition.is_met(&value.interval)) {
             continue;
