@@ -36,6 +36,12 @@ impl Precision {
         format!("PTC_FINITE_{}({number})", self.name().to_uppercase())
     }
 
+    /// The test of the emitted C on whether a value is no number, in its own text.
+    #[cfg(feature = "files")]
+    pub(crate) fn nan_in_c(self, number: &str) -> String {
+        format!("PTC_NAN_{}({number})", self.name().to_uppercase())
+    }
+
     /// Its greatest finite number.
     pub fn greatest(self) -> f64 {
         match self {

@@ -33,7 +33,7 @@ impl Maker<'_> {
             && self.spec().guard != Guard::Full
             && !sessions.iter().flat_map(|session| &session.calls).any(fails)
         {
-            add("isnan(margin)".to_owned(), "u was not beyond the range");
+            add(self.spec().precision.nan_in_c("margin"), "u was not beyond the range");
         }
         for (condition, what) in self.never_of_inputs(sessions) {
             add(condition, what);

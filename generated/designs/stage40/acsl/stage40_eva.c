@@ -142,7 +142,7 @@ static void stage40_eva_use(stage40 *self, double limit, int level)
     r[1] = stage40_eva_draw(-STAGE40_EVA_R1_MAX, STAGE40_EVA_R1_MAX);
     r[2] = stage40_eva_draw(-STAGE40_EVA_R2_MAX, STAGE40_EVA_R2_MAX);
     status = stage40_step(self, k, y, r, &u);
-    //@ assert known: -3 <= status <= 3 && status != PTC_E_PARAM;
+    //@ assert known: -3 <= status <= 4 && status != PTC_E_PARAM;
     //@ assert refused: status < 0 ==> u == 0.0;
     if (level > 0) {
         //@ assert finite: \is_finite(u);
@@ -151,7 +151,7 @@ static void stage40_eva_use(stage40 *self, double limit, int level)
         //@ assert bounded: -limit <= u <= limit;
     }
 #ifdef FINITE
-    //@ assert accepted: status >= 0;
+    //@ assert accepted: status >= 0 || status == PTC_E_INPUT;
 #endif
     status = stage40_estimate(self, xhat);
     //@ assert given: status == PTC_OK;
@@ -236,10 +236,12 @@ static void stage40_eva_null(void)
     r[0] = 0.0;
     r[1] = 0.0;
     r[2] = 0.0;
+    self->trust = 3U;
     y[0] = NAN;
     status = stage40_step(self, k, y, r, &u);
-    //@ assert no_number: status == PTC_E_INPUT;
+    //@ assert no_number: status == PTC_E_INPUT || status == PTC_GATED;
     y[0] = 0.0;
+    stage40_eva_blank(self);
     r[0] = NAN;
     status = stage40_step(self, k, y, r, &u);
     //@ assert no_number: status == PTC_E_INPUT;

@@ -134,9 +134,9 @@ static void stage41_observer_eva_use(stage41_observer *self, float limit, int le
     y[0] = stage41_observer_eva_draw(-STAGE41_OBSERVER_EVA_Y1_MAX, STAGE41_OBSERVER_EVA_Y1_MAX);
     y[1] = stage41_observer_eva_draw(-STAGE41_OBSERVER_EVA_Y2_MAX, STAGE41_OBSERVER_EVA_Y2_MAX);
     status = stage41_observer_update(self, k, y, u);
-    //@ assert known: -3 <= status <= 3 && status != PTC_E_PARAM;
+    //@ assert known: -3 <= status <= 4 && status != PTC_E_PARAM;
 #ifdef FINITE
-    //@ assert accepted: status >= 0;
+    //@ assert accepted: status >= 0 || status == PTC_E_INPUT;
 #endif
     status = stage41_observer_estimate(self, xhat);
     //@ assert given: status == PTC_OK;
@@ -201,14 +201,16 @@ static void stage41_observer_eva_null(void)
     stage41_observer_eva_untouched(self);
     y[0] = 0.0f;
     y[1] = 0.0f;
+    self->trust = 2U;
     y[0] = NAN;
     status = stage41_observer_update(self, k, y, u);
-    //@ assert no_number: status == PTC_E_INPUT;
+    //@ assert no_number: status == PTC_E_INPUT || status == PTC_GATED;
     y[0] = 0.0f;
     y[1] = NAN;
     status = stage41_observer_update(self, k, y, u);
-    //@ assert no_number: status == PTC_E_INPUT;
+    //@ assert no_number: status == PTC_E_INPUT || status == PTC_GATED;
     y[1] = 0.0f;
+    stage41_observer_eva_blank(self);
     u = INFINITY;
     status = stage41_observer_update(self, k, y, u);
     //@ assert no_number: status == PTC_E_INPUT;

@@ -178,7 +178,7 @@ static void stage42_eva_use(stage42 *self, double limit, int level)
     (void)level;
     y[0] = stage42_eva_draw(-STAGE42_EVA_Y1_MAX, STAGE42_EVA_Y1_MAX);
     status = stage42_step(self, k, y, &u);
-    //@ assert known: -3 <= status <= 3 && status != PTC_E_PARAM;
+    //@ assert known: -3 <= status <= 4 && status != PTC_E_PARAM;
     //@ assert refused: status < 0 ==> u == 0.0;
     if (level > 0) {
         //@ assert finite: \is_finite(u);
@@ -187,7 +187,7 @@ static void stage42_eva_use(stage42 *self, double limit, int level)
         //@ assert bounded: -limit <= u <= limit;
     }
 #ifdef FINITE
-    //@ assert accepted: status >= 0;
+    //@ assert accepted: status >= 0 || status == PTC_E_INPUT;
 #endif
     status = stage42_estimate(self, xhat);
     //@ assert given: status == PTC_OK;

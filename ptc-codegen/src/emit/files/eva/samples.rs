@@ -14,7 +14,7 @@ use crate::emit::files::text_of;
 use crate::emit::{File, tidy};
 use crate::internal::fault;
 use crate::parameter::{Parameter, Precision};
-use crate::request::{Guard, Spec, What};
+use crate::request::{Gate, Guard, Spec, What};
 
 /// A field that a call changes, and the macro of its bound where it is a number.
 struct Kept {
@@ -73,6 +73,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
     let text_of_call = |call: &&Call| call.text(&name, None);
     let parameters = spec.run_time_parameters().filter(|p| *p != Parameter::UMax);
     let full = spec.guard == Guard::Full;
+    let gate = spec.sampled().and_then(|own| own.observer.as_ref()).map(|own| &own.gate);
     let harness = Harness {
         name: &name,
         options: OPTIONS,
@@ -94,6 +95,8 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         applied,
         kept,
         full,
+        gated: gate.is_some_and(|gate| *gate != Gate::default()),
+        trust: gate.filter(|gate| gate.coast > 0).map(|gate| format!("{}U", gate.coast + 1)),
         alone,
         work: work.first().map_or_else(|| fault("nothing to call"), text_of_call),
         results: results(code),
@@ -194,6 +197,10 @@ struct Harness<'a> {
     kept: Vec<Kept>,
     /// True if every pointer and input is checked.
     full: bool,
+    /// True if a gate refuses readings.
+    gated: bool,
+    /// Value of the field `trust` after a reading that was believed, where the observer may predict alone.
+    trust: Option<String>,
     alone: bool,
     /// The call of `step` or `update`, and those that give the estimates with their results.
     work: String,
