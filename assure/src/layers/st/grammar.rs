@@ -223,6 +223,11 @@ impl Parser {
             self.eat("DO")?;
             self.statements(&["END_FOR"])?;
             self.eat("END_FOR")?;
+        } else if self.takes("WHILE") {
+            self.expression()?;
+            self.eat("DO")?;
+            self.statements(&["END_WHILE"])?;
+            self.eat("END_WHILE")?;
         } else if !self.takes("RETURN") && !self.takes("EXIT") {
             self.variable()?;
             self.eat(":=")?;
