@@ -102,10 +102,11 @@ fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32
         (interpreter.value(program.limits.late), interpreter.value(program.limits.hold_from));
     let held = i32::from(late >= hold_from);
     match program.limits.u_max.map(|limit| interpreter.value(limit)) {
+        // What overflows is no u that a limit could clip.
+        _ if !u.is_finite() => (-3, 0.0),
         Some(limit) if u > limit => (2, limit),
         Some(limit) if u < -limit => (2, -limit),
-        _ if u.is_finite() => (held, u),
-        _ => (-3, 0.0),
+        _ => (held, u),
     }
 }
 
