@@ -29,11 +29,17 @@ impl Maker<'_> {
         };
         let fails = |call: &Call| call.status == Status::Range;
         let is_one = self.spec().coupled.is_none();
-        if is_one
-            && self.spec().guard != Guard::Full
-            && !sessions.iter().flat_map(|session| &session.calls).any(fails)
-        {
-            add(self.spec().precision.nan_in_c("margin"), "u was not beyond the range");
+        if is_one && self.spec().guard != Guard::Full {
+            let is_seen = sessions.iter().flat_map(|session| &session.calls).any(fails);
+            let limit = self.spec().fixed.get(&Parameter::UMax);
+            let is_limited = limit.is_none_or(|limit| limit.number().is_some());
+            let test = self.spec().precision.nan_in_c("margin");
+            match is_seen {
+                false => add(test, "u was not beyond the range"),
+                // Beyond each limit the test stands once more.
+                true if is_limited => add(test, "u was not shown to overflow beyond each limit"),
+                true => {}
+            }
         }
         for (condition, what) in self.never_of_inputs(sessions) {
             add(condition, what);
