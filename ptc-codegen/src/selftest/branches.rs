@@ -83,7 +83,10 @@ impl Maker<'_> {
                     }
                 }
                 Op::Quotient(_, divisor) => {
-                    let name = program.get(*divisor).name.as_ref();
+                    // Axes with gains of their own divide by that of each.
+                    let axes = self.spec().axes.as_ref();
+                    let each = axes.is_some_and(|axes| !axes.input_gains.is_empty());
+                    let name = program.get(*divisor).name.as_ref().filter(|_| !each);
                     let name = name.map_or_else(|| Input::Divisor.name(), |(name, _)| name.clone());
                     if missing("negative") {
                         add(format!("{name} < 0.0"), "g was not negative");
