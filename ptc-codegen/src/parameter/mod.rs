@@ -30,13 +30,13 @@ impl Precision {
         }
     }
 
-    /// The test of the emitted C on whether a number is finite, in its own text.
+    /// Returns the test of the emitted C for a finite number.
     #[cfg(feature = "files")]
     pub(crate) fn finite_in_c(self, number: &str) -> String {
         format!("PTC_FINITE_{}({number})", self.name().to_uppercase())
     }
 
-    /// The test of the emitted C on whether a value is no number, in its own text.
+    /// Returns the test of the emitted C for NaN.
     #[cfg(feature = "files")]
     pub(crate) fn nan_in_c(self, number: &str) -> String {
         format!("PTC_NAN_{}({number})", self.name().to_uppercase())

@@ -45,22 +45,23 @@ pub(in crate::emit) fn assumptions(precision: Precision) -> String {
 /// Macros for the tests on numbers. They are those of `math.h`, except that MinGW's convert to a
 /// shorter integer, which warns, and that some compilers have none.
 pub(super) fn classification(precision: Precision, body: &str) -> String {
-    let (suffix, abs, most, zero) = match precision {
-        Precision::F64 => ("F64", "fabs", "DBL_MAX", "0.0"),
-        Precision::F32 => ("F32", "fabsf", "FLT_MAX", "0.0f"),
+    let (abs, most, zero) = match precision {
+        Precision::F64 => ("fabs", "DBL_MAX", "0.0"),
+        Precision::F32 => ("fabsf", "FLT_MAX", "0.0f"),
     };
-    let finite = (format!("PTC_FINITE_{suffix}"), "isfinite", format!("({abs}(x) <= {most})"));
-    let not_number = (format!("PTC_NAN_{suffix}"), "isnan", format!("(!({abs}(x) >= {zero}))"));
+    let finite = (precision.finite_in_c("x"), "isfinite", format!("({abs}(x) <= {most})"));
+    let not_number = (precision.nan_in_c("x"), "isnan", format!("(!({abs}(x) >= {zero}))"));
     let mut text = String::new();
-    for (name, standard, own) in [finite, not_number] {
+    for (call, standard, own) in [finite, not_number] {
+        let name = call.trim_end_matches("(x)");
         if body.contains(&format!("{name}(")) {
             text.push_str(&format!(
                 "
 #if !defined({name})
 #if defined({standard}) && !defined(__MINGW32__)
-#define {name}(x) ({standard}(x) != 0)
+#define {call} ({standard}(x) != 0)
 #else
-#define {name}(x) {own}
+#define {call} {own}
 #endif
 #endif
 "

@@ -142,7 +142,7 @@ impl Text for C<'_> {
     fn not_number(&self, value: &str) -> String {
         match self.outside {
             true => format!("(isnan({value}) != 0)"),
-            false => format!("{}({})", self.precise("PTC_NAN"), bare(value.to_owned())),
+            false => self.code.precision.nan_in_c(&bare(value.to_owned())),
         }
     }
 }
@@ -166,14 +166,6 @@ impl<'a> C<'a> {
     /// A printer of text for other files than the source.
     fn outside(code: &'a Code, notes: &'a Notes) -> Self {
         Self { outside: true, ..Self::new(code, notes) }
-    }
-
-    /// The name of a macro for the numbers of the controller.
-    fn precise(&self, macro_name: &str) -> String {
-        match self.code.precision {
-            Precision::F32 => format!("{macro_name}_F32"),
-            Precision::F64 => format!("{macro_name}_F64"),
-        }
     }
 
     fn type_of(&self, shape: Shape) -> String {
