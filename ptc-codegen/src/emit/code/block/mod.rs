@@ -16,6 +16,24 @@ use finish::of_finish;
 /// the code.
 pub(in crate::emit) const WRITTEN: usize = 8;
 
+/// Lines around the statements of a loop.
+pub(in crate::emit) struct Around {
+    /// Statement before the loop.
+    pub(in crate::emit) before: Option<String>,
+    pub(in crate::emit) open: String,
+    /// First statement of each round, and the last one.
+    pub(in crate::emit) first: Option<String>,
+    pub(in crate::emit) last: Option<String>,
+    pub(in crate::emit) end: &'static str,
+}
+
+impl Around {
+    /// Lines that open and end a loop; `end` is empty in a language whose blocks end with their indent.
+    pub(in crate::emit) fn new(open: String, end: &'static str) -> Self {
+        Self { before: None, open, first: None, last: None, end }
+    }
+}
+
 /// The words around a test and its two blocks.
 pub(in crate::emit) struct Branch {
     pub(in crate::emit) open: &'static str,
@@ -106,8 +124,8 @@ pub(in crate::emit) trait Block: Text {
     /// A local array that a function of the user's gives.
     fn laws(&mut self, name: &str, callback: &str, given: &[&str; 3], count: usize);
 
-    /// The lines before and behind a loop.
-    fn each(&self, each: &For) -> [String; 2];
+    /// Returns the lines around the statements of a loop.
+    fn each(&self, each: &For) -> Around;
 
     /// The line that leaves a loop.
     fn leave(&self) -> &'static str {
@@ -159,22 +177,21 @@ pub(in crate::emit) trait Ends: Block {
 
 /// The lines around a loop of C and C++, whose indices are of type `kind`.
 #[cfg(feature = "files")]
-pub(in crate::emit) fn counted(text: &impl Text, each: &For, kind: &str) -> [String; 2] {
+pub(in crate::emit) fn counted(text: &impl Text, each: &For, kind: &str) -> Around {
     let index = text.local(&each.index);
     let [from, to] = [&each.from, &each.to].map(|end| text.end(end, 0));
     let next = match each.step {
         1 => format!("{index}++"),
         step => format!("{index} += {}", text.whole(step)),
     };
-    let open = match each.down {
-        false => format!("for ({kind} {index} = {from}; {index} < {to}; {next}) {{"),
-        // An index without a sign does not pass below 0.
-        true => format!(
-            "for ({kind} left = {to}; left > {from}; left--) {{\nconst {kind} {index} = left - {};\n",
-            text.whole(1)
-        ),
-    };
-    [open, "}".to_owned()]
+    if !each.down {
+        let open = format!("for ({kind} {index} = {from}; {index} < {to}; {next}) {{");
+        return Around::new(open, "}");
+    }
+    // An index without a sign does not pass below 0.
+    let open = format!("for ({kind} left = {to}; left > {from}; left--) {{");
+    let first = format!("const {kind} {index} = left - {};", text.whole(1));
+    Around { first: Some(first), ..Around::new(open, "}") }
 }
 
 /// The tests behind which the same end stands, one after the other, that end, and the other one.

@@ -1,6 +1,6 @@
 //! Statements as lines, in the words of a language.
 
-use super::{Block, close};
+use super::{Around, Block, close};
 use crate::code::{For, Place, Statement};
 
 /// A statement.
@@ -97,10 +97,11 @@ fn otherwise(to: &mut dyn Block, (yes, no): (&[Statement], &[Statement]), chain:
 
 /// A loop.
 fn of_loop(to: &mut dyn Block, each: &For) {
-    let [open, end] = to.each(each);
-    let mut lines = open.lines();
-    to.out().open(lines.next().unwrap_or_default());
-    lines.for_each(|line| to.out().line(line));
+    let Around { before, open, first, last, end } = to.each(each);
+    before.iter().for_each(|line| to.out().line(line));
+    to.out().open(open);
+    first.iter().for_each(|line| to.out().line(line));
     to.block(&each.body);
-    close(to.out(), &end);
+    last.iter().for_each(|line| to.out().line(line));
+    close(to.out(), end);
 }

@@ -1,6 +1,6 @@
 //! Statements in Rust.
 
-use super::super::block::{Block, Branch, Ends, either, refused};
+use super::super::block::{Around, Block, Branch, Ends, either, refused};
 use super::super::gives::Gives;
 use super::super::text::{Level, Lines, Text};
 use super::{CHOICE, Rust};
@@ -114,14 +114,14 @@ impl Block for Rust<'_> {
         self.out.line(format!("let {name} = {callback}({});", given.join(", ")));
     }
 
-    fn each(&self, each: &For) -> [String; 2] {
+    fn each(&self, each: &For) -> Around {
         let [from, to] = [&each.from, &each.to].map(|end| self.end(end, 0));
         let range = match (each.step, each.down) {
             (1, false) => format!("{from}..{to}"),
             (_, true) => format!("({from}..{to}).rev()"),
             (step, _) => format!("({from}..{to}).step_by({step})"),
         };
-        [format!("for {} in {range} {{", each.named()), "}".to_owned()]
+        Around::new(format!("for {} in {range} {{", each.named()), "}")
     }
 
     fn begin(&self, name: &str, _: Shape, value: &str) -> String {

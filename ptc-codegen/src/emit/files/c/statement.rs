@@ -1,6 +1,6 @@
 //! Statements of a function: what a test guards is inside it.
 
-use super::super::block::{Block, Branch, WRITTEN, counted, of_statement};
+use super::super::block::{Around, Block, Branch, WRITTEN, counted, of_statement};
 use super::super::text::{Lines, Text, bare};
 use super::source::BUILT;
 use super::{C, word};
@@ -121,7 +121,7 @@ impl Block for C<'_> {
         self.out.line(format!("{callback}(context, {given}, {name});"));
     }
 
-    fn each(&self, each: &For) -> [String; 2] {
+    fn each(&self, each: &For) -> Around {
         counted(self, each, "uint32_t")
     }
 

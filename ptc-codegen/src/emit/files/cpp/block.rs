@@ -1,6 +1,6 @@
 //! Statements in C++.
 
-use super::super::block::{Block, Branch, Ends, counted};
+use super::super::block::{Around, Block, Branch, Ends, counted};
 use super::super::gives::Gives;
 use super::super::text::{Lines, Text};
 use super::{Cpp, word};
@@ -74,7 +74,7 @@ impl Block for Cpp<'_> {
         self.out.line(format!("const {kind} {name} = {callback}({});", given.join(", ")));
     }
 
-    fn each(&self, each: &For) -> [String; 2] {
+    fn each(&self, each: &For) -> Around {
         counted(self, each, INDEX)
     }
 

@@ -1,6 +1,6 @@
 //! Statements.
 
-use super::super::block::{Block, Branch, Ends};
+use super::super::block::{Around, Block, Branch, Ends};
 use super::super::gives::Gives;
 use super::super::legal::checks;
 use super::super::text::{Lines, Text, bracketed};
@@ -81,7 +81,7 @@ impl Block for Matlab<'_> {
         self.out.line(format!("{name} = {real}({callback}({}));", given.join(", ")));
     }
 
-    fn each(&self, each: &For) -> [String; 2] {
+    fn each(&self, each: &For) -> Around {
         let (from, last) = (self.end(&each.from, 0), self.end(&each.to, -1));
         let [from, last] = [from, last].map(|end| bracketed(&end));
         let range = match (each.step, each.down) {
@@ -89,7 +89,7 @@ impl Block for Matlab<'_> {
             (_, true) => format!("{last}:-1:{from}"),
             (step, _) => format!("{from}:{step}:{last}"),
         };
-        [format!("for {} = {range}", each.index), "end".to_owned()]
+        Around::new(format!("for {} = {range}", each.index), "end")
     }
 }
 

@@ -1,6 +1,6 @@
 //! Statements of a batch: where a test holds for a part of it, the others keep what they have.
 
-use super::super::block::Block;
+use super::super::block::{Around, Block};
 use super::super::text::Text;
 use super::Python;
 use crate::code::{Expr, For, Place, Statement, Status, Subroutine, Test};
@@ -157,7 +157,7 @@ return Axes(
             self.out.line(format!("{DONE} = np.asarray(False)"));
             self.mask = Some(format!("~{DONE}{}", outer.unwrap_or_default()));
         }
-        let [open, _] = Block::each(self, each);
+        let Around { open, .. } = Block::each(self, each);
         self.out.open(open);
         self.indices.push(each.index.clone());
         each.body.iter().for_each(|statement| self.chosen(statement));

@@ -1,6 +1,6 @@
 //! Statements.
 
-use super::super::block::{Block, Branch, Ends, either, refused};
+use super::super::block::{Around, Block, Branch, Ends, either, refused};
 use super::super::gives::Gives;
 use super::super::legal::checks;
 use super::super::text::{Lines, Text};
@@ -125,7 +125,7 @@ impl Block for Python<'_> {
         self.out.leave();
     }
 
-    fn each(&self, each: &For) -> [String; 2] {
+    fn each(&self, each: &For) -> Around {
         let [from, to] = [&each.from, &each.to].map(|end| self.end(end, 0));
         let range = match (from.as_str(), each.step) {
             ("0", 1) => format!("range({to})"),
@@ -133,7 +133,7 @@ impl Block for Python<'_> {
             (_, step) => format!("range({from}, {to}, {step})"),
         };
         let range = if each.down { format!("reversed({range})") } else { range };
-        [format!("for {} in {range}:", each.named()), String::new()]
+        Around::new(format!("for {} in {range}:", each.named()), "")
     }
 
     fn leave(&self) -> &'static str {

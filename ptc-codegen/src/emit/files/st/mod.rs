@@ -9,7 +9,7 @@ mod target;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
-use super::block::{Block, Branch, Ends};
+use super::block::{Around, Block, Branch, Ends};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, For, Shape, Status, Subroutine, Test};
@@ -238,7 +238,7 @@ impl Block for StructuredText<'_> {
 
     /// A loop that may have one round is written as WHILE: MatIEC leaves out the body of a FOR whose
     /// ends are equal.
-    fn each(&self, each: &For) -> [String; 2] {
+    fn each(&self, each: &For) -> Around {
         let index = self.local(&each.index);
         let (from, last) = (self.end(&each.from, 0), self.end(&each.to, -1));
         if each.down {
@@ -248,16 +248,17 @@ impl Block for StructuredText<'_> {
         let rounds = i64::from(each.to.constant) - i64::from(each.from.constant);
         if !known || rounds <= i64::from(each.step) {
             let step = self.whole(each.step);
-            return [
-                format!("{index} := {from};\nWHILE {index} <= {last} DO"),
-                format!("    {index} := {index} + {step};\nEND_WHILE;"),
-            ];
+            return Around {
+                before: Some(format!("{index} := {from};")),
+                last: Some(format!("{index} := {index} + {step};")),
+                ..Around::new(format!("WHILE {index} <= {last} DO"), "END_WHILE;")
+            };
         }
         let by = match each.step {
             1 => String::new(),
             step => format!(" BY {}", self.whole(step)),
         };
-        [format!("FOR {index} := {from} TO {last}{by} DO"), "END_FOR;".to_owned()]
+        Around::new(format!("FOR {index} := {from} TO {last}{by} DO"), "END_FOR;")
     }
 
     fn leave(&self) -> &'static str {
