@@ -1,25 +1,54 @@
-//! Expressions in which time turns angles and nothing else.
+//! Expressions that are periodic in time, and what holds of them at every angle.
 
 use num_traits::ToPrimitive;
 
+use super::enclosure::Range;
+use super::evaluator::{Evaluator, Names};
+use super::existence::Condition;
 use super::normal::normal;
 use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, integer};
 
-/// Expression that repeats, as a function of an angle.
-pub(crate) struct Periodic {
-    pub(crate) of_angle: Expression,
+/// Angle to which a period is examined: a circle, and a little more than doubles lose of it.
+const CIRCLE: f64 = std::f64::consts::TAU * (1.0 + 1e-9);
+
+/// Pieces of a period that are not halved any more.
+const LEAST: f64 = 1e-3;
+
+/// Periodic expression, as a function of an angle.
+struct Periodic {
+    of_angle: Expression,
     /// Variable that represents the angle.
-    pub(crate) angle: Variable,
-    /// Circles until it repeats.
-    pub(crate) circles: f64,
+    angle: Variable,
+    /// Circles in a period.
+    circles: f64,
+}
+
+/// Returns true if a periodic expression is shown to meet a condition at every angle, by pieces of a period.
+pub(crate) fn is_met_all_round(part: &Expression, condition: Condition, names: &Names) -> bool {
+    let Some(Periodic { of_angle, angle, circles }) = periodic(part) else { return false };
+    let (mut names, mut evaluator) = (names.clone(), Evaluator::new());
+    let mut open = vec![(0.0, CIRCLE * circles)];
+    while let Some((low, high)) = open.pop() {
+        names.insert(angle.into(), Range::new(low, high).into());
+        let value = evaluator.value(&of_angle, &names);
+        if value.is_some_and(|value| condition.is_met(&value.interval)) {
+            continue;
+        }
+        let middle = 0.5 * (low + high);
+        if high - low < LEAST || evaluator.is_spent() {
+            return false;
+        }
+        open.extend([(low, middle), (middle, high)]);
+    }
+    true
 }
 
 /// Returns an expression as a function of one angle, in units of which all its angles have whole or rational speeds;
 /// `None` if time does anything else in it.
 ///
 /// `2*sin(w*t/2)*cos(w*t/2)` becomes `2*sin(dt)*cos(dt)`, dt the angle, and repeats after a circle.
-pub(crate) fn periodic(e: &Expression) -> Option<Periodic> {
+fn periodic(e: &Expression) -> Option<Periodic> {
     let times = [Variable::Time, Variable::Elapsed];
     let mut times = times.into_iter().filter(|time| e.contains(*time));
     let (time, None) = (times.next()?, times.next()) else { return None };
@@ -43,7 +72,7 @@ pub(crate) fn periodic(e: &Expression) -> Option<Periodic> {
     let start = |angle: &Expression| {
         angle.substitute(&|part| (part.variable() == Some(time)).then(|| Expression::integer(0)))
     };
-    // Another variable than time, which shows whether all of that is gone.
+    // Another variable than time, so that time is seen wherever it is left.
     let turned_by = if time == Variable::Time { Variable::Elapsed } else { Variable::Time };
     let of_angle = e.substitute(&|part| {
         let (function, angle) = turned(part)?;

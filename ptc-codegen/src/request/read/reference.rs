@@ -7,7 +7,7 @@ use crate::expression::enclosure::{Interval, Range};
 use crate::expression::evaluator::{Evaluator, Names};
 use crate::expression::existence::{Condition, needs};
 use crate::expression::normal::normal;
-use crate::expression::period::{Periodic, periodic};
+use crate::expression::period::is_met_all_round;
 use crate::expression::sign::{Sign, sign};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::parameter::{Fixed, Parameter};
@@ -153,29 +153,6 @@ impl Reader<'_> {
         );
         self.wrong("reference", place, message, help);
     }
-}
-
-/// Returns true if a part that repeats meets a condition at every angle, examined in pieces of a period.
-fn is_met_all_round(part: &Expression, condition: Condition, names: &Names) -> bool {
-    /// A little more than a whole circle, and pieces that are not halved any more.
-    const CIRCLE: f64 = 6.3;
-    const LEAST: f64 = 1e-3;
-    let Some(Periodic { of_angle, angle, circles }) = periodic(part) else { return false };
-    let (mut names, mut evaluator) = (names.clone(), Evaluator::new());
-    let mut open = vec![(0.0, CIRCLE * circles)];
-    while let Some((low, high)) = open.pop() {
-        names.insert(angle.into(), Range::new(low, high).into());
-        let value = evaluator.value(&of_angle, &names);
-        if value.is_some_and(|value| condition.is_met(&value.interval)) {
-            continue;
-        }
-        let middle = 0.5 * (low + high);
-        if high - low < LEAST || evaluator.is_spent() {
-            return false;
-        }
-        open.extend([(low, middle), (middle, high)]);
-    }
-    true
 }
 
 /// The sign of the values of a name; an interval that ends at infinity loses that of a reciprocal.
