@@ -1,9 +1,12 @@
 //! Controllers with a clock in samples, and observers alone, of every kind: chains, linear plants and models that
 //! are not linear, delays, observers, disturbances, references, what is fixed and what is not, both precisions, both guards.
 
+mod inputs;
+
 use ptc_codegen::request::{Spec, What};
 
 use super::specs::spec;
+use inputs::OF_INPUTS;
 
 type Keys = &'static [(&'static str, &'static str)];
 
@@ -283,127 +286,6 @@ const APART: [Keys; 6] = [
         ("observer_poles", "-4,-5"),
         ("measurement_max", "1.5"),
         ("after", "zero"),
-    ],
-];
-
-/// Plants with several inputs: of different orders with held gains, a mechanical one with all left to run time,
-/// one whose inputs are solved for, one that they do not decouple everywhere; and axes, apart and alike. Behind
-/// them some that follow references, known and given with each call.
-const OF_INPUTS: [Keys; 12] = [
-    &[
-        ("mu", "exp(a=1)"),
-        ("poles", "[[-4],[-3,-4.5]]"),
-        ("limits", "2,3"),
-        ("sample_time", "0.01"),
-        ("tau", "0.3"),
-        ("eps", "0.04"),
-        ("states", "h, c, e"),
-        ("inputs", "q, p"),
-        ("outputs", "h, e"),
-        ("dynamics", "q - 0.1*h, p - c*(1 + h), (c - e)*(1 + h)"),
-    ],
-    &[
-        ("mu", "exp"),
-        ("precision", "f32"),
-        ("guard", "none"),
-        ("states", "q1, q2, w1, w2"),
-        ("inputs", "F1, F2"),
-        ("inertia", "[[m + q2^2, q2], [q2, 1]]"),
-        ("bias", "[m*q2*w1*w2, w1^2/2 - q1]"),
-    ],
-    &[
-        ("mu", "exp(a=0.8)"),
-        ("poles", "[[-4],[-3,-4],[-5],[-2.5,-6]]"),
-        ("u_max", "inf"),
-        ("states", "a, b, b1, c, d, d1"),
-        ("inputs", "A, B, C, D"),
-        ("outputs", "a, b, c, d"),
-        (
-            "dynamics",
-            "A*(2 + b^2) + B - a*c, b1, B*(3 + a) + C*d - b*d1, C + D*a - c^2, d1, D*(2 - b) + A*c + a",
-        ),
-    ],
-    &[
-        ("mu", "exp(a=1)"),
-        ("gains", "[[3],[4.5]]"),
-        ("deadbeat", "9"),
-        ("states", "a, b"),
-        ("inputs", "A, B"),
-        ("outputs", "a, b"),
-        ("dynamics", "A*(b - 1), A + B - k*a"),
-    ],
-    &[
-        ("n", "2"),
-        ("axes", "3"),
-        ("mu", "exp(a=1)"),
-        ("poles", "[[-4,-5],[-3+i,-3-i],[-6,-7.5]]"),
-        ("limits", "1,2,3"),
-        ("g", "[0.5,2,-1]"),
-        ("sample_time", "0.01"),
-        ("tau", "0.3"),
-    ],
-    &[("n", "3"), ("axes", "2"), ("mu", "exp"), ("precision", "f32"), ("eps", "0.02"), ("g", "3")],
-    &[
-        ("mu", "exp(a=1)"),
-        ("poles", "[[-4],[-3,-4.5]]"),
-        ("limits", "2,3"),
-        ("reference", "input"),
-        ("states", "h, c, e"),
-        ("inputs", "q, p"),
-        ("outputs", "h, e"),
-        ("dynamics", "q - 0.1*h, p - c*(1 + h), (c - e)*(1 + h)"),
-    ],
-    &[
-        ("mu", "exp"),
-        ("sample_time", "0.01"),
-        ("tau", "0.3"),
-        ("eps", "0.04"),
-        ("reference", "size*dt^2/(1 + t^2), 0"),
-        ("states", "q1, q2, w1, w2"),
-        ("inputs", "F1, F2"),
-        ("inertia", "[[m + q2^2, q2], [q2, 1]]"),
-        ("bias", "[m*q2*w1*w2, w1^2/2 - q1]"),
-    ],
-    &[
-        ("n", "2"),
-        ("axes", "3"),
-        ("mu", "exp(a=1)"),
-        ("poles", "[[-4,-5],[-3+i,-3-i],[-6,-7.5]]"),
-        ("precision", "f32"),
-        ("limits", "1,2,3"),
-        ("g", "[0.5,2,-1]"),
-        ("reference", "1/(2 + t^2), size*dt/(3 + dt), t^2/(2 + t^2)"),
-        ("sample_time", "0.01"),
-        ("tau", "0.3"),
-    ],
-    &[
-        ("n", "3"),
-        ("axes", "2"),
-        ("mu", "exp"),
-        ("guard", "none"),
-        ("reference", "input"),
-        ("g", "3"),
-    ],
-    &[
-        ("mu", "exp(a=1)"),
-        ("poles", "[[-3,-4],[-4]]"),
-        ("limits", "20,30"),
-        ("sample_time", "0.01"),
-        ("tau", "0.3"),
-        ("states", "s, v, i"),
-        ("inputs", "F, V"),
-        ("outputs", "s, i"),
-        ("dynamics", "v, 3*i - 2*s - v/2 + F, V - 4*i + s/8"),
-    ],
-    &[
-        ("mu", "exp"),
-        ("precision", "f32"),
-        ("sample_time", "0.02"),
-        ("params.c", "2"),
-        ("states", "q1, q2, w1, w2"),
-        ("inputs", "F1, F2"),
-        ("inertia", "[[2, 1/2], [1/2, 1]]"),
-        ("bias", "[3*q1 - c*q2 + w1/4, c*q2]"),
     ],
 ];
 
