@@ -24,6 +24,13 @@ use crate::syntax::{Argument, Node, Value};
 /// Help text on the parts of a plant with states of its own.
 const LEGAL: &str = "beside `states` the plant has `dynamics`, or A and B with what is `added` to them, and `outputs` or C";
 
+/// Number of expressions that a list has, with the words for them and for what each belongs to.
+struct Needed {
+    count: usize,
+    item: &'static str,
+    of: &'static str,
+}
+
 struct Reader<'a> {
     spec: &'a Spec,
     states: Vec<Name>,
@@ -161,7 +168,12 @@ impl Reader<'_> {
     fn rates(&mut self, node: &Node, key: &str, all: bool) -> Vec<Expression> {
         let states = self.states.clone();
         let Value::Table(given) = &node.value else {
-            return self.list(node, key, (states.len(), "rate", "state"), true);
+            return self.list(
+                node,
+                key,
+                Needed { count: states.len(), item: "rate", of: "state" },
+                true,
+            );
         };
         let mut rates = vec![None; states.len()];
         for Argument { name, value } in given {
@@ -190,14 +202,15 @@ impl Reader<'_> {
     }
 
     fn outputs(&mut self, node: &Node) -> Vec<Expression> {
-        self.list(node, "outputs", (self.spec.states(), "output", "state of the law"), false)
+        let outputs = Needed { count: self.spec.states(), item: "output", of: "state of the law" };
+        self.list(node, "outputs", outputs, false)
     }
 
     fn list(
         &mut self,
         node: &Node,
         key: &str,
-        (count, item, of): (usize, &str, &str),
+        Needed { count, item, of }: Needed,
         moves: bool,
     ) -> Vec<Expression> {
         let given = items(node);
@@ -218,7 +231,7 @@ impl Reader<'_> {
     fn linear(&mut self, a: &Node, b: &Node) -> Vec<Expression> {
         let n = self.states.len();
         let rows = self.matrix(a, "A", n);
-        let b = self.list(b, "B", (n, "entry", "state"), false);
+        let b = self.list(b, "B", Needed { count: n, item: "entry", of: "state" }, false);
         let input = |(row, b): (Expression, Expression)| row.add(b.mul(Variable::Control.into()));
         rows.into_iter().zip(b).map(input).collect()
     }

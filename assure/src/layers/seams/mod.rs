@@ -54,7 +54,7 @@ fn run(context: &Context) -> Result<Finding> {
     let [count, edges] = if context.brief { BRIEF } else { FULL };
     let designs = draw::designs(context.seed, count);
     let all: Vec<_> = (0..).zip(&designs).collect();
-    let judged = in_pairs(&all, |(index, design)| judged(&world, (*index, design), context.seed));
+    let judged = in_pairs(&all, |(index, design)| judged(&world, *index, design, context.seed));
     let mut finding = Finding::default();
     let mut rows = BTreeMap::<&str, [usize; 4]>::new();
     for one in &judged {
@@ -92,7 +92,7 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-fn judged(world: &World<'_>, (index, design): (usize, &Design), seed: u64) -> Judged {
+fn judged(world: &World<'_>, index: usize, design: &Design, seed: u64) -> Judged {
     let none = Judged {
         kind: design.kind,
         unread: None,

@@ -41,15 +41,17 @@ fn spelled(value: &Value, random: &mut Random) -> String {
         Value::Negative(inner) => format!("-({})", spelled(&inner.value, random)),
         Value::Binary(operator, left, right) => {
             let [a, b] = [left, right].map(|side| spelled(&side.value, random));
-            joined(*operator, (&a, &b), &right.value, random)
+            let form = form(*operator, &right.value, random);
+            form.replace('A', "\u{1}").replace('B', &b).replace('\u{1}', &a)
         }
         Value::Call(name, arguments) => call(name, arguments, random),
         other => other.to_string(),
     }
 }
 
-fn joined(operator: Operator, (a, b): (&str, &str), right: &Value, random: &mut Random) -> String {
-    let forms: &[&str] = match (operator, right) {
+/// Returns a form of A and B that equals A `operator` B.
+fn form(operator: Operator, right: &Value, random: &mut Random) -> &'static str {
+    let forms: &[&'static str] = match (operator, right) {
         (Operator::Add, _) => &["(A) + (B)", "(B) + (A)", "(A) - (-(B))"],
         (Operator::Sub, _) => &["(A) - (B)", "-(B) + (A)", "-((B) - (A))"],
         (Operator::Mul, _) => &["(A)*(B)", "(B)*(A)", "-((A)*(-(B)))"],
@@ -63,8 +65,7 @@ fn joined(operator: Operator, (a, b): (&str, &str), right: &Value, random: &mut 
         // A power that is not whole has a positive base.
         (Operator::Power, _) => &["(A)^(B)", "exp((B)*ln(A))"],
     };
-    let form = forms[random.below(forms.len() as u64) as usize];
-    form.replace('A', "\u{1}").replace('B', b).replace('\u{1}', a)
+    forms[random.below(forms.len() as u64) as usize]
 }
 
 fn call(name: &str, arguments: &[Argument], random: &mut Random) -> String {

@@ -77,7 +77,7 @@ impl Sampled {
         let rounding = ROUNDED * (states + of_input * sizes[n]);
         let of_gain = terms[n] * gain.abs() * self.of_gain(trust, k);
         let span = self.bound(&output, k, trust).span();
-        span.wider(rounding + of_gain + self.beside(&terms, (m, of_input)))
+        span.wider(rounding + of_gain + self.beside(&terms, m, of_input))
     }
 
     /// Returns the weights in control point `m`: those of the states at the sample, then that of the movement of x_n by
@@ -100,7 +100,7 @@ impl Sampled {
     }
 
     /// Bounds the contribution of f and the actuator within a sample, which is not part of the states at its start.
-    fn beside(&self, terms: &[f64], (m, of_input): (usize, f64)) -> f64 {
+    fn beside(&self, terms: &[f64], m: usize, of_input: f64) -> f64 {
         // An input that is kept has not been through the actuator.
         let actuator = self.acting().map_or(0.0, |_| of_input * self.actuator);
         let force = self.force.as_ref().filter(|_| m > 0).map_or(0.0, |force| {

@@ -49,7 +49,7 @@ pub(super) struct Flexible {
 }
 
 impl Flexible {
-    pub(super) fn new(plant: &Linear, (h, part): (f64, &BigRational), measured: Side) -> Self {
+    pub(super) fn new(plant: &Linear, h: f64, part: &BigRational, measured: Side) -> Self {
         let number = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
         let rows = plant.a.iter().zip(&plant.b);
         let rates = rows.map(|(row, b)| row.iter().chain([b]).map(number).collect()).collect();

@@ -61,7 +61,7 @@ impl Resonances {
         let linear = spec.sampled().and_then(|own| own.linear.as_ref());
         let part = spec.promises.delay.clone().unwrap_or_default().part();
         let h = closed.period.middle();
-        let flexible = Flexible::new(linear.unwrap_or(&integrators), (h, &part), *measured);
+        let flexible = Flexible::new(linear.unwrap_or(&integrators), h, &part, *measured);
         let gain: Gain = closed.gain();
         let number = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
         let ends = |ends: &[BigRational; 2]| ends.each_ref().map(number);
