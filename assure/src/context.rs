@@ -148,7 +148,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn in_turn_reaches_every_item_within_seven_turns() {
+    fn every_item_gets_a_turn_within_seven_turns() {
         let mut context = Context { brief: true, ..Context::new(Path::new("target"), 1) };
         for length in 0..20 {
             let mut seen = vec![false; length];

@@ -80,7 +80,7 @@ mod tests {
     use crate::harness::empty;
 
     #[test]
-    fn an_entry_of_another_run_is_not_taken() {
+    fn entries_of_other_runs_are_ignored() {
         let name = format!("ptc-assure-kept-{}", std::process::id());
         let folder = empty(&std::env::temp_dir().join(name));
         let of = |run: &str| Kept { folder: folder.clone(), run: Some(run.to_owned()) };

@@ -50,13 +50,13 @@ fn wanted() -> Files {
 }
 
 #[test]
-fn generated_is_what_the_generator_writes() {
+fn goldens_match_the_generator() {
     compare(&LANGUAGES.map(Language::name), &WANTED);
 }
 
 /// Those of the families that call no function at all need no `std`.
 #[test]
-fn goldens_without_a_function_compile_without_std() {
+fn goldens_without_function_calls_compile_without_std() {
     let folder = empty(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden_rust"));
     let mut modules = "#![no_std]\n".to_owned();
     for spec in controllers().into_iter().chain(of_axes()) {
@@ -83,7 +83,7 @@ fn generating_twice_gives_the_same_bytes() {
 
 /// The macro expands to the items of the golden, on the types of the facade.
 #[test]
-fn the_macro_expands_to_the_golden() {
+fn macro_expands_to_the_golden() {
     for spec in controllers().into_iter().chain(of_axes()) {
         let items = ptc_codegen::macro_items(&spec).expect("a legal spec");
         let file = ptc_codegen::generate(&spec, Language::Rust).expect("a legal spec").remove(0);

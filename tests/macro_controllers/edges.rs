@@ -33,7 +33,7 @@ fn u_is_clipped_to_its_bound() {
 }
 
 #[test]
-fn inputs_that_mean_nothing_are_refused() {
+fn non_finite_inputs_are_refused() {
     let controller = PtcExp2::new(exp_2()).expect("parameters");
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(controller.step(0.5, &[bad, 0.0]), Err(Error::Input), "x1 = {bad}");
@@ -75,7 +75,7 @@ fn parameters_outside_their_domains_are_refused() {
 }
 
 #[test]
-fn a_controller_is_armed_again() {
+fn controller_can_be_rearmed() {
     let mut controller = PtcExp2::new(exp_2()).expect("parameters");
     let x = [1.0, -0.5];
     let first = controller.step(0.25, &x);
@@ -89,7 +89,7 @@ fn a_controller_is_armed_again() {
 }
 
 #[test]
-fn a_copy_is_a_controller_of_its_own() {
+fn copies_are_independent_controllers() {
     let controller = PtcExp2::new(exp_2()).expect("parameters");
     let mut copy = controller;
     assert_eq!(copy.arm(10.0), Ok(()));

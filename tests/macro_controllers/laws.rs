@@ -43,7 +43,7 @@ macro_rules! made {
 }
 
 #[test]
-fn a_law_latches_the_state_at_the_start() {
+fn law_latches_the_initial_state() {
     let params = LatchedParams { tau: 2.0, t0: 0.0, eps: 1e-3, phi: 1.1 };
     let mut controller = Latched::new(params, &[1.0]).expect("parameters in their domains");
     let closed_form = |x0: f64, t: f64, x: f64| -20.0 * x / ((2.0 - t) * (x - 1.1 * x0).powi(2));
@@ -60,7 +60,7 @@ fn a_law_latches_the_state_at_the_start() {
 
 /// One law in several spellings.
 #[test]
-fn mappings_and_laws_are_spelt_in_many_ways() {
+fn equivalent_macro_spellings_give_the_same_u() {
     let plain = made!(ByPoles, ByPolesParams);
     let kappa = made!(ByKappa, ByKappaParams);
     let gain = made!(WithGain, WithGainParams);
@@ -95,7 +95,7 @@ fn mappings_and_laws_are_spelt_in_many_ways() {
 }
 
 #[test]
-fn after_the_deadline_u_is_0_where_that_is_asked() {
+fn u_is_zero_after_the_deadline_when_requested() {
     let rest = made!(AtRest, AtRestParams);
     let status = |t| rest.step(t, &[1.0, 1.0]).map(|control| control.status);
     assert_eq!(status(2.4), Ok(Status::Ok));
@@ -105,7 +105,7 @@ fn after_the_deadline_u_is_0_where_that_is_asked() {
 }
 
 #[test]
-fn checks_may_be_allowed_to_fail_and_set_the_guard() {
+fn allowed_checks_pass_and_sampling_sets_eps() {
     let allowed = made!(Allowed, AllowedParams);
     assert!(allowed.step(1.0, &[1.0, 0.0]).is_ok());
     // eps is the smallest that keeps the margin: 10.6 ms.

@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_row_that_the_page_does_not_show_is_found() {
+    fn missing_table_row_is_reported() {
         let row = PAGE.lines().find(|line| line.starts_with("| observer, N = 20 |"));
         let row = row.expect("a row of `rest`");
         assert_eq!(missing(row, PAGE).next(), None);

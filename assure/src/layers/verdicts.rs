@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn the_page_has_the_numbers_of_a_full_run() {
+    fn page_shows_the_numbers_of_a_full_run() {
         let page = include_str!("../../../docs/checks/soundness.md");
         let Size { each_way, checks, loops, simulate, design, attained, order, digits } = FULL;
         let numbers = [

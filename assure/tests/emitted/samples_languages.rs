@@ -162,7 +162,7 @@ fn agree(test: &str, indices: &[usize], runs: &[(Language, Run)]) -> BTreeMap<St
 }
 
 #[test]
-fn every_language_gives_the_bits_of_the_interpreter() {
+fn every_language_matches_the_interpreter_bit_for_bit() {
     let runs: [(Language, Run); 5] = [
         (Language::C, in_c),
         (Language::Cpp, in_cpp),
@@ -180,7 +180,7 @@ fn every_language_gives_the_bits_of_the_interpreter() {
 
 /// Its parser takes seconds for each file.
 #[test]
-fn structured_text_gives_the_bits_of_the_interpreter() {
+fn structured_text_matches_the_interpreter_bit_for_bit() {
     agree(
         "samples_structured_text",
         &[1, 9, 15, 20, 21, 28],
@@ -190,7 +190,7 @@ fn structured_text_gives_the_bits_of_the_interpreter() {
 
 /// What is refused, by key and a part of the message.
 #[test]
-fn what_a_language_cannot_say_is_refused() {
+fn unsupported_features_of_a_language_are_refused() {
     let of = |name: &str| {
         let keys = [("n", "2"), ("mu", "exp"), ("clock", "samples"), ("name", name)];
         spec(&keys)

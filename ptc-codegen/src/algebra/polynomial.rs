@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn arithmetic() {
+    fn polynomial_arithmetic_matches_hand_results() {
         let p = poly(&[6, 5, 1]);
         assert_eq!(p.at(&integer(-2)), integer(0));
         assert_eq!(p.derivative(), poly(&[5, 2]));
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quotient_and_its_remainder_make_the_dividend() {
+    fn quotient_and_remainder_reproduce_the_dividend() {
         let (p, q) = (poly(&[7, -3, 0, 2, 5]), poly(&[1, 4, 3]));
         let (quotient, rest) = p.divided(&q).expect("no division by 0");
         let mut sum = quotient.times(&q).coefficients().to_vec();
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn where_a_root_may_be() {
+    fn may_vanish_between_covers_every_root() {
         let p = poly(&[6, 5, 1]);
         let tenth = |i: i64| integer(i) / integer(10);
         assert!(p.may_vanish_between(&tenth(-21), &tenth(-19)));
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn common_and_multiple_roots() {
+    fn gcd_and_radical_find_common_and_multiple_roots() {
         let p = poly(&[2, 1]).times(&poly(&[2, 1])).times(&poly(&[5, 1]));
         assert_eq!(p.gcd(&poly(&[6, 5, 1])), poly(&[2, 1]));
         assert_eq!(p.radical(), poly(&[10, 7, 1]));

@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_common_measure_divides_both_and_no_greater_one_does() {
+    fn common_measure_is_the_greatest_common_divisor() {
         let ratio = |p: i32, q: i32| BigRational::new(p.into(), q.into());
         for (a, b, greatest) in [
             (ratio(0, 1), ratio(-3, 4), ratio(3, 4)),
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_as_the_plain_operators() {
+    fn in_place_operators_match_the_plain_ones() {
         let numbers: Vec<_> = [-90, -7, -1, 0, 1, 4, 6, 35]
             .into_iter()
             .flat_map(|p| [1, 2, 9, 10, 84].map(|q| BigRational::new(p.into(), q.into())))

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn decided_on_the_boundary() {
+    fn stability_is_decided_on_the_imaginary_axis() {
         // (s + 1)(s^2 + 4): a zero pivot in the last row but one.
         let simple = poly(&[4, 4, 1, 1]);
         assert!(!is_hurwitz(&simple) && is_bounded(&simple));
@@ -112,7 +112,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn agrees_with_the_roots(gains in prop::collection::vec(-2i64..30, 1..7)) {
+        fn stability_agrees_with_the_roots(gains in prop::collection::vec(-2i64..30, 1..7)) {
             let gains: Vec<_> = gains.into_iter().map(integer).collect();
             let p = Polynomial::characteristic(&gains);
             let rightmost = roots(&p).expect("roots")[0].re;

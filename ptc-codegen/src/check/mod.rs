@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_checked_says_why() {
+    fn skipped_check_gives_its_reason() {
         let outcome = Outcome::not_checked("sampling", "the period is not given");
         assert_eq!(outcome.verdict, Verdict::NotChecked);
         assert_eq!(outcome.summary, "the period is not given");

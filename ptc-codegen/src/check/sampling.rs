@@ -231,7 +231,7 @@ mod tests {
     ];
 
     #[test]
-    fn thresholds_of_the_exp_family() {
+    fn exp_thresholds_match_reference_values() {
         for (c, threshold) in CASES {
             let found = sampling(&held(c), 1e-3, 1.0).least_eps.expect("stable at tau");
             // Half a unit of the last digit of the reference value.
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn a_period_that_tau_does_not_bear() {
+    fn period_too_long_for_tau_has_no_eps() {
         let found = sampling(&held(&[20.0, 8.0]), 0.3, 1.0);
         assert_eq!((found.least_eps, found.continuous), (None, true));
         assert_eq!(Outcome::from(&found).verdict, Verdict::Unsound);
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_reader_is_told() {
+    fn outcome_states_the_minimum_eps_and_a_fix() {
         let found = sampling(&held(&[1.0]), 1e-3, 1.0);
         let told = found.outcome(Some(4e-4));
         assert_eq!(
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn the_limit_is_exact() {
+    fn stability_limit_is_exact() {
         assert!(!is_stable(&[-2.0], 1.0) && is_stable(&[-2.0f64.next_down()], 1.0));
         assert!(!is_stable(&[0.0], 1.0) && is_stable(&[-f64::MIN_POSITIVE], 1.0));
         assert!(!is_stable(&[f64::NAN, -1.0], 1.0) && !is_stable(&[-1.0], f64::INFINITY));
@@ -286,7 +286,7 @@ mod tests {
         /// Jury's conditions for z^2 - (2 - b - a/2) z + 1 - b + a/2, a = -gain_1 h^2, b = -gain_2 h,
         /// on sixteenths, so that many are met with equality.
         #[test]
-        fn two_integrators(a in -8i32..80, b in -8i32..40) {
+        fn two_integrators_satisfy_the_jury_conditions(a in -8i32..80, b in -8i32..40) {
             let (a, b) = (f64::from(a) / 16.0, f64::from(b) / 16.0);
             for h in [1.0, 0.125, 2f64.powi(-100)] {
                 let jury = a > 0.0 && 2.0 * b > a && b < 2.0;

@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_reads_back() {
+    fn cost_table_round_trips() {
         let one = Measured {
             target: "Cortex-M0".to_owned(),
             instructions: 3704,
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_that_is_no_cost_is_named() {
+    fn invalid_cost_line_is_reported() {
         assert_eq!(
             Measured::table(&format!("{HEAD}\nCortex-M0\tmany\t1\t2\t--n 3\n")),
             Err("line 2: instructions `many` is not a whole number".to_owned())

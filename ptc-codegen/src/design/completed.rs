@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn values_take_the_place_of_those_they_override() {
+    fn new_values_replace_overridden_keys() {
         let text = "# head\nn = 2  # order\npoles = [-4,\n  -5] # two\nmu = \"exp\"\n[params]\ntau = 1\nb = 2\n\
                     [plant]\nf = 0\n[[objective]]\nbound = \"state\"\n";
         let lines = [

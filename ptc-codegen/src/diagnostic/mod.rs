@@ -246,7 +246,7 @@ fn shown(rounded: f64) -> String {
 #[cfg(test)]
 mod tests {
     #[test]
-    fn what_is_counted_agrees_with_its_number() {
+    fn counted_nouns_agree_with_their_number() {
         let all = [(0, "state"), (1, "state"), (2, "axis"), (1, "axis"), (3, "try"), (12, "pole")];
         let all = all.map(|(count, one)| super::counted(&count, one));
         assert_eq!(all, ["0 states", "1 state", "2 axes", "1 axis", "3 tries", "12 poles"]);
@@ -254,7 +254,7 @@ mod tests {
     use super::{digits, digits_down, digits_up, near_miss, visible};
 
     #[test]
-    fn bounds_are_rounded_away_from_what_they_bound() {
+    fn bounds_are_rounded_outward() {
         for (value, nearest, up, down) in [
             (0.1, "0.1", "0.1", "0.1"),
             (0.1 + 1e-15, "0.1", "0.1001", "0.1"),
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_hidden_is_written_out() {
+    fn invisible_characters_are_escaped() {
         for (text, shown) in [
             ("plain\ttext\nwith ü", "plain\ttext\nwith ü"),
             ("\u{1b}[31mred", "\\u{1b}[31mred"),
@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn near_misses() {
+    fn near_misses_are_suggested() {
         let families = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum", "soft"];
         for (given, meant) in [
             ("exponential", Some("exp")),

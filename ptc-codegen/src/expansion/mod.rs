@@ -86,7 +86,7 @@ mod tests {
     use crate::algebra::text;
 
     #[test]
-    fn the_matrix_and_its_next_row_are_those_of_the_letter() {
+    fn matrix_and_next_row_match_the_paper() {
         let free = Mapping::free(3);
         let texts = |row: &[Poly]| row.iter().map(text).collect::<Vec<_>>();
         let rows: Vec<_> = matrix(&free, 3).iter().map(|row| texts(row)).collect();

@@ -231,13 +231,13 @@ mod tests {
     }
 
     #[test]
-    fn a_touch_is_a_zero_where_it_is_met_exactly() {
+    fn tangent_zero_is_found_only_at_an_exact_double() {
         assert_eq!(zero("t^2", -1.0, 1.0), Some(0.0));
         assert_eq!(zero("(t - 0.1)^2", -1.0, 1.0), None, "met at no double");
     }
 
     #[test]
-    fn poles_jumps_and_gaps_are_no_zeros() {
+    fn poles_jumps_and_gaps_are_not_zeros() {
         for (text, low, high) in [
             ("1/(t - 0.3)", -1.0, 1.0),
             ("tan(t) + 3", 1.5, 1.7),
@@ -254,7 +254,7 @@ mod tests {
     }
 
     #[test]
-    fn a_small_corner_of_the_other_sign_is_found() {
+    fn narrow_sign_change_is_found() {
         let found = zero("1 + 2*(t - 0.7)^2 - 1.0001*exp(-(t - 0.1234)^2*1e3) + 0*t", -1.0, 1.0);
         assert_eq!(found, None, "2*(0.1234 - 0.7)^2 is more than 1e-4");
         let found = zero("1 - 1.0001*exp(-(t - 0.1234)^2*1e3)", -1.0, 1.0);
@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn boxes_of_many_names() {
+    fn crossing_is_found_in_a_box_of_many_parameters() {
         let sum = "t + a + b - 2.9";
         let e = mu(sum);
         let free: Vec<Free> = e.parameters().into_iter().map(|p| (p.into(), 0.0, 1.0)).collect();

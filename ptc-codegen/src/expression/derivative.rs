@@ -123,7 +123,7 @@ mod tests {
     use crate::expression::testing::{evaluate, mu};
 
     #[test]
-    fn derivatives_are_slopes() {
+    fn derivatives_match_finite_differences() {
         for text in [
             "tau*t^3 - 2/t + sqrt(t)/(1 + t)",
             "exp(-a*t)*sin(t) + cos(2*t)^2 - tan(t/4)",
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_constant_drops_out() {
+    fn constants_drop_out_of_the_derivative() {
         assert_eq!(mu("tau*a").derivative(SinceStart).to_string(), "0");
         assert_eq!(mu("(a*t + 1)/tau").derivative(SinceStart).to_string(), "a/tau");
     }

@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn effort_is_that_of_the_whole_and_ends_with_it() {
+    fn nested_work_shares_one_effort_limit() {
         let ((), enough) = completed(|| {
             assert!(bounded(|| spend(EFFORT.size() / 2)).is_some());
             assert!(bounded(|| spend(EFFORT.size() / 2)).is_none());

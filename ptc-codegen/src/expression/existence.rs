@@ -162,7 +162,7 @@ mod tests {
 
     #[cfg(feature = "lab")]
     #[test]
-    fn no_number_meets_no_condition() {
+    fn non_finite_numbers_meet_no_condition() {
         for condition in [
             Condition::NotZero,
             Condition::Positive,

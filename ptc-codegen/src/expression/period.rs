@@ -99,7 +99,7 @@ mod tests {
     use crate::expression::testing::{evaluate, kappa};
 
     #[test]
-    fn angles_of_rational_speeds_repeat() {
+    fn rationally_related_frequencies_are_periodic() {
         for (text, circles) in [
             ("3/2 + 2*sin(dt/2)*cos(dt/2)", 1.0),
             ("sin(dt) + cos(dt/3)", 3.0),

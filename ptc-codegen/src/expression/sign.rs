@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn signs() {
+    fn signs_of_expressions_are_found() {
         for (text, expected) in [
             ("a/(1 + t) + exp(-t)", Some(Positive)),
             ("1.5*exp(t) - 1", Some(Positive)),
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sign_is_that_of_every_value() {
+    fn sign_holds_for_every_value() {
         let mut seed = 3;
         for _ in 0..5000 {
             let e = random(&mut seed, 4);

@@ -147,14 +147,14 @@ mod tests {
     use crate::family::FAMILIES;
 
     #[test]
-    fn what_stands_once_is_found() {
+    fn variable_that_occurs_once_is_solved_for() {
         let mu = family_form(&FAMILIES[0], Subject::Mu).expect("a form");
         let found = solve(&mu, Variable::SinceStart, Variable::TimeToGo.into());
         assert_eq!(found.expect("an inverse").to_string(), "ln(1 - T/tau)/-a");
     }
 
     #[test]
-    fn what_stands_in_a_linear_fraction_is_found() {
+    fn linear_fractions_are_solved() {
         for (text, inverse) in [
             ("tau*a*t/(1 + a*t)", "T/(a*(tau - T))"),
             ("tau*a*t/sqrt(1 + (a*t)^2)", "T/(a*sqrt(tau^2 - T^2))"),

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quotients_and_exponentials() {
+    fn complex_quotients_and_exponentials_are_accurate() {
         let (a, b) = (Complex::new(-5.0, 10.0), Complex::new(1.0, 2.0));
         assert_eq!(a.over(b), Complex::new(3.0, 4.0));
         assert_eq!(a.over(Complex::new(2.0, -1.0)), Complex::new(-4.0, 3.0));
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn text() {
+    fn complex_numbers_print_real_and_imaginary_parts() {
         assert_eq!(Complex::new(-1.0, 7.0).to_string(), "-1+7i");
         assert_eq!(Complex::new(-1.0, -7.0).to_string(), "-1-7i");
         assert_eq!(Complex::new(-2.0, 1e-10).to_string(), "-2");

@@ -83,7 +83,7 @@ mod tests {
     /// theta' = w, w' = 10 i - w, i' = 100 u - 2 w - 50 i, y = theta: by hand w = r', i = (r'' + r')/10 and
     /// u = (i' + 2 w + 50 i)/100.
     #[test]
-    fn a_motor_follows() {
+    fn motor_states_on_the_reference_match_hand_results() {
         let row = |row: [i64; 3]| row.map(integer).to_vec();
         let plant = Linear {
             a: vec![row([0, 1, 0]), row([0, -1, 10]), row([0, -2, -50])],

@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn there_and_back() {
+    fn roots_reproduce_given_roots() {
         let given = [(-1000, 7000), (-1000, -7000), (-2000, 0), (-300_000, 0), (-4_000_000, 0)];
         check(&with(&given), &given.map(|(re, im)| (re as f64 / 1e3, im as f64 / 1e3)));
         check(
@@ -257,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn multiple_and_close_roots() {
+    fn multiple_and_close_roots_are_found() {
         check(&with(&[(-2000, 0); 16]), &[(-2.0, 0.0); 16]);
         let pair = [(-1000, 5000), (-1000, -5000)];
         let both = [(-1.0, 5.0), (-1.0, 5.0), (-1.0, -5.0), (-1.0, -5.0)];
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn on_a_circle_and_on_the_axis() {
+    fn roots_on_the_unit_circle_and_the_axis_are_found() {
         for n in 2..=16 {
             let mut cycle = vec![integer(0); n + 1];
             (cycle[0], cycle[n]) = (integer(-1), integer(1));
@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn sizes_that_differ() {
+    fn roots_of_widely_different_size_are_found() {
         let (small, large) = (power(-300), power(300));
         let root = |of: &BigRational| Polynomial::linear(&-of.clone());
         let p = root(&small).times(&root(&integer(1))).times(&root(&large));
@@ -298,7 +298,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn real_and_complex_ones(
+        fn real_and_complex_roots_are_found(
             real in prop::collection::vec(-9000i64..0, 0..5),
             pairs in prop::collection::vec((-9000i64..0, 1i64..9000), 1..4),
         ) {

@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_drift_enters_with_the_square_of_the_slope() {
+    fn drift_is_scaled_by_the_squared_slope() {
         let (y, tau, a) = (0.75f64 * 0.7, 2.0, 0.75);
         let decay = (-y).exp();
         for (mapping, slope) in [
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn the_law_is_that_of_stretched_time() {
+    fn associated_law_is_evaluated_in_stretched_time() {
         assert_eq!(rate(("mu", "exp"), ("gains", "20,9"), 0.0, [2.0, -3.0]), -13.0);
         let law = ("pi0", "xi1*t + xi2*t0 + x2_0");
         assert_eq!(rate(("mu", "exp"), law, 0.0, [2.0, -3.0]), 2.0 * 0.9 - 3.0 * 0.2 - 3.0);
@@ -204,7 +204,7 @@ mod tests {
     /// [th:1-7] against [th:1-1]: u of the associated system is that of the controller at the same state
     /// and time of the plant, for laws of both kinds and a plant with f and g.
     #[test]
-    fn the_way_back_meets_the_controller() {
+    fn associated_u_equals_u_of_the_controller() {
         let laws: [&[(&str, &str)]; 3] = [
             &[("gains", "24,26,9")],
             &[("gains", "24,26,9"), ("g", "2 + sin(x1 + t)"), ("f", "x2*dt + x3")],

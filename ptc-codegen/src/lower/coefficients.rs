@@ -137,7 +137,7 @@ mod tests {
 
     /// Compares results of operations on coefficients, and the operations that they took.
     #[test]
-    fn neutral_elements_and_exact_numbers_take_no_operation() {
+    fn neutral_elements_and_exact_numbers_need_no_operation() {
         let spec = Spec::new(1, Family::Exp);
         let mut b = Builder::new(&spec);
         let x = b.push(Op::Input(Input::State(1)));

@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plant_has_its_expressions_and_symbols() {
+    fn plant_table_gives_expressions_and_symbols() {
         assert_eq!(of(""), Ok(None));
         let text =
             "[plant]\nf = \"-d*x2 + w*sin(t)*u/tau\"\ng = \"gain*b\"\nd = 0.4\nw = [0, 1e-1]\n";
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_told_with_what_is_legal() {
+    fn plant_errors_state_the_legal_values() {
         for (text, code, message, help) in [
             ("[plant]\nf = \"x3\"", "bad-expression", "`x3` does not exist", "1..=2"),
             (

@@ -187,7 +187,7 @@ mod tests {
 
     /// The values of a run fall from 1 to 0 and u passes 0: sizes are drawn, and a 0 is left out.
     #[test]
-    fn sizes_are_drawn_by_decades() {
+    fn logarithmic_plots_show_absolute_values() {
         let plain = figure().svg().expect("a drawing");
         let svg = Figure { by_decades: true, ..figure() }.svg().expect("a drawing");
         for label in ["|x1|", "|x2|", "|u|", "bound 0.6"] {
@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn objectives_stand_between_their_bounds() {
+    fn objectives_are_drawn_between_their_bounds() {
         let plain = figure();
         let count = plain.traces[0].t.len();
         let size: Vec<_> = (0..count).map(|i| 0.5f64.powi(i32::try_from(i).unwrap_or(0))).collect();
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn the_caption_names_the_panels_that_are_drawn() {
+    fn caption_names_the_drawn_panels() {
         let all = figure();
         assert_eq!(
             all.caption(),
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn png_is_the_same_drawing() {
+    fn png_matches_the_svg_drawing() {
         let bytes = figure().png().expect("a drawing");
         let decoder = png::Decoder::new(std::io::Cursor::new(&bytes));
         let mut reader = decoder.read_info().expect("a head");
@@ -289,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn runs_of_nothing_are_drawn_too() {
+    fn empty_and_constant_runs_are_drawn() {
         let still = Trace {
             x: vec![vec![0.0; 2]],
             u: vec![vec![0.0; 2]],

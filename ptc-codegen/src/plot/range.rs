@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decades_are_whole() {
+    fn decades_are_rounded_outward() {
         assert_eq!(decades([-3.5, 0.2, f64::NEG_INFINITY].into_iter()), (-4.0, 1.0));
         assert_eq!(decades([-300.0, 1.0].into_iter()), (-11.0, 2.0));
         assert_eq!(decades(std::iter::empty()), (-1.0, 1.0));
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_short() {
+    fn labels_are_short() {
         for (value, shown) in [
             (0.1 + 0.2, "0.3"),
             (-2000.0, "-2000"),

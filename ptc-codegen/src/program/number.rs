@@ -89,7 +89,7 @@ mod tests {
     use crate::algebra::{BigInt, integer};
 
     #[test]
-    fn rounds_once() {
+    fn rationals_are_rounded_once() {
         let tenth = integer(1) / BigInt::from(10);
         assert_eq!(round(&tenth, Precision::F64).to_bits(), 0.1f64.to_bits());
         assert_eq!(round(&tenth, Precision::F32).to_bits(), f64::from(0.1f32).to_bits());
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn doubles_are_told_from_numbers_near_them() {
+    fn exact_doubles_differ_from_nearby_numbers() {
         for value in [0.1, -1.5, 0.0, 1.0, 6.02e23, f64::MIN_POSITIVE] {
             let number = exact(value).expect("finite");
             assert!(is_exact(value, &number) && !is_exact(value.next_up(), &number), "{value}");

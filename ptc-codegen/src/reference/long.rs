@@ -245,7 +245,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn doubles_come_back() {
+    fn doubles_round_trip() {
         let arithmetic = Arithmetic::new(256).expect("memory");
         for value in [0.0, 1.0, -0.1, 1e308, f64::MAX, -1e-308, 5e-324, 6.02e23, f64::INFINITY] {
             assert_eq!(nearest(&arithmetic.double(value)), value);

@@ -253,7 +253,7 @@ mod tests {
 
     /// The first digits are enough: the root is found with as many as requested.
     #[test]
-    fn the_root_is_found_with_few_digits() {
+    fn root_is_found_at_every_requested_precision() {
         for family in crate::family::FAMILIES.iter().map(|info| info.family) {
             let mu = definition(family, 2);
             let parameter = |p: Parameter| match p {

@@ -260,7 +260,7 @@ mod tests {
 
     /// Whatever was asked before, in whatever order: the mapping is kept by all that it depends on.
     #[test]
-    fn calls_do_not_change_one_another() {
+    fn results_do_not_depend_on_earlier_calls() {
         let keys = [("n", "2"), ("mu", "tau*b*t/(1 + b*t)"), ("pi0", "-b*xi1*x1_0 - xi2")];
         let entry = |(key, text): (&str, &str)| {
             let value = parse(key, text, &mut |_| Place(0)).expect(text);

@@ -57,7 +57,7 @@ mod tests {
     use super::hash;
 
     #[test]
-    fn published_hashes_are_met() {
+    fn hash_matches_published_values() {
         assert_eq!(hash([""]), 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d);
         assert_eq!(hash(["a"]), 0xd228_cb69_6f1a_8caf_7891_2b70_4e4a_8964);
         assert_eq!(hash(["foo", "bar"]), 0x343e_1662_793c_64bf_6f0d_3597_ba44_6f18);

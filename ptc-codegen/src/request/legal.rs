@@ -106,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn high_orders_start_less_gently() {
+    fn smallest_start_grows_with_order() {
         let least = |n, precision| format!("{:e}", least_start(n, precision) as f32);
         let f64s = [1, 12, 13, 16].map(|n| least(n, Precision::F64));
         assert_eq!(f64s, ["1e-12", "1e-12", "1e-11", "5e-9"]);

@@ -192,7 +192,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_hold_for_copies_and_are_found_anew_for_other_names() {
+    fn places_survive_copies_and_are_looked_up_again_for_new_names() {
         let mut values = Values::default().with(Parameter::A, 1.0);
         let mut given = Given::default();
         let inputs = || [(Input::Parameter(Parameter::A), 'a'), (Input::Time, 't')].into_iter();

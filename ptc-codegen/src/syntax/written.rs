@@ -104,7 +104,7 @@ mod tests {
     use crate::syntax::parse;
 
     #[test]
-    fn values_come_back_as_they_were_written() {
+    fn written_values_round_trip() {
         for (text, shown) in [
             ("1/3.5", "1/3.5"),
             ("3*pi / 180", "3*pi/180"),

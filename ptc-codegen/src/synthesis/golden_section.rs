@@ -57,7 +57,7 @@ mod tests {
     }
 
     #[test]
-    fn the_least_value_is_met_within_the_resolution() {
+    fn minimum_is_found_within_the_resolution() {
         for least_at in [2.0, 2.1, 5.0, 17.0, 49.0] {
             let asked = asked(least_at);
             let near = asked.iter().map(|x| (x / least_at).ln().abs()).fold(f64::MAX, f64::min);
@@ -68,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn it_ends_where_the_caller_breaks_off() {
+    fn search_stops_when_the_caller_breaks() {
         let mut count = 0;
         let ended = least((1.0, 8.0), 9.0, &mut |x| {
             count += 1;
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn an_interval_of_one_number_is_one_question() {
+    fn single_point_interval_is_evaluated_once() {
         let mut count = 0;
         let ended = least::<()>((1.0, 1.0), 5.0, &mut |x| {
             count += 1;

@@ -95,7 +95,7 @@ mod tests {
     use crate::expression::Expression;
 
     #[test]
-    fn a_bound_met_to_the_last_bits_is_neither_kept_nor_exceeded() {
+    fn values_within_rounding_of_a_bound_count_as_met() {
         let high = Some(Expression::integer(20));
         let within = Kind::Within { h: Expression::integer(0), low: None, high };
         for (value, expected) in [

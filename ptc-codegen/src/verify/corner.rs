@@ -112,7 +112,7 @@ mod tests {
     use super::two_level;
 
     #[test]
-    fn any_three_factors_meet_all_their_corners() {
+    fn every_three_factors_take_all_corners_equally_often() {
         for count in [0, 1, 2, 5, 8, 9, 12, 30] {
             let rows = two_level(count);
             assert!(rows.len() == 1 << count.min(8) && rows[0].iter().all(|upper| !upper));

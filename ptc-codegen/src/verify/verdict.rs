@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn no_verdict_holds_beside_what_speaks_against_it() {
+    fn contrary_evidence_prevents_a_holding_verdict() {
         let campaign = campaign();
         let mut found = Found {
             scenario: campaign.scenario(0),
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn draws_without_a_failure_bound_its_probability() {
+    fn failure_probability_is_bounded_without_failures() {
         assert_eq!(confidence(6), None);
         let (most, beta) = confidence(10_000).expect("enough");
         // (1 - p)^N <= e^(-p N): at that probability a run without a failure is rarer than beta.

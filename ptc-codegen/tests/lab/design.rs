@@ -63,7 +63,7 @@ const STAGE: &str = "# The stage of the bench.\nname = \"stage\" # one word\nn =
                      [[objective]]\nbound = \"input\"\nupsilon = 12\n";
 
 #[test]
-fn a_state_and_an_input_are_bounded_at_once() {
+fn design_bounds_state_and_input_together() {
     let folder = folder("both", STAGE);
     let (design, told) = designed(&folder);
     assert!(design.contains("\nmu = \"exp(a=1)\"\n"), "{design}");
@@ -116,7 +116,7 @@ fn first_order(error: f64, upsilon: f64, rest: &str) -> String {
 }
 
 #[test]
-fn a_narrow_wish_is_met_and_an_empty_one_is_not() {
+fn narrow_wish_is_met_and_impossible_wish_fails() {
     // -2 to -2.15 are the poles that meet it.
     let open = folder("narrow", &first_order(1e-6, 2.15, "mu = \"exp(a=1)\"\n"));
     let (design, _) = designed(&open);
@@ -141,7 +141,7 @@ fn a_narrow_wish_is_met_and_an_empty_one_is_not() {
 }
 
 #[test]
-fn where_exp_does_not_do_another_mapping_is_taken() {
+fn another_mapping_is_chosen_when_exp_fails() {
     // exp needs p >= 2 for the error and p <= 1.9 for u. Under rational u is p y^2 e^(p - p y) with
     // y = 1/w, at most (4/p) e^(p - 2), which is 1.62 at p = 1.5, and x ends at e^(-999 p).
     let folder = folder("another", &first_order(1e-6, 1.9, ""));
@@ -160,7 +160,7 @@ const DRIVEN: &str = "n = 1\n[params]\ntau = 1\n[plant]\nf = \"d\"\nd = [-1, 1]\
                       [[objective]]\nbound = \"attractive\"\nerror = 0.02\n";
 
 #[test]
-fn a_bounded_disturbance_asks_for_faster_poles() {
+fn bounded_disturbance_requires_faster_poles() {
     let folder = folder("driven", DRIVEN);
     let (design, told) = designed(&folder);
     let [pole] = numbers(&design, "poles")[..] else { panic!("{design}") };
@@ -182,7 +182,7 @@ const UNCERTAIN: &str = "n = 2\n[plant]\nf = \"gust - damping*sin(x2) + slip*u\"
                          error = 1e-2\n";
 
 #[test]
-fn no_fresh_verification_refutes_a_design() {
+fn designs_pass_verification_with_fresh_seeds() {
     let stage = include_str!("../../../docs/design.md");
     let stage = stage.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next());
     for (name, wish) in
@@ -200,7 +200,7 @@ fn no_fresh_verification_refutes_a_design() {
 }
 
 #[test]
-fn what_is_given_is_kept() {
+fn given_values_are_kept() {
     // A pole at -6 is one at -p with the rate 6/p: 2 <= p <= 2.15.
     let given = folder("law", &first_order(1e-6, 2.15, "poles = [-6]\n"));
     let (design, _) = designed(&given);
@@ -225,7 +225,7 @@ fn what_is_given_is_kept() {
 }
 
 #[test]
-fn the_sample_period_bounds_the_poles_and_sets_the_guard() {
+fn sample_period_limits_poles_and_sets_eps() {
     // n = 1 is stable for h/T up to 2/p, and half of that is the guard: eps = p h, which is below tau = 1. The margin, stable
     // with twice the gain, is at the guard: the eps that keeps it is the next one of a search in steps of 1.1.
     let sampled = |h: &str, error: f64| {
@@ -252,7 +252,7 @@ const LATE: &str = "n = 2\nsample_time = 0.02\ndelay = 1\n[params]\ntau = 0.4\n[
                     bound = \"attractive\"\nerror = 1e-8\n[[objective]]\nbound = \"input\"\nupsilon = 12\n";
 
 #[test]
-fn the_clock_too_is_chosen() {
+fn open_clock_is_chosen() {
     let open = folder("clock", LATE);
     let (design, told) = designed(&open);
     assert!(design.contains("\nclock = \"samples\"\n"), "{design}");
@@ -274,7 +274,7 @@ fn the_clock_too_is_chosen() {
 }
 
 #[test]
-fn the_same_wish_gives_the_same_bytes() {
+fn design_output_is_independent_of_thread_count() {
     let folder = folder("same", DRIVEN);
     let one = support::command_in(&folder, &["design", "wish.toml"])
         .env("RAYON_NUM_THREADS", "1")
@@ -287,7 +287,7 @@ fn the_same_wish_gives_the_same_bytes() {
 }
 
 #[test]
-fn tries_are_counted() {
+fn tries_option_limits_the_search() {
     let folder = folder("tries", &first_order(1e-6, 1.5, ""));
     let (code, told, wrong) =
         run(&folder, &["design", "wish.toml", "--tries", "3", "-o", "roll.toml"]);
@@ -299,7 +299,7 @@ fn tries_are_counted() {
 /// x1 = T^k x1(t0) with tau = 1, so that the square of u over the run is k^2/(2k - 1): least at k = 1, where x is
 /// slowest, so that the end asks for more.
 #[test]
-fn what_a_run_spends_is_bounded_for_every_start_time() {
+fn integral_objective_holds_for_every_start_time() {
     let wish = "name = \"slide\"\nn = 1\nmu = \"exp(a=1)\"\n\n[params]\ntau = 1\n\n[plant]\nf = 0\n\n\
                 [verify]\nx1 = [-1, 1]\nt0 = [0, 100]\nscenarios = 4\nsearch = 12\n\n\
                 [[objective]]\nbound = \"within\"\nh = \"integral(u^2)\"\nhigh = 1.6\n\n\

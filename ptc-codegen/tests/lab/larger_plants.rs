@@ -152,7 +152,7 @@ fn resonance(hertz: f64, damping: f64, measured: &str, friction: [f64; 2]) -> St
 }
 
 #[test]
-fn a_resonance_is_two_masses_on_either_side() {
+fn resonance_equals_two_masses_on_either_side() {
     for (clock, design) in [("samples", SAMPLES), ("time", TIME)] {
         for measured in ["motor", "load"] {
             for friction in [[2.0, 0.0], [0.0, 2.0]] {
@@ -197,7 +197,7 @@ fn a_resonance_is_two_masses_on_either_side() {
 
 /// The controller of the rigid axis is the same whatever plant it runs with.
 #[test]
-fn a_stiff_spring_is_the_rigid_plant() {
+fn stiff_spring_approaches_the_rigid_plant() {
     for (test, design) in [("samples", SAMPLES), ("time", TIME)] {
         let rigid = format!("{design}[plant]\nf = \"-2*x2/3.5\"\n");
         let rigid = Course::of(&format!("rigid_{test}"), &rigid, &["--x0", "0.1,0"]);
@@ -211,7 +211,7 @@ fn a_stiff_spring_is_the_rigid_plant() {
 
 /// Dry friction holds any state, also one whose rate jumps with another one.
 #[test]
-fn dry_friction_holds_the_side_that_it_acts_on() {
+fn dry_friction_sticks_on_the_side_it_acts_on() {
     let on = |measured: &str, side: &str| {
         format!(
             "{SAMPLES}[plant]\nf = \"-1e4*sign(x2)\"\nresonance = {{ frequency_hz = 40, damping = 0.1, \
@@ -237,7 +237,7 @@ fn dry_friction_holds_the_side_that_it_acts_on() {
 }
 
 #[test]
-fn objectives_name_states_of_the_plant_and_are_not_proved() {
+fn objectives_over_plant_states_hold_without_proof() {
     let verify = "[verify]\nmotor = [-0.1, 0.1]\nload = 0\nv = 0\nw = 0\nscenarios = 8\nsearch = 4\n\
         [[objective]]\nbound = \"within\"\nh = \"load - x1 - w*0\"\nlow = -0.2\nhigh = 0.2\n\
         [[objective]]\nbound = \"attractive\"\nerror = 0.5\n";

@@ -75,7 +75,7 @@ fn clipping_is_judged_at_the_nearer_limit() {
 
 /// A u that is clipped is the limit on its side, and no other is clipped.
 #[test]
-fn u_is_held_at_the_limit_on_its_side() {
+fn clipped_u_equals_the_limit_of_its_sign() {
     // Of a delayed loop the runs show the input that acts, which is 0 at first.
     for chain in &CHAINS[..2] {
         for limits in
@@ -107,7 +107,7 @@ fn u_is_held_at_the_limit_on_its_side() {
 
 /// Without 0 between its limits u is clipped at rest, which no bound of |u| excludes.
 #[test]
-fn a_loop_whose_limits_exclude_rest_is_not_sound() {
+fn limits_that_exclude_zero_are_undecided() {
     for chain in CHAINS {
         let found = loop_of(&text(chain, "u_min = 0.001\nu_max = 1e9\n"));
         assert_eq!(found.verdict, Verdict::Undecided, "{found:?}");
@@ -116,7 +116,7 @@ fn a_loop_whose_limits_exclude_rest_is_not_sound() {
 
 /// From a box on one side of 0 u is not symmetric, and each limit is held against what u reaches on its side.
 #[test]
-fn a_proof_holds_u_against_both_limits() {
+fn proof_checks_u_against_both_limits() {
     // u = -2 x/(M h), M samples to go and at least 5, is largest at the start and never positive.
     let running = "n = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-2]\nsample_time = 0.01\neps = 0.05\n\
                    tau = 0.5\n[verify]\nx1 = [0.5, 1]\n";

@@ -74,7 +74,7 @@ impl Jittered {
 }
 
 #[test]
-fn jitter_of_one_state_is_bounded_closely() {
+fn jitter_bound_of_one_state_is_tight() {
     let mut loops = Vec::new();
     for (pole, samples) in [(2.0, 20), (3.0, 50), (4.0, 20), (4.0, 100), (7.0, 60)] {
         for part in [0.01, 0.1, 0.3] {
@@ -112,7 +112,7 @@ type OfTime = fn(f64) -> f64;
 
 /// What a reference that is known leaves of e has one sign at each sample, and cancels.
 #[test]
-fn a_known_reference_is_bounded_by_what_it_does() {
+fn known_reference_bound_is_tight() {
     let signals: [(&str, OfTime, OfTime); 3] = [
         ("0.3*sin(9*t)", |t| 0.3 * (9.0 * t).sin(), |t| 2.7 * (9.0 * t).cos()),
         ("cos(4*t) - t^2", |t| (4.0 * t).cos() - t * t, |t| -4.0 * (4.0 * t).sin() - 2.0 * t),

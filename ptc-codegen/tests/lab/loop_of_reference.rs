@@ -149,7 +149,7 @@ fn verdicts_turn_at_the_bounds() {
 }
 
 #[test]
-fn what_is_not_known_is_undecided() {
+fn loops_with_unknown_terms_are_not_sound() {
     let case = &CASES[1];
     let with = |from: &str, to: &str| {
         let text = case.text("error = 1e3");

@@ -70,7 +70,7 @@ fn checked(folder: &Path) -> (String, serde_json::Value) {
 }
 
 #[test]
-fn every_command_names_the_design_that_is_emitted() {
+fn every_command_prints_the_emitted_design() {
     for (name, text, x0) in DESIGNS {
         let text = format!("name = \"of_{name}\"\n{text}{SHORT}");
         let folder = folder_with(&format!("one_{name}"), "d.toml", &text);
@@ -149,7 +149,7 @@ fn resolved_designs_emit_the_same_bytes() {
 
 /// What `design` writes is what it verified: `verify` judges the same design.
 #[test]
-fn a_design_that_was_chosen_is_verified_as_it_is_written() {
+fn chosen_design_is_verified_as_written() {
     let wish = DESIGNS[1].1.replace("poles = [-4, -5]\n", "").replace("x0_max = [1, 0.5]\n", "");
     let text = format!("name = \"wish\"\n{wish}{SHORT}");
     let folder = folder_with("one_wish", "wish.toml", &text);
@@ -166,7 +166,7 @@ fn a_design_that_was_chosen_is_verified_as_it_is_written() {
 
 /// What other keys determine is listed beside what was chosen, and is what the code holds.
 #[test]
-fn what_follows_from_a_design_is_listed() {
+fn derived_values_of_a_design_are_listed() {
     let design = |eps: &str| {
         let lines = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -5]\nmeasured = [\"x1\"]\n\
                      observer_poles = [-3, -4]\nsample_time = 1e-2\nsensor_step = [1e-5, 0]\n";

@@ -60,7 +60,7 @@ fn design(clock: &str, more: &str, resonance: &str) -> String {
 }
 
 #[test]
-fn loops_grow_in_the_bands_of_check_and_nowhere_else() {
+fn loops_diverge_exactly_in_the_reported_bands() {
     let observed = "poles = [-3, -3.7, -4.4]\ndelay = 1\neps = 0.04\nmeasured = \"x1\"\n\
          observer_poles = [-5, -6, -7]\ndisturbance = \"constant\"";
     let late = "poles = [-3, -3.7, -4.4, -5.1]\ndelay = 1.4\neps = 0.08";
@@ -94,7 +94,7 @@ fn loops_grow_in_the_bands_of_check_and_nowhere_else() {
 }
 
 #[test]
-fn a_resonance_within_a_band_refuses_the_loop_and_one_above_does_not() {
+fn resonance_is_refused_within_an_unstable_band_only() {
     let observed = "poles = [-3, -3.7, -4.4]\ndelay = 1\neps = 0.04\nmeasured = \"x1\"\n\
          observer_poles = [-5, -6, -7]\ndisturbance = \"constant\"\nx0_max = [0.1, 0]\nerror = [1, 100]";
     let spring = "damping = 0.05, inertia_ratio = 3, measured = \"motor\"";
@@ -135,7 +135,7 @@ fn a_resonance_within_a_band_refuses_the_loop_and_one_above_does_not() {
 
 /// What the loop of an open eps resists, and what it costs.
 #[test]
-fn an_open_eps_is_chosen_against_the_resonance() {
+fn open_eps_is_chosen_to_tolerate_the_resonance() {
     let text = |plant: &str| {
         format!(
             "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -4.5, -5]\nsample_time = 2e-3\ndelay = 1\n\

@@ -74,7 +74,7 @@ fn starts_and_mappings_are_overlaid() {
 }
 
 #[test]
-fn the_csv_holds_what_was_asked_for() {
+fn csv_contains_the_requested_instants() {
     let folder = folder("csv");
     let asked = ["stage.toml", "--x0", "1,0", "--at", "0.9,0.5,0.999999999"];
     let csv = stdout(&folder, &asked);
@@ -143,7 +143,7 @@ fn axes_have_units_and_may_be_logarithmic() {
 }
 
 #[test]
-fn a_plant_and_its_symbols_may_be_flags() {
+fn plant_and_symbols_can_be_given_as_flags() {
     let folder = folder("flags");
     let flags =
         ["--n=2", "--mu=exp(a=1)", "--g=2", "--gains=6,5", "--tau=1", "--x0=1,0", "--at=0.5"];
@@ -159,7 +159,7 @@ fn a_plant_and_its_symbols_may_be_flags() {
 }
 
 #[test]
-fn the_sampled_loop_reports_its_samples() {
+fn sampled_loop_reports_its_samples() {
     let folder = folder("sampled");
     let asked = [
         "stage.toml",
@@ -184,7 +184,7 @@ fn the_sampled_loop_reports_its_samples() {
 
 /// Armed again, either clock gives the run that starts from the state it has come to.
 #[test]
-fn a_loop_goes_on_after_its_deadline_and_starts_again() {
+fn loop_continues_after_the_deadline_and_can_be_rearmed() {
     let folder = folder("again");
     for clock in [&["--eps=0.05"][..], &["--clock=samples"]] {
         let common = [&["stage.toml", "--sample-time=0.01"], clock].concat();
@@ -314,7 +314,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
 
 /// A finite escape time: what comes after it is no statement about the loop's digits.
 #[test]
-fn a_run_that_cannot_be_finished_is_undecided() {
+fn unfinished_run_is_undecided() {
     let folder = folder("undecided");
     fs::write(folder.join("wild.toml"), STAGE.replace("f = 0", "f = \"9*x1^3\""))
         .expect("writable");
@@ -328,7 +328,7 @@ fn a_run_that_cannot_be_finished_is_undecided() {
 }
 
 #[test]
-fn without_a_plant_it_is_the_chain_of_integrators() {
+fn missing_plant_defaults_to_the_chain_of_integrators() {
     let folder = folder("bare");
     fs::write(folder.join("bare.toml"), STAGE.replace("[plant]\nf = 0\n", "")).expect("writable");
     let asked = ["--x0=1,0", "--tau=1,2", "--at=0.5,0.9"];
@@ -348,7 +348,7 @@ fn without_a_plant_it_is_the_chain_of_integrators() {
 
 /// A law without gains, for which eps does not follow from the sample period that is given.
 #[test]
-fn a_missing_eps_is_not_blamed_on_the_sample_period() {
+fn missing_eps_is_reported_as_missing_eps() {
     let folder = folder("eps");
     let flags = ["stage.toml", "--x0=1,0", "--pi0=-6*xi1 - 5*xi2*abs(xi2)", "--sample-time=0.01"];
     fs::write(folder.join("stage.toml"), STAGE.replace("gains = [6, 5]\n", "")).expect("writable");
@@ -362,7 +362,7 @@ fn a_missing_eps_is_not_blamed_on_the_sample_period() {
 
 /// The controller is that of the design, whatever value its plant runs with.
 #[test]
-fn a_value_of_the_plant_does_not_choose_eps() {
+fn plant_values_do_not_influence_eps() {
     let text = "name = \"c\"\nn = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4]\nsample_time = 0.1\n\
                 noise = 1e-3\nx0_max = [1]\nerror = 0.5\n[params]\ntau = 4\nu_max = inf\n[plant]\nf = \"gust\"\n\
                 gust = [-0.1, 0.1]\n[disturbance]\ngust = \"any\"\n";

@@ -26,7 +26,7 @@ fn chain(poles: &str, eps: f64) -> String {
 
 /// With deadbeat E - 1 is -g for n = 1 and a root of D^2 + 2 g D + g for n = 2, stable for g < 2 and g < 4/3.
 #[test]
-fn deadbeat_has_the_margins_of_its_polynomial() {
+fn deadbeat_margins_match_its_polynomial() {
     for (poles, most) in [("-3", 2.0), ("-4, -5", 4.0 / 3.0)] {
         let margins = found(&chain(poles, 0.0)).expect("a stable loop");
         assert!((margins.gain[1] / most - 1.0).abs() < 1e-3, "{margins:?}");
@@ -36,7 +36,7 @@ fn deadbeat_has_the_margins_of_its_polynomial() {
 
 /// z^(d+1) - z^d + k is stable for k < 2 sin(pi/(2 (2 d + 1))), k = p/M.
 #[test]
-fn an_integrator_has_the_delay_margin_of_its_polynomial() {
+fn integrator_delay_margin_matches_its_polynomial() {
     for (pole, left) in [(3, 10), (3, 4), (2, 30), (5, 6)] {
         let k = f64::from(pole) / f64::from(left);
         let least = |d: f64| 2.0 * (std::f64::consts::PI / (2.0 * (2.0 * d + 1.0))).sin();
@@ -68,7 +68,7 @@ fn finals(report: &Report) -> Vec<f64> {
 }
 
 #[test]
-fn the_eps_that_is_chosen_keeps_the_margin_that_is_asked_for() {
+fn chosen_eps_keeps_the_requested_margin() {
     let [free, kept, more] =
         [FREE, "", "margin_gain = 1.5\nmargin_delay = 3"].map(|more| belt("[2e-3, 1]", more));
     let of = |report: &Report| stability(&report.spec, None);
@@ -93,7 +93,7 @@ fn the_eps_that_is_chosen_keeps_the_margin_that_is_asked_for() {
 
 /// What is accepted with the smallest error stays accepted with any margin that is wanted.
 #[test]
-fn the_bounds_of_a_design_come_before_its_margin() {
+fn error_bounds_take_precedence_over_the_margin() {
     let verdict = |report: &Report| {
         report.outcomes.iter().find(|outcome| outcome.name == "loop").expect("a loop").verdict
     };
@@ -126,7 +126,7 @@ fn the_bounds_of_a_design_come_before_its_margin() {
 
 /// Every design whose eps is chosen keeps the margin, or its reason says why not.
 #[test]
-fn every_chosen_eps_keeps_the_margin_or_says_why_not() {
+fn every_chosen_eps_keeps_the_margin_or_gives_a_reason() {
     let bounds = [
         "",
         "x0_max = [1]\n",
@@ -174,7 +174,7 @@ const NOISY: &str = "x0_max = [1]\nnoise = 1e-4\n";
 
 /// An estimate is corrected by gains that are held if its poles are left of -(m - 1), and the report says so where not.
 #[test]
-fn poles_that_correct_no_estimate_are_named() {
+fn too_slow_observer_poles_are_reported() {
     for (poles, is_slow) in [
         ("-2, -3, -4", true),
         ("-5, -2.5, -6", false),

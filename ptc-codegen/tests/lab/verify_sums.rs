@@ -193,7 +193,7 @@ fn proofs(text: &str) -> Vec<Proof> {
 }
 
 #[test]
-fn sums_of_states_and_u_are_proved_to_a_part_of_their_truth() {
+fn sums_of_states_and_u_are_proved_tightly() {
     let mut random = Random(3);
     for seed in 0..18 {
         let claim = Claim::random(&mut random, 1 + seed % 3);

@@ -69,7 +69,7 @@ fn is_near(a: f64, b: f64) -> bool {
 
 /// The real parts of the roots and the verdict are those of the linearisation at the rest point.
 #[test]
-fn zeros_of_textbook_plants_are_those_of_their_linearisation() {
+fn zeros_of_textbook_plants_match_their_linearisation() {
     let plants: Vec<Value> = serde_json::from_str(PLANTS).expect("JSON");
     assert!(plants.len() >= 24);
     for plant in &plants {

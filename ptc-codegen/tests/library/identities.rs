@@ -67,7 +67,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn spellings_of_a_reference_are_followed_alike(formula in spelled("sin(t)")) {
+    fn equivalent_references_get_the_same_loop_verdict(formula in spelled("sin(t)")) {
         let line = |reference: &str| format!(
             "--n 2 --mu \"exp(a=1)\" --clock samples --sample-time 1e-2 --poles=-4,-5 --x0-max 0.1,0.1 \
              --error 1e-2,1 --tau 0.1 --eps 0 --u-max inf --reference \"0.1*({reference})\""
@@ -83,7 +83,7 @@ proptest! {
     }
 
     #[test]
-    fn spellings_of_f_stay_in_range_alike(formula in spelled("cos(x1)*sin(x1)")) {
+    fn equivalent_drifts_get_the_same_verdicts(formula in spelled("cos(x1)*sin(x1)")) {
         let line = |f: &str| format!(
             "--n 2 --mu \"exp(a=1)\" --gains=20,9 --tau=1 --t0=0 --eps=1e-2 --u-max=inf --x-max=4,4 --f=\"{f}\""
         );
@@ -96,7 +96,7 @@ proptest! {
 
     /// Beyond the domain of a form, at it and within.
     #[test]
-    fn spellings_leave_their_domain_alike(
+    fn equivalent_forms_share_their_domain(
         at in -1.9..3.0f64,
         forms in prop::sample::select(INSIDE.to_vec()),
     ) {
@@ -113,7 +113,7 @@ proptest! {
 }
 
 #[test]
-fn functions_of_one_mathematics_have_one_verdict() {
+fn equivalent_functions_get_the_same_verdict() {
     let samples = |reference: &str| {
         format!(
             "--n 2 --mu \"exp(a=1)\" --clock samples --sample-time 1e-2 --poles=-4,-5 --x0-max 0.1,0.1 \

@@ -54,7 +54,7 @@ fn overflows(report: &Report, eps: f64, tau: f64) -> bool {
 }
 
 #[test]
-fn gains_that_overflow_at_eps_are_found_to_the_last_eps() {
+fn suggested_eps_is_the_smallest_without_overflow() {
     for design in DESIGNS {
         let is_f32 = design.contains("f32");
         let small = if is_f32 { "1e-17" } else { "1e-21" };
@@ -88,7 +88,7 @@ fn gains_that_overflow_at_eps_are_found_to_the_last_eps() {
 
 /// A law that is no sum of gains has none, and gains that are left to run time are not known.
 #[test]
-fn only_gains_that_are_known_are_judged() {
+fn unknown_gains_are_not_checked() {
     for rest in [
         "--gains=1,2 --eps=1e-17",
         "--pi0=\"-xi1-xi2^3\" --tau=1 --eps=1e-17",

@@ -23,7 +23,7 @@ fn law(text: &str) -> Expression {
 }
 
 #[test]
-fn designs_read_back_as_they_were() {
+fn designs_round_trip() {
     for (given, told) in [
         // One rate of two is a parameter beside the mapping.
         ("--n 2 --mu exp_sum --param a1=2", "--n 2 --mu \"exp_sum(2)\" --param a1=2"),
@@ -46,7 +46,7 @@ fn designs_read_back_as_they_were() {
 }
 
 #[test]
-fn a_unit_is_a_word_of_a_chain() {
+fn invalid_units_are_refused() {
     for (given, told) in [
         ("--n 2 --mu exp --units m/s", "`m/s` is not a unit of x1"),
         ("--n 2 --mu exp --units 5", "`5` is not a unit of x1"),
@@ -61,7 +61,7 @@ fn a_unit_is_a_word_of_a_chain() {
 }
 
 #[test]
-fn negative_fractions_stand_in_brackets() {
+fn negative_fractions_are_bracketed() {
     for (given, told) in [
         ("xi1^2/(-1/2)", "xi1^2/(-1/2)"),
         ("xi1^2*(-0.5)*3", "xi1^2*(-1/2)*3"),
@@ -76,7 +76,7 @@ fn negative_fractions_stand_in_brackets() {
 }
 
 #[test]
-fn many_arguments_stay_in_a_row() {
+fn many_arguments_stay_in_one_call() {
     let all = vec!["xi1"; 90].join(", ");
     let expression = law(&format!("min({all}) - max({all})"));
     assert_eq!(expression.to_string(), format!("min({all}) - max({all})"));
@@ -92,7 +92,7 @@ fn many_arguments_stay_in_a_row() {
 
 /// A few characters can make numbers and expressions of any size.
 #[test]
-fn what_grows_without_bound_is_refused() {
+fn oversized_expressions_are_refused() {
     let powers = "--n 1 --mu exp --pi0=\"((1e400^64)^64)^64*xi1\"";
     assert!(mistake(powers).contains("the limit is 4096"));
     let mut families = "a".to_owned();
@@ -108,14 +108,14 @@ fn what_grows_without_bound_is_refused() {
 }
 
 #[test]
-fn gains_of_poles_are_told_to_their_last_digit() {
+fn gains_of_poles_print_every_digit() {
     let spec = spec("--n 2 --mu exp --poles=-12345678901234567.5,-1");
     let gains: Vec<_> = spec.fixed.values().map(ToString::to_string).collect();
     assert_eq!(gains, ["24691357802469135/2", "24691357802469137/2"]);
 }
 
 #[test]
-fn a_family_in_an_expression_does_not_divide_by_zero() {
+fn division_by_zero_in_a_family_is_refused() {
     let found = mistake("--n 1 --kappa=\"mean(exp(a=b), exp(a=0))\"");
     assert_eq!(found, "`exp` with a parameter that is 0 divides by zero");
     assert!(mistake("--n 1 --mu=\"1*power(m=1-1)\"").contains("divides by zero"));
@@ -123,7 +123,7 @@ fn a_family_in_an_expression_does_not_divide_by_zero() {
 
 /// Each parameter has a field of its own in the emitted code.
 #[test]
-fn a_name_means_one_thing() {
+fn reserved_names_are_refused() {
     for (line, name) in [
         ("--n 2 --mu=\"tau*(1 - exp(-eps*t))\"", "`eps` is not known where mu"),
         ("--n 2 --kappa=\"t0*dt/(tau - dt)\"", "`t0` is not known where kappa"),

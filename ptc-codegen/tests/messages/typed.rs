@@ -198,7 +198,7 @@ const ROWS: [Typed; 25] = [
 ];
 
 #[test]
-fn every_mistake_has_one_message_that_helps() {
+fn every_typing_error_gets_a_helpful_message() {
     for Typed { name, design, arguments, code, wanted, errors } in ROWS {
         let folder = folder_with(name, "design.toml", design);
         let output = command(arguments).current_dir(&folder).output().expect("the command runs");

@@ -203,7 +203,7 @@ fn walk(page: &str, folder: &Path) {
 }
 
 #[test]
-fn from_plant_to_firmware() {
+fn tutorial_runs_from_plant_to_firmware() {
     let folder = folder("readme");
     assert_eq!(blocks_of(START, "toml"), [ENCODER]);
     assert_eq!(blocks_of(README, "toml"), [ENCODER]);
@@ -225,7 +225,7 @@ fn from_plant_to_firmware() {
 
 /// The README's figures beside other tools are those of the page that a command writes.
 #[test]
-fn what_is_compared_was_measured() {
+fn readme_comparison_matches_the_benchmarks() {
     let rows: Vec<Vec<_>> = BENCHMARKS
         .lines()
         .filter(|line| line.starts_with("| "))
@@ -251,13 +251,13 @@ fn what_is_compared_was_measured() {
 }
 
 #[test]
-fn a_controller_in_continuous_time() {
+fn continuous_time_page_runs() {
     walk(TIME, &folder("time"));
 }
 
 /// The timer interrupts need a board: they are compiled, and not run.
 #[test]
-fn timer_interrupts() {
+fn timer_interrupt_programs_compile() {
     let folder = folder("samples");
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
     let emit = "ptc-codegen emit encoder.toml --disturbance constant --lang c -o out";
@@ -274,7 +274,7 @@ fn timer_interrupts() {
 
 /// The column of eps in the table of families, from the command below the table.
 #[test]
-fn families_show_the_eps_that_the_check_sets() {
+fn families_table_shows_the_eps_set_by_check() {
     let folder = folder("families");
     let line = FAMILIES.lines().find_map(|line| {
         let command = line.split('`').find(|part| part.starts_with("ptc-codegen check "))?;
@@ -298,7 +298,7 @@ fn families_show_the_eps_that_the_check_sets() {
 }
 
 #[test]
-fn programs_on_expressions_in_c() {
+fn c_programs_of_the_expressions_page_run() {
     let folder = folder("extern");
     for command in blocks_of(EXPRESSIONS, "sh") {
         printed(command.trim_end(), &folder);
@@ -315,7 +315,7 @@ fn programs_on_expressions_in_c() {
 }
 
 #[test]
-fn a_self_test_before_the_start() {
+fn selftest_page_program_runs() {
     let folder = folder("selftest");
     for command in blocks_of(SELFTEST, "sh") {
         printed(command.trim_end(), &folder);
@@ -329,7 +329,7 @@ fn a_self_test_before_the_start() {
 }
 
 #[test]
-fn what_is_told_is_there() {
+fn links_and_reference_tables_are_complete() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let pages = PAGES.map(|(name, page)| (root.join("docs").join(name), page));
     for (path, page) in pages.iter().chain(&[(root.join("README.md"), README)]) {

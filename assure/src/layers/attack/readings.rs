@@ -54,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_with_a_gate_are_judged() {
+    fn gated_rows_must_stay_small_and_accepted() {
         let head = "| reading | gate |\n| --- | --- |\n";
         let row = |cells: &str| faults(&format!("{head}{cells}")).len();
         assert_eq!(row("| NaN | yes | 3.3e-07 | 3.1e-07 | 0 | 1 | 0 |"), 0);

@@ -141,14 +141,14 @@ mod tests {
     }
 
     #[test]
-    fn a_proof_has_no_fault() {
+    fn proved_log_has_no_faults() {
         let log = Log::read(GOOD, &["c_step".to_owned()]);
         assert_eq!((log.proved, log.unproved), (27, 0));
         assert_eq!(log.faults(), Vec::<String>::new());
     }
 
     #[test]
-    fn each_fault_is_seen() {
+    fn each_fault_is_reported() {
         let alarm = "[eva:alarm] c.c:7: Warning: \n  non-finite double value.\n";
         assert_eq!(
             faults(&format!("{alarm}{GOOD}")),

@@ -105,7 +105,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn messages_are_read_with_their_places() {
+    fn messages_are_parsed_with_line_and_column() {
         let text = "error[unknown-family]: unknown mapping `expo`\n --> a/b.toml:3:7\n  |\n3 | mu = \"expo\"\n  |       ^^^^\n  |\n  = help: did you mean `exp`?\n          or another\n\nerror[missing-key]: `n` is missing\n  |\n  = help: give it, for example --n 3\n";
         let found = messages(text);
         let place = Some(("3".to_owned(), "7".to_owned()));

@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn identities_keep_the_value() {
+    fn rewritten_expressions_keep_their_value() {
         let mut random = Random(3);
         let each = IDENTITIES.map(|(name, _)| format!("{name}(0.3 + 0.2*x)/(2 - x)^2"));
         let powers = ["(1.5 + x)^0.3 - x^3".to_owned(), "1/(-x - 2)".to_owned()];

@@ -350,7 +350,7 @@ mod tests {
     }
 
     #[test]
-    fn emitted_files_are_taken() {
+    fn emitted_structured_text_parses() {
         let files = goldens();
         assert!(files.len() > 30);
         for (name, text) in files {
@@ -359,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_structured_text_is_refused() {
+    fn invalid_structured_text_is_refused() {
         let changes = [
             ("END_STRUCT;", "END_STRUCT"),
             ("_vector2; (* ", "_vector2 (* "),

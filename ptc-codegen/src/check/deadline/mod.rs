@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn a_state_that_does_not_vanish() {
+    fn nonvanishing_state_has_no_eps() {
         let gains = [0.2, 1.2];
         let closed_loop =
             ClosedLoop { gains: &gains, tau: 1.0, r: &exp_r, stretched: &|t: f64| -t.ln() };

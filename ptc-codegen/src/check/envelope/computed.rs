@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_and_turns() {
+    fn operations_enclose_corners_and_extremes() {
         assert_eq!(on(&Op::Sub(A, B), &[(1.0, 2.0), (5.0, 7.0)]), Computed::new(-6.0, -3.0));
         assert_eq!(on(&Op::Mul(A, B), &[(-1.0, 2.0), (-3.0, 5.0)]), Computed::new(-6.0, 10.0));
         assert_eq!(on(&Op::Mul(A, A), &[(-1.0, 2.0), (-1.0, 2.0)]), Computed::new(0.0, 4.0));
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn sines_turn_at_their_extremes() {
+    fn sine_and_cosine_ranges_include_their_extremes() {
         for (function, shift) in [(Function::Sin, 0.0), (Function::Cos, -FRAC_PI_2)] {
             for turn in [-40.0, -1.0, 0.0, 1.0, 300.0] {
                 let at = |low: f64, high: f64| {
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn outside_the_domain() {
+    fn results_outside_the_domain_are_special() {
         assert_eq!(on(&Op::Div(A, B), &[(1.0, 2.0), (-1.0, 1.0)]), Computed::ANY);
         assert_eq!(on(&Op::Call(Function::Ln, A), &[(0.0, 2.0)]), Computed::ANY);
         let root = on(&Op::Call(Function::Sqrt, A), &[(-1.0, 4.0)]);
@@ -268,7 +268,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn results_lie_inside(
+        fn computed_results_lie_within_the_enclosure(
             a in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),
             b in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),
             c in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),

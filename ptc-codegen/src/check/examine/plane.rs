@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn poles_of_gains_and_the_lines_of_the_rate() {
+    fn plane_shows_poles_of_gains_and_lines_of_the_rate() {
         let mut spec = Spec::new(2, Family::Tanh);
         assert_eq!(plane(&spec), None, "gains are left to run time");
         spec.fixed.insert(Parameter::Gain(1), fixed("20"));

@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn sound() {
+    fn poles_left_of_the_lines_are_sound() {
         let outcome = told(&[(-3, 0), (-4, 0)], integer(1), Modes::Polynomial);
         assert_eq!(outcome.summary, "x and u go to 0 at the deadline");
         assert_eq!(outcome.details, ["poles -3, -4; rho = 1"]);
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn between_the_lines() {
+    fn poles_between_the_lines_leave_u_unbounded() {
         let rho = BigRational::new(3.into(), 2.into());
         let outcome = told(&[(-2, 5), (-2, -5)], rho, Modes::Analytic);
         assert_eq!(
@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn on_the_lines() {
+    fn poles_on_the_lines_are_reported() {
         let outcome = told(&[(-2, 0), (-2, 0)], integer(1), Modes::Polynomial);
         assert_eq!(
             outcome.summary,
@@ -227,13 +227,13 @@ mod tests {
     }
 
     #[test]
-    fn faster_than_every_exponential() {
+    fn growth_beyond_every_exponential_is_unsound() {
         assert!(too_fast(1).summary.starts_with("u is unbounded"));
         assert!(too_fast(2).summary.starts_with("x does not go to 0 and u is unbounded"));
     }
 
     #[test]
-    fn without_decay() {
+    fn zero_decay_rate_requires_poles_left_of_zero() {
         let outcome = told(&[(1, 0), (-1, 0)], integer(0), Modes::Other);
         assert_eq!(
             outcome.summary,

@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn a_matrix_that_may_be_singular_has_no_solution() {
+    fn possibly_singular_matrix_has_no_solution() {
         let right = [Range::from(1.0), Range::from(-2.0)];
         let at = |high: f64| [range(1.0, high), 2.0.into(), 2.0.into(), Range::from(5.0)];
         // det = 5 a - 4 > 0 from 0.8 on.
@@ -123,7 +123,7 @@ mod tests {
 
     /// Numbers of f32 are exact in the elimination in f64, up to what is far below the errors.
     #[test]
-    fn what_is_eliminated_is_within_its_error() {
+    fn elimination_stays_within_its_error_bound() {
         let entry = |seed: u32, i: u32| {
             let x = seed.wrapping_mul(2_654_435_761).wrapping_add(i.wrapping_mul(40_503_001));
             f64::from(((x >> 8) % 2000) as f32 / 1000.0 - 1.0)

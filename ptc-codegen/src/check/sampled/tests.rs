@@ -31,7 +31,7 @@ fn numbers(value: &serde_json::Value) -> Vec<f64> {
 mod joined;
 
 #[test]
-fn final_errors_are_those_of_the_reference() {
+fn final_errors_match_the_reference() {
     let loops: serde_json::Value = serde_json::from_str(LOOPS).expect("JSON");
     for case in loops.as_array().expect("a list") {
         let n = case["n"].as_u64().expect("n") as usize;
@@ -90,7 +90,7 @@ fn design(keys: &[(&str, &str)]) -> Spec {
 const CONTROLLERS: &str = include_str!("../../../../tests/data/sampled_controllers.json");
 
 #[test]
-fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
+fn noise_gains_of_sampled_controllers_match_the_reference() {
     let all: serde_json::Value = serde_json::from_str(CONTROLLERS).expect("JSON");
     let mut checked = 0;
     for case in all["controllers"].as_array().expect("a list") {
@@ -181,7 +181,7 @@ fn closed(n: usize, gains_of: &str, delay: usize, samples: usize) -> Sampled {
 }
 
 #[test]
-fn a_force_within_bounds_does_what_all_its_kicks_do() {
+fn bounded_force_equals_the_sum_of_its_impulses() {
     for (n, poles, delay) in [(1, "3", 0), (2, "20,9", 0), (3, "120,74,15", 0), (2, "20,9", 1)] {
         let samples = 40;
         let mut sampled = closed(n, poles, delay, samples);
@@ -219,7 +219,7 @@ fn a_force_within_bounds_does_what_all_its_kicks_do() {
 }
 
 #[test]
-fn random_noise_adds_what_the_covariances_say() {
+fn random_noise_matches_the_covariance_recursion() {
     for (n, poles, delay) in [(1, "3", 0), (2, "20,9", 0), (3, "120,74,15", 0), (2, "20,9", 2)] {
         let mut sampled = closed(n, poles, delay, 30);
         sampled.noise_rms = (1..=n).map(|j| 0.1 * j as f64).collect();
@@ -250,7 +250,7 @@ fn random_noise_adds_what_the_covariances_say() {
 
 /// A loop whose matrices are off by as much as they may be stays within its bounds.
 #[test]
-fn a_loop_that_is_off_stays_within_reach() {
+fn perturbed_loop_stays_within_its_bounds() {
     let mut random = 1_u64;
     let mut sign = || {
         random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_written_as_they_are_read() {
+    fn numbers_are_written_as_decimals_or_fractions() {
         let text = |numerator, denominator| of_expression(&number_of(numerator, denominator));
         assert_eq!(text(-4, 1).to_string(), "<mrow><mo>\u{2212}</mo><mn>4</mn></mrow>");
         assert_eq!(text(1, 20).to_string(), "<mn>0.05</mn>");
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn brackets_stand_where_they_are_needed() {
+    fn brackets_appear_only_where_needed() {
         let x = Expression::from(Variable::State(1));
         let sum = x.clone().add(Expression::pi());
         let brackets =
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_min_of_several_is_one() {
+    fn nested_min_is_written_as_one_min() {
         let x = |j| Expression::from(Variable::State(j));
         let written = of_expression(&x(1).min(x(2)).min(x(3))).to_string();
         assert_eq!(written.matches("<mi>min</mi>").count(), 1);

@@ -190,14 +190,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_shell_reads_the_values_back() {
+    fn shell_values_are_quoted() {
         assert_eq!(shell("-1,0.5"), "-1,0.5");
         assert_eq!(shell("exp(a=1)"), "'exp(a=1)'");
         assert_eq!(shell("it's"), "'it'\\''s'");
     }
 
     #[test]
-    fn numbers_of_tables_are_short() {
+    fn table_numbers_are_short() {
         assert_eq!([0.0, -0.0, 0.25, -2000.0].map(short), ["0", "0", "0.25", "-2000"]);
         assert_eq!(short(1.0 / 3.0), "0.3333333");
         assert_eq!(short(-1.5e-9), "-1.500000e-9");

@@ -69,7 +69,7 @@ fn bits(values: &[f64]) -> Vec<u64> {
 }
 
 #[test]
-fn rows_are_those_of_the_program_however_they_are_written() {
+fn emitted_rows_match_the_program_in_every_layout() {
     for precision in [Precision::F64, Precision::F32] {
         for weights in 3..=20 {
             let (row, p) = (numbers(weights, 1, precision), numbers(weights - 1, 2, precision));
@@ -86,7 +86,7 @@ fn rows_are_those_of_the_program_however_they_are_written() {
 }
 
 #[test]
-fn an_elimination_is_that_of_the_program() {
+fn emitted_elimination_matches_the_program() {
     for precision in [Precision::F64, Precision::F32] {
         for m in 1..=6 {
             for seed in 0..40 {

@@ -127,7 +127,7 @@ mod tests {
     use super::renamed;
 
     #[test]
-    fn variables_alone_are_renamed() {
+    fn only_variables_are_renamed() {
         for (name, given, wanted) in [
             (
                 "x",

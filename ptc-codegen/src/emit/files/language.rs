@@ -135,7 +135,7 @@ mod tests {
     use super::{Language, TARGETS};
 
     #[test]
-    fn targets_are_in_the_order_of_the_languages() {
+    fn targets_follow_the_order_of_languages() {
         for (index, target) in TARGETS.iter().enumerate() {
             assert_eq!(target.language as usize, index);
             assert_eq!(Language::named(target.name), Some(target.language));

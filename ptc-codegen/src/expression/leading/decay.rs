@@ -154,7 +154,7 @@ mod tests {
     use crate::mapping::Custom;
 
     #[test]
-    fn decay_rates() {
+    fn decay_rates_match_the_mappings() {
         let show = |custom: Custom| match custom.decay(3, &|_| None) {
             None => "?".to_owned(),
             Some(Decay { rate: Rate::Infinite, .. }) => "inf".to_owned(),

@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn every_name_in_every_place() {
+    fn every_name_has_its_verdict_in_every_place() {
         for (wanted, names) in VERDICTS {
             for name in names {
                 let found: String = PLACES.iter().map(|(place, _)| verdict(name, *place)).collect();
@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mistake_says_what_the_name_means_and_what_to_write() {
+    fn name_errors_give_the_meaning_and_a_replacement() {
         for (name, subject, parts) in [
             (
                 "T",

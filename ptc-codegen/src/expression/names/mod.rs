@@ -243,7 +243,7 @@ mod tests {
     const PAGE: &str = include_str!("../../../../docs/expressions.md");
 
     #[test]
-    fn the_page_has_the_table() {
+    fn page_contains_the_table_of_names() {
         let mut table = "| name | meaning | in |\n| --- | --- | --- |\n".to_owned();
         for info in &NAMES {
             let shown = info.shown().replace("..", "`..`");

@@ -97,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_table_is_as_large_as_what_is_in_use() {
+    fn table_size_follows_the_nodes_in_use() {
         let mut table = Table::new();
         for round in 0..200 {
             let mut node = |k: usize| {

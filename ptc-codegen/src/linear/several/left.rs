@@ -143,7 +143,7 @@ mod tests {
 
     /// Deadbeat brings every chain back in as many samples as it has states.
     #[test]
-    fn nothing_is_left_of_a_jump() {
+    fn deadbeat_removes_a_jump_in_order_many_samples() {
         for order in 1..=4 {
             let one = BigRational::one();
             let pair = Pair::chain(order, &one, &one);
@@ -159,7 +159,7 @@ mod tests {
 
     /// Expects only the last digits of a plant that is two chains, and the error of a wrong row.
     #[test]
-    fn wrong_constants_leave_what_they_are_off() {
+    fn wrong_constants_leave_their_error() {
         let number = |rows: &[&[i64]]| -> Vec<Vec<BigRational>> {
             rows.iter().map(|row| row.iter().map(|v| integer(*v)).collect()).collect()
         };

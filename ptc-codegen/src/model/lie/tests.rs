@@ -94,7 +94,7 @@ fn derivatives(state: &[f64]) -> Vec<f64> {
 }
 
 #[test]
-fn a_nonlinear_chain_of_the_greatest_order_has_its_derivatives() {
+fn derivatives_of_a_nonlinear_chain_of_order_12_are_correct() {
     let order = 12;
     let found = chain(&z(1), &nonlinear(order)).expect("a chain");
     let state: Vec<f64> =
@@ -215,7 +215,7 @@ fn accelerations(state: &[f64], joint: usize, u: f64) -> Vec<f64> {
 }
 
 #[test]
-fn each_joint_of_an_arm_of_seven_links_has_its_derivatives() {
+fn derivatives_of_each_joint_of_a_seven_link_arm_are_correct() {
     let state: Vec<f64> =
         (0..2 * LINKS).map(|j| 0.4 - 0.11 * j as f64 + 0.013 * (j * j) as f64).collect();
     for joint in 0..LINKS {
@@ -232,7 +232,7 @@ fn each_joint_of_an_arm_of_seven_links_has_its_derivatives() {
 }
 
 #[test]
-fn the_height_of_the_hand_of_the_arm_has_its_derivatives() {
+fn derivatives_of_the_hand_height_are_correct() {
     let to = |i: usize| sum((1..=i).map(z));
     let height = sum((1..=LINKS).map(|i| cos(to(i))));
     let rates = of_arm(0);

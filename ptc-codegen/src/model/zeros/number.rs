@@ -194,7 +194,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn routh_counts_roots_on_the_right() {
+    fn routh_counts_right_half_plane_roots() {
         let of = |roots: &[f64]| {
             let mut p = vec![1.0];
             for root in roots {
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn systems_are_solved_or_have_no_solution() {
+    fn inconsistent_systems_have_no_solution() {
         let row = |values: &[i64]| values.iter().map(|v| integer(*v)).collect::<Vec<_>>();
         let a = vec![row(&[1, 2, 0]), row(&[2, 4, 1])];
         assert_eq!(consistent(a.clone(), row(&[3, 7])), Some(row(&[3, 0, 1])));

@@ -192,7 +192,7 @@ mod tests {
 
     /// u of each lane has the bits of the interpreter, whatever products are in sums.
     #[test]
-    fn lanes_have_the_bits_of_the_interpreter() {
+    fn lanes_match_the_interpreter_bit_for_bit() {
         for mapping in MAPPINGS {
             for n in ["2", "4", "12"] {
                 let gains = ["1"; 12][..n.parse().expect("a number")].join(",");

@@ -133,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn exponentials_are_those_of_the_library() {
+    fn packed_exponentials_match_the_library() {
         let mut x = 0.37;
         let mut odd = [
             0.0,

@@ -64,7 +64,7 @@ fn depth_and_length_are_bounded() {
 }
 
 #[test]
-fn values_of_every_shape() {
+fn every_shape_of_value_parses() {
     assert!(matches!(parsed(" exp "), Ok(Value::Word(w)) if w == "exp"));
     assert!(matches!(parsed("6, 11,6"), Ok(Value::List(l)) if l.len() == 3));
     assert!(matches!(parsed("inf"), Ok(Value::Number(Fixed::Infinite))));
@@ -79,7 +79,7 @@ fn values_of_every_shape() {
 }
 
 #[test]
-fn wrong_text_says_what_should_be_there() {
+fn syntax_errors_state_the_expected_token() {
     for (text, message) in [
         ("", "found the end where a value should be"),
         ("exp(", "found the end where a value should be"),

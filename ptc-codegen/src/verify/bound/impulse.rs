@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_is_held_closely_for_each_component() {
+    fn impulse_tail_bounds_are_tight_per_component() {
         let (mut flow, rate) = flow();
         let length = flow.length();
         for piece in [0.0, 1.0, 7.0, 40.0, 300.0, 4000.0] {
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rest_holds_what_a_polynomial_leaves() {
+    fn rest_bounds_the_truncation_error_of_the_polynomial() {
         let (mut flow, rate) = flow();
         let half = 0.5 * flow.length();
         for node in [0_u64, 8, 200] {

@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn what_single_precision_loses_is_within_the_bound() {
+    fn single_precision_error_stays_within_the_bound() {
         let mut calls = Calls::new().expect("memory");
         let families = [
             Family::Exp,

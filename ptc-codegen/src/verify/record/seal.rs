@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn each_flipped_bit_is_seen() {
+    fn every_flipped_bit_is_detected() {
         let whole = file();
         assert!(holds(&mut Cursor::new(&whole)).expect("read"));
         for bit in 0..8 * whole.len() {
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn the_hash_is_the_standard_one() {
+    fn hash_matches_the_sha256_test_vector() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(hash(b"abc"), abc);
     }

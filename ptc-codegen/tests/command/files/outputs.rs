@@ -60,7 +60,7 @@ fn devices_and_pipes_are_written_through() {
 }
 
 #[test]
-fn a_regular_file_keeps_its_mode_and_a_link_its_target() {
+fn file_mode_and_link_target_are_preserved() {
     let folder = stage("mode");
     let csv = csv(&folder);
     let (file, link, hard) = (folder.join("run.csv"), folder.join("link.csv"), folder.join("hard"));

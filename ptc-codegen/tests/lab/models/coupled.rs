@@ -71,7 +71,7 @@ pub(super) fn following() -> BTreeMap<&'static str, Spec> {
 }
 
 #[test]
-fn u_is_that_of_the_definition() {
+fn u_matches_the_definition() {
     let mut lines: BTreeMap<&str, Vec<Vec<f64>>> = BTreeMap::new();
     for line in DIGITS.lines() {
         let (name, numbers) = line.split_once(' ').expect("a name");
@@ -135,7 +135,7 @@ fn rest(spec: &Spec, (rate, start): (&str, &[f64]), [tau, eps]: [f64; 2]) -> Vec
 
 /// The robot moves by its equations solved for the accelerations, which the law never forms.
 #[test]
-fn a_robot_comes_to_rest() {
+fn robot_comes_to_rest() {
     let rate = "    { const double c = cos(x[1]), s = sin(x[1]), tip = 1.5 * 9.81 * 0.5 * cos(x[0] + x[1]);\n\
         \x20   const double m22 = 1.5 * 0.25, m12 = m22 + 1.5 * 0.3 * c, m11 = 3.5 * 0.36 + m22 + 2.0 * 1.5 * 0.3 * c;\n\
         \x20   const double f1 = u[0] + 1.5 * 0.3 * s * (2.0 * x[2] * x[3] + x[3] * x[3]) - 3.5 * 9.81 * 0.6 * cos(x[0]) - tip;\n\
@@ -159,7 +159,7 @@ fn outputs_of_different_orders_come_to_rest() {
 
 /// Where the matrix is singular every u is 0, whatever the call is trusted with.
 #[test]
-fn a_singular_state_gives_no_u() {
+fn singular_state_returns_zero_u() {
     let main = "static const unicycle_params params = { .t0 = 0.0 };\n\
         int main(void)\n{\n    unicycle control;\n    const double x[4] = { 1.0, 1.0, 0.0, 0.0 };\n\
         \x20   double u[2] = { 7.0, 7.0 };\n    ptc_status axes[2];\n\
@@ -171,7 +171,7 @@ fn a_singular_state_gives_no_u() {
 }
 
 #[test]
-fn a_singular_matrix_is_found_in_the_envelope_and_at_rest() {
+fn singular_matrix_is_found_in_the_envelope_and_at_rest() {
     let (verdict, summary) = checked("zeros", "coupled_rest", UNICYCLE);
     assert_eq!((verdict.as_str(), summary.contains("is 0 at the origin")), ("unsound", true));
     let bounded =
@@ -280,7 +280,7 @@ fn mistakes_are_shown_at_their_lines() {
 
 /// Euler angles cannot be led where the pitch is a right angle; here D has a row that is 0 in two.
 #[test]
-fn a_singular_matrix_of_four_gives_no_u() {
+fn singular_four_by_four_matrix_returns_zero_u() {
     let main = "static const four_params params = { .t0 = 0.0 };\n\
         int main(void)\n{\n    four control;\n    const double x[4] = { 0.0, 0.0, 0.0, 0.0 };\n\
         \x20   double u[4] = { 7.0, 7.0, 7.0, 7.0 };\n    ptc_status axes[4];\n\
@@ -314,7 +314,7 @@ fn a_singular_matrix_of_four_gives_no_u() {
 
 /// `show law` has the plant and, for each output, the law of a chain with its gains.
 #[test]
-fn show_has_the_law_of_each_output() {
+fn show_law_prints_the_law_of_each_output() {
     let folder = folder_with("coupled_show", "mix.toml", MIX);
     let json = |words: &[&str]| -> serde_json::Value {
         let (code, text, stderr) = run_in(&folder, &[words, &["--format", "json"]].concat());
@@ -354,7 +354,7 @@ fn show_has_the_law_of_each_output() {
 
 /// The command in the head gives the design back, and every language has it.
 #[test]
-fn every_language_has_it() {
+fn coupled_plants_are_emitted_in_every_supported_language() {
     for (name, own) in plants().into_iter().chain(following()) {
         let again = crate::command::spec_of(&own.command()).expect("a legal command");
         assert_eq!(again, own);

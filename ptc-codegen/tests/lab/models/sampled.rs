@@ -29,7 +29,7 @@ fn matrices(measured: &str, c: &str) -> String {
 }
 
 #[test]
-fn a_linear_model_is_its_matrices() {
+fn linear_model_equals_its_matrices() {
     let observed = "observer_poles = [-4, -5, -6, -7]\nobserver_samples = 150\n";
     let bare = |text: String| {
         text.replace(observed, "")
@@ -60,7 +60,7 @@ fn a_linear_model_is_its_matrices() {
 /// What commands make of both is the same, to the last digit.
 #[cfg(feature = "lab")]
 #[test]
-fn it_is_checked_and_simulated_as_they_are() {
+fn model_and_matrices_check_and_simulate_alike() {
     let told = |test: &str, text: &str| {
         // A check of the loop takes the square of the number of samples.
         let text = text
@@ -95,7 +95,7 @@ fn it_is_checked_and_simulated_as_they_are() {
 }
 
 #[test]
-fn what_is_no_matrix_is_refused_at_its_line() {
+fn invalid_matrix_models_are_refused_at_their_line() {
     let good = "mu = \"exp(a=1)\"
 clock = \"samples\"
 sample_time = 1e-2

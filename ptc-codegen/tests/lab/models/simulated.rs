@@ -27,7 +27,7 @@ fn motor() -> String {
 }
 
 #[test]
-fn a_motor_moves_as_its_polynomial() {
+fn motor_follows_its_polynomial() {
     let at = ["--x0", "1,0,0", "--at", "0,0.3,0.5,0.9,0.98"];
     let (head, rows, told) = run("motor", &motor(), &at);
     assert_eq!(head, "tau,t,q,w,i,V");
@@ -41,7 +41,7 @@ fn a_motor_moves_as_its_polynomial() {
 /// A resistance that the law does not know leaves the coordinates of the chain as they are: the chain
 /// has f and g by hand, and the plant's f has the other resistance.
 #[test]
-fn a_linear_model_is_its_chain_in_other_coordinates() {
+fn linear_model_equals_its_chain_in_other_coordinates() {
     let at = ["--x0", "1,0,0", "--at", "0.2,0.7,0.97"];
     let model = format!("{}[plant]\nR = 1.5\n", motor());
     let (_, rows, told) = run("linear", &model, &at);
@@ -67,7 +67,7 @@ fn a_linear_model_is_its_chain_in_other_coordinates() {
 
 /// With the gains held from eps on, until almost the deadline, and a plant of another stiffness.
 #[test]
-fn a_pendulum_moves_as_one_by_hand() {
+fn pendulum_matches_manual_integration() {
     let design = format!("{PENDULUM}[plant]\nstiffness = 24\n");
     let at = ["--x0=-2,1", "--at", "0,0.4,0.9,0.97,0.999"];
     let (head, rows, _) = run("pendulum", &design, &at);
@@ -85,7 +85,7 @@ fn a_pendulum_moves_as_one_by_hand() {
 }
 
 #[test]
-fn a_bounded_torque_acts_at_every_instant() {
+fn torque_is_clipped_at_every_instant() {
     let design = PENDULUM.replace("eps", "u_max = 0.3\neps");
     let (_, rows, _) = run("bounded", &design, &["--x0", "1,0", "--at", "0.2,0.6,0.9"]);
     let clipped = |t: f64, x: &[f64]| hold_pendulum(t, x).clamp(-0.3, 0.3);
@@ -98,7 +98,7 @@ fn a_bounded_torque_acts_at_every_instant() {
 
 /// Dry friction is a jump of the last rate: where it holds the pendulum, nothing moves.
 #[test]
-fn dry_friction_holds_a_pendulum_and_lets_it_pass() {
+fn dry_friction_stops_or_slows_a_pendulum() {
     let dry = |size: f64| {
         format!(
             "{PENDULUM}[plant]\ndry = {size}\ndynamics = {{ w = \"M/inertia - stiffness*sin(q) - drag*w - dry*sign(w)\" }}\n"
@@ -122,7 +122,7 @@ fn dry_friction_holds_a_pendulum_and_lets_it_pass() {
 
 /// A jump of a rate in the middle is followed as one of the last rate.
 #[test]
-fn a_slide_along_any_rate_holds_its_state() {
+fn sliding_holds_the_state_for_any_rate() {
     let design = format!(
         "{}[plant]\ndry = 1e4\ndynamics = {{ w = \"(k*i - b*w)/J - dry*sign(w)\" }}\n",
         motor()
@@ -138,7 +138,7 @@ fn a_slide_along_any_rate_holds_its_state() {
 }
 
 #[test]
-fn a_sampled_pendulum_saturates_as_one_by_hand() {
+fn sampled_pendulum_saturates_like_manual_integration() {
     let design = PENDULUM.replace("eps", "u_max = 0.3\neps");
     let (head, rows, _) = run("sampled", &design, &["--x0", "1,0", "--sample-time", "0.01"]);
     assert_eq!(head, "tau,t,q,w,M,y1,y2,status");
@@ -153,7 +153,7 @@ fn a_sampled_pendulum_saturates_as_one_by_hand() {
 
 /// The gain of the magnet depends on its state; its resistance is other than the law takes it to be.
 #[test]
-fn a_sampled_magnet_moves_as_one_by_hand() {
+fn sampled_magnet_matches_manual_integration() {
     let design = example("levitation.toml").replace("[params]", "[params]\ntau = 0.5");
     let design = design.replace("eps = 1e-3 ", "eps = 0.02 ").replace("[0.1, 5]", "0.8");
     let design =
@@ -170,7 +170,7 @@ fn a_sampled_magnet_moves_as_one_by_hand() {
 
 /// Noise, steps and a late input are around the states of the model, each with a bound of its own.
 #[test]
-fn what_is_around_a_sampled_model_is_of_its_states() {
+fn noise_steps_and_delay_apply_to_the_model_states() {
     let around =
         ["--noise", "1e-3,0.1", "--sensor-step", "0.01,0", "--u-step", "0.25", "--delay", "1"];
     let flags = [&["--x0", "1,0", "--sample-time", "0.01"][..], &around].concat();
@@ -185,7 +185,7 @@ fn what_is_around_a_sampled_model_is_of_its_states() {
 }
 
 #[test]
-fn an_output_follows_its_reference() {
+fn output_follows_its_reference() {
     let design = format!("reference = \"0.3*sin(2*dt)\"\n{PENDULUM}");
     let (_, rows, told) = run("reference", &design, &["--x0", "1,0", "--at", "0.5,0.9"]);
     for (row, dt) in rows.iter().zip([0.5_f64, 0.9]) {
@@ -217,7 +217,7 @@ fn reports_and_pictures_name_the_states() {
 }
 
 #[test]
-fn mistakes_of_a_plant_with_a_model_say_the_way_out() {
+fn errors_for_model_plants_suggest_a_fix() {
     let without = PENDULUM.replace("eps = 0.05\n", "");
     for (design, flags, told) in [
         (

@@ -6,7 +6,7 @@ const DESIGN: &str = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\nreference = \"
     poles = [-4, -5]\n[params]\ntau = 1\nt0 = 0\n";
 
 #[test]
-fn each_mistake_is_shown_at_its_line() {
+fn invalid_references_are_refused_at_their_line() {
     for (from, to, line, message, help) in [
         ("0.1*sin(2*t)", "abs(sin(t))", 4, "abs(sin(t)) has a kink", "tanh(w/small)"),
         ("0.1*sin(2*t)", "max(t, 1)", 4, "max(t, 1) has a kink", "`reference` = input"),
@@ -42,7 +42,7 @@ fn each_mistake_is_shown_at_its_line() {
 
 /// What is shown to exist, with the start and the parameters that show it.
 #[test]
-fn a_reference_that_exists_is_taken() {
+fn differentiable_references_are_accepted() {
     for reference in [
         "1/(1 + t^2)",
         "1/(2 + sin(t))",
@@ -69,7 +69,7 @@ fn a_reference_that_exists_is_taken() {
 
 /// An expression whose derivatives grow is refused within a bounded time.
 #[test]
-fn a_derivative_that_is_too_large_is_refused() {
+fn oversized_derivatives_are_refused() {
     let factors: Vec<_> = (1..40).map(|k| format!("sin({k}*t + cos({k}*t^2))")).collect();
     let text = DESIGN
         .replace("0.1*sin(2*t)", &factors.join("*"))
@@ -82,7 +82,7 @@ fn a_derivative_that_is_too_large_is_refused() {
 }
 
 #[test]
-fn what_does_not_know_a_reference_says_so() {
+fn targets_without_reference_support_say_so() {
     let folder = folder("references_unknown");
     let design = ["--n", "2", "--mu", "exp(a=1)", "--poles=-4,-5", "--tau", "1", "--eps", "1e-2"];
     let run = |command: &[&str], further: &[&str]| {

@@ -51,7 +51,7 @@ const STAGE: &str = "# \"R & D\" <script>alert('x < y')</script> ]]>\nname = \"s
 const AT: [&str; 6] = ["simulate", "stage.toml", "--x0", "1,0", "--at", "0,0.25,0.75"];
 
 #[test]
-fn a_simulation_has_every_section() {
+fn simulation_report_has_every_section() {
     let folder = folder("simulation", STAGE);
     let page = report(&folder, &AT);
     let page = parse(&page);
@@ -126,7 +126,7 @@ fn every_kind_of_design_has_its_formulas() {
 
 /// Several axes: the code that is emitted, what each has of its own, and no decoupling.
 #[test]
-fn axes_are_shown_as_what_they_are() {
+fn report_of_several_axes_shows_each_axis() {
     let axes = "name = \"stage\"\nn = 2\naxes = 2\nmu = \"exp(a=1)\"\npoles = [[-2, -3], [-4, -5]]\nlimits = [9, 80]\n\
                 g = [\"1/2\", \"1\"]\n[params]\ntau = 1\nt0 = 0\neps = 0.01\n[plant]\nf = \"-x2\"\n";
     let folder = folder("axes", axes);
@@ -175,7 +175,7 @@ fn alone(page: &Document<'_>) {
 }
 
 #[test]
-fn a_report_depends_on_no_path() {
+fn report_is_independent_of_paths() {
     let one = folder("path", STAGE);
     let page = report(&one, &AT);
     assert_eq!(page, report(&one, &AT), "twice");
@@ -191,7 +191,7 @@ fn a_report_depends_on_no_path() {
 
 /// The command and the design of a report, in an empty folder, give the report.
 #[test]
-fn a_report_makes_itself_again() {
+fn report_can_be_reproduced_from_its_contents() {
     let folder = folder("again", STAGE);
     let flags = ["--tau", "0.5,2", "--plant", "f=-w*x2 + 0.1*(x1 < 0)", "--plant", "w=0.5"];
     assert_eq!(run(&folder, &[&AT[..], &flags].concat()).0, Some(2), "no comparison is legal");
@@ -234,7 +234,7 @@ fn several_tau_leave_tau_to_run_time() {
 }
 
 #[test]
-fn nothing_is_written_where_a_run_fails() {
+fn failed_run_writes_no_file() {
     let folder = folder("fails", STAGE);
     for (arguments, told) in [
         (&["--report", "run.txt"][..], "`run.txt` is no name of a report"),
@@ -254,7 +254,7 @@ fn nothing_is_written_where_a_run_fails() {
 
 /// A design that is refused runs in a simulation all the same; its report has no code, and why.
 #[test]
-fn a_refused_design_has_a_report_without_code() {
+fn refused_design_report_has_no_code() {
     let folder = folder("refused", &STAGE.replace("[6, 5]", "[0.5, 1.5]"));
     let page = report(&folder, &AT);
     let page = parse(&page);
@@ -270,7 +270,7 @@ const OBJECTIVES: &str = "[verify]\nx1 = 1\nx2 = 0\nscenarios = 2\nsearch = 20\n
                           [[objective]]\nbound = \"state\"\nsigma = 7\n";
 
 #[test]
-fn a_verification_has_its_verdicts() {
+fn verification_report_shows_its_verdicts() {
     let folder = folder("verification", &format!("{STAGE}{OBJECTIVES}"));
     let page = report(&folder, &["verify", "stage.toml"]);
     let page = parse(&page);
@@ -307,7 +307,7 @@ fn a_verification_has_its_verdicts() {
 }
 
 #[test]
-fn an_objective_that_fails_is_reported_too() {
+fn failed_objective_is_reported() {
     let text_of = STAGE.to_owned() + &OBJECTIVES.replace("error = 1e-2", "error = 5e-3");
     let folder = folder("failing", &text_of);
     let (code, stdout, stderr) = run(&folder, &["verify", "stage.toml", "--report", "out.html"]);
@@ -334,7 +334,7 @@ fn an_objective_that_fails_is_reported_too() {
 
 /// The bars of the bounds of a loop: their parts are those of `check`, and add up.
 #[test]
-fn the_bounds_of_a_loop_are_bars() {
+fn loop_bounds_are_drawn_as_bars() {
     let design = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\neps = 0.1\nsample_time = 5e-3\n\
         x0_max = [1, 1]\nerror = [1, 1e-3]\nnoise = 1e-4\nu_step = 1e-3\nallow = \"loop\"\n[params]\ntau = 1\nu_max = inf\n[plant]\nf = 0\n";
     let folder = folder("bars", design);

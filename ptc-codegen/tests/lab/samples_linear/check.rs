@@ -10,7 +10,7 @@ use super::read;
 
 /// The worst case of the check is the worst corner of simulated runs.
 #[test]
-fn the_check_and_the_simulation_judge_one_plant() {
+fn check_bounds_match_simulated_corners() {
     for (own, n) in [
         (
             "sample_time = 0.001\ntau = 0.1\ndelay = 1\npoles = [-4,-5,-6,-7]\neps = 0.03\n\
@@ -67,7 +67,7 @@ fn the_check_and_the_simulation_judge_one_plant() {
 /// Numbers of a plant have thousands of digits, and each of them is rounded at each sample: once, rounding to f32 took ten times
 /// as long as all else together.
 #[test]
-fn a_check_takes_as_long_in_f32_as_in_f64() {
+fn check_time_is_similar_in_f32_and_f64() {
     let took = |precision: &str| {
         let spec = read(&format!(
             "n = 4\nprecision = \"{precision}\"\nsample_time = 0.05\ntau = 5\npoles = [-5,-6,-7,-8,-9]\ndelay = 0.3\n\

@@ -64,7 +64,7 @@ fn after_a_wild_reading(code: &Code) -> (f64, usize) {
 }
 
 #[test]
-fn a_wild_reading_costs_nothing_behind_a_gate() {
+fn gate_suppresses_a_wild_reading() {
     let (open, gated) = (stage(""), stage(GATE));
     let (off, saturated) = after_a_wild_reading(&open);
     assert!(off > 0.1 && saturated > 100, "{off}, {saturated}");
@@ -73,7 +73,7 @@ fn a_wild_reading_costs_nothing_behind_a_gate() {
 }
 
 #[test]
-fn readings_that_are_not_believed_are_gated_until_the_estimates_may_not_be_used() {
+fn rejected_readings_are_gated_up_to_the_coast_limit() {
     let code = stage(&format!("{GATE}measurement_max = 2\n"));
     for wrong in [f64::NAN, f64::INFINITY, 1e100, -2.5, 0.05] {
         let mut stage = Stage::new(&code, 0.1);
@@ -102,7 +102,7 @@ fn readings_that_are_not_believed_are_gated_until_the_estimates_may_not_be_used(
 }
 
 #[test]
-fn arm_begins_anew_with_estimates_that_may_not_be_used() {
+fn arm_resets_unusable_estimates() {
     let code = stage(GATE);
     // Without a prediction the first reading is believed, and every good one behind it is not.
     let mut stage = Stage::new(&code, 0.1);
@@ -127,7 +127,7 @@ fn arm_begins_anew_with_estimates_that_may_not_be_used() {
 }
 
 #[test]
-fn the_first_reading_is_within_the_range_of_the_sensor() {
+fn first_reading_must_be_within_the_sensor_range() {
     for gate in [GATE, ""] {
         let code = stage(&format!("{gate}measurement_max = 0.5\n"));
         let mut stage = Stage::new(&code, 0.1);
@@ -175,7 +175,7 @@ impl<'a> Calls<'a> {
 
 /// The reading is wild where the gain of the observer is large: its prediction overflows, and u does not show it.
 #[test]
-fn a_prediction_that_is_not_finite_is_not_kept() {
+fn non_finite_prediction_is_discarded() {
     let code = code(&legal(MOTOR));
     let mut refused = 0;
     for wild in [1e34, -1e35, 3e38] {
@@ -211,7 +211,7 @@ fn arm_makes_an_observer_usable_after_any_reading() {
 
 /// One reading that is not believed takes the others with it.
 #[test]
-fn readings_of_one_sample_are_believed_together() {
+fn readings_of_one_sample_are_accepted_together() {
     let motor = "what = \"observer\"\nsample_time = 1e-3\nobserver_poles = [-4, -5, -6]\nobserver_samples = 30\n\
          innovation_max = [0.1, 2]\ncoast = 3\n[plant]\n\
          A = [[0, 1, 0], [0, -0.5, 1500], [0, -15, -600]]\nB = [0, 0, 500]\nC = [[1, 0, 0], [0, 0, 1]]\n";
@@ -230,7 +230,7 @@ fn readings_of_one_sample_are_believed_together() {
 }
 
 #[test]
-fn mistakes_of_a_gate_are_named() {
+fn invalid_gate_settings_are_reported() {
     let cases = [
         ("innovation_max = 1e-3\n", "`innovation_max` without `coast`", "coast = 5"),
         ("innovation_max = 0\ncoast = 1\n", "is not finite and > 0", "a number > 0"),
@@ -259,7 +259,7 @@ fn mistakes_of_a_gate_are_named() {
 
 /// The command in the head of a file gives the gate back.
 #[test]
-fn the_command_gives_the_gate_back() {
+fn command_reproduces_the_gate() {
     let spec = legal(&format!("{STAGE}{GATE}measurement_max = 0.5\n"));
     let command = spec.command();
     for part in ["--innovation-max=1e-3", "--measurement-max=0.5", "--coast=5"] {

@@ -294,7 +294,7 @@ fn reached(printed: &str, letter: &str, cost: &Cost, totals: &[f64], design: &st
 }
 
 #[test]
-fn costs_are_bounds_that_runs_come_close_to() {
+fn gate_cost_bounds_are_tight() {
     let mut random = Random(11);
     let (mut lost, mut wild) = (Vec::new(), Vec::new());
     for index in 0..12 {

@@ -9,7 +9,7 @@ const SHARES: [f64; 5] = [0.0, 0.05, 0.3, 0.6, 0.9];
 const AT: &str = "0,0.05,0.3,0.6,0.9";
 
 #[test]
-fn an_arm_moves_as_two_sums_of_exponentials() {
+fn arm_moves_as_sums_of_exponentials() {
     let at = ["--x0", "1,-0.5,0.2,0", "--at", AT];
     let (head, rows, told) = run("arm", &example("two_link.toml"), &at);
     assert_eq!(head, "tau,t,q1,q2,w1,w2,M1,M2");
@@ -26,7 +26,7 @@ fn an_arm_moves_as_two_sums_of_exponentials() {
 /// The masses of the plant are others than the law takes them to be, and its first joint drags; at first
 /// both torques are at their limits.
 #[test]
-fn an_arm_with_another_load_moves_as_one_by_hand() {
+fn arm_with_another_load_matches_manual_integration() {
     let bias = "bias=[-m2*l1*l2*sin(q2)*(2*w1*w2 + w2^2) + (m1 + m2)*grav*l1*cos(q1) + m2*grav*l2*cos(q1 + q2) + 0.4*w1, m2*l1*l2*sin(q2)*w1^2 + m2*grav*l2*cos(q1 + q2)]";
     let other = ["--plant", "m1=2.5", "--plant", "m2=1.8", "--plant", bias];
     let arm = Arm { m1: 2.5, m2: 1.8, drag: 0.4 };
@@ -60,7 +60,7 @@ fn an_arm_with_another_load_moves_as_one_by_hand() {
 }
 
 #[test]
-fn a_tank_with_a_leak_fills_as_one_by_hand() {
+fn leaking_tank_matches_manual_integration() {
     let design = format!(
         "{}[plant]\nleak = 0.12\ndynamics = {{ h = \"q - leak*h\" }}\n",
         example("tank.toml")
@@ -105,7 +105,7 @@ fn following(t: f64, x: &[f64]) -> Vec<f64> {
 /// The errors move as sums of exponentials, whatever the joints follow, and the joints as those of an arm
 /// that is integrated by hand.
 #[test]
-fn an_arm_follows_two_sines() {
+fn arm_follows_two_sines() {
     let design = example("two_link.toml")
         .replace("limits = [120, 60]", "u_max = inf #")
         .replace("mu =", "reference = [\"0.3*sin(0.4*t)\", \"0.2*cos(0.5*t + phase)\"]\nmu =");

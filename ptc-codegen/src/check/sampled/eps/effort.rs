@@ -77,7 +77,7 @@ mod tests {
 
     /// Long loops are searched at fewer points, and longer ones not at all; the limit of work is kept.
     #[test]
-    fn effort_of_a_search_has_a_limit() {
+    fn search_effort_stays_within_its_limit() {
         let mut spec = Spec::new(6, Family::Exp);
         let one = number("1").expect("1");
         for parameter in

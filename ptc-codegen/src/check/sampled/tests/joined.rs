@@ -42,7 +42,7 @@ fn compare(sampled: &Sampled, samples: usize, within: f64, case: &str) {
 }
 
 #[test]
-fn bounds_of_joined_samples_are_above_the_worst_case_by_a_small_part() {
+fn block_bounds_exceed_the_worst_case_by_a_small_part() {
     for (n, poles, delay) in [(1, "3", 0), (2, "20,9", 0), (3, "120,74,15", 0), (2, "20,9", 2)] {
         let samples = 400;
         let mut sampled = closed(n, poles, delay, samples);
@@ -54,7 +54,7 @@ fn bounds_of_joined_samples_are_above_the_worst_case_by_a_small_part() {
 }
 
 #[test]
-fn bounds_of_joined_samples_cover_random_loops() {
+fn block_bounds_cover_random_loops() {
     let mut random = 1_u64;
     let mut draw = |low: f64, high: f64| {
         random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -94,7 +94,7 @@ fn bounds_of_joined_samples_cover_random_loops() {
 
 /// Large errors of the matrices are covered too.
 #[test]
-fn bounds_of_joined_samples_grow_with_what_is_not_exact() {
+fn block_bounds_grow_with_matrix_errors() {
     let samples = 60;
     let mut sampled = closed(2, "20,9", 0, samples);
     sampled.x0 = vec![1.0; 2];
@@ -124,7 +124,7 @@ const REPEATED: [&[(&str, &str)]; 5] = [
 ];
 
 #[test]
-fn samples_that_repeat_are_those_that_are_computed() {
+fn repeated_samples_equal_computed_samples() {
     for keys in REPEATED {
         let own = [
             ("n", "2"),

@@ -200,13 +200,13 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_stands_in_its_own_line() {
+    fn answer_is_read_from_its_own_line() {
         let answer = shell("echo banner; read request; echo 'ptc-answer: [1]'; echo more");
         assert_eq!(answer.expect("an answer"), serde_json::json!([1]));
     }
 
     #[test]
-    fn a_process_of_the_child_does_not_hold_up_the_answer() {
+    fn background_process_does_not_delay_the_answer() {
         let began = Instant::now();
         let answer = shell("sleep 30 & echo 'ptc-answer: [1]'");
         assert_eq!(answer.expect("an answer"), serde_json::json!([1]));
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn a_process_that_holds_the_pipes_and_reads_nothing_holds_up_nothing() {
+    fn process_that_never_reads_does_not_block_the_request() {
         let mut command = Command::new("sh");
         command.args(["-c", "sleep 30 <&0 & echo 'ptc-answer: [1]'"]);
         // More than a pipe takes.
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn each_end_is_told_apart() {
+    fn each_exit_cause_has_its_own_message() {
         for (script, wanted, said) in [
             ("echo no room >&2; kill -ABRT $$", "Symbolica aborted, as it does", "no room"),
             ("echo half; kill -KILL $$", "ended without an answer, by signal: 9", "half"),
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn what_takes_too_long_is_ended() {
+    fn slow_child_is_killed_at_the_timeout() {
         let mut command = Command::new("sleep");
         command.arg("60");
         let began = Instant::now();
@@ -259,13 +259,13 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_start_is_told() {
+    fn failed_start_is_reported() {
         let wrong = ask(Command::new("/nowhere/worker"), "{}", Duration::from_secs(1));
         assert!(matches!(wrong, Err(Wrong::Start(_))));
     }
 
     #[test]
-    fn the_last_lines_are_told_without_their_frame() {
+    fn last_output_lines_are_shown_without_their_frame() {
         let banner: String = (0..40).map(|i| format!("\u{2502} line {i}  \u{2502}\n")).collect();
         let said = Wrong::Garbled(banner).said();
         assert_eq!((said.len(), said.last().map(String::as_str)), (SAID, Some("line 39")));

@@ -26,7 +26,7 @@ fn fold_computes_numbers_and_drops_neutral_operations() {
 }
 
 #[test]
-fn fold_divides_without_a_test_by_what_is_not_0() {
+fn fold_drops_the_zero_test_for_nonzero_divisors() {
     let by = |divisor: i64| {
         let folded = after(
             "fold",
@@ -83,7 +83,7 @@ fn fold_writes_a_product_with_minus_one_as_a_negation() {
 }
 
 #[test]
-fn fold_leaves_what_overflows_to_run_time() {
+fn fold_leaves_overflows_to_run_time() {
     let folded = after(
         "fold",
         program(|p| {

@@ -189,7 +189,7 @@ mod tests {
 
     /// Checks that for a chain in time powers give the same as its states one by one.
     #[test]
-    fn an_even_pace_takes_powers_alone() {
+    fn powers_match_the_full_system_at_even_pace() {
         let nodes = Nodes::new(3);
         let number = |seed: u32| {
             let mut angle = f64::from(seed);

@@ -8,7 +8,7 @@ use crate::support::{example, spec};
 
 /// What is not proved is not called sound.
 #[test]
-fn the_checks_say_what_they_do_not_know() {
+fn unproved_checks_are_not_sound() {
     let report = |text: &str| examine(&spec(text));
     let of = |text: &str, name: &str| {
         let outcome = report(text).outcomes.into_iter().find(|outcome| outcome.name == name);
@@ -95,7 +95,7 @@ fn the_checks_say_what_they_do_not_know() {
 
 /// Of axes `loop` is that of each by itself.
 #[test]
-fn the_loop_of_axes_is_that_of_each() {
+fn loop_of_several_axes_matches_each_axis() {
     let keys = "n = 2\nclock = \"samples\"\nmu = \"exp(a=1)\"\nsample_time = 0.01\neps = 0\nx0_max = [0.5, 0.5]\n";
     let params = "[params]\ntau = 1\nu_max = 50\n";
     let of = |own: &str| -> Outcome {
