@@ -1,4 +1,4 @@
-//! What a step gives.
+//! Result of a step.
 
 use crate::Error;
 

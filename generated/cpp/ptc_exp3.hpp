@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_368A358E_HPP
-#define PTC_EXP3_368A358E_HPP
+#ifndef PTC_EXP3_95BF0C89_HPP
+#define PTC_EXP3_95BF0C89_HPP
 
 #include <array>
 #include <cfloat>
@@ -113,7 +113,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

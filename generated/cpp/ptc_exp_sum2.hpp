@@ -66,8 +66,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_4399DF48_HPP
-#define PTC_EXP_SUM2_4399DF48_HPP
+#ifndef PTC_EXP_SUM2_2590CD6F_HPP
+#define PTC_EXP_SUM2_2590CD6F_HPP
 
 #include <array>
 #include <cfloat>
@@ -110,7 +110,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -55,8 +55,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_OWN_LAW1_LATCHED_52D90EB7_HPP
-#define PTC_OWN_LAW1_LATCHED_52D90EB7_HPP
+#ifndef PTC_OWN_LAW1_LATCHED_0AB19759_HPP
+#define PTC_OWN_LAW1_LATCHED_0AB19759_HPP
 
 #include <array>
 #include <cfloat>
@@ -97,7 +97,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_45DC98B7_HPP
-#define PTC_TANH3_EXTERN_45DC98B7_HPP
+#ifndef PTC_TANH3_EXTERN_8693123C_HPP
+#define PTC_TANH3_EXTERN_8693123C_HPP
 
 #include <array>
 #include <cfloat>
@@ -109,7 +109,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -105,7 +105,7 @@ pub enum Status {
     Gated,
 }
 
-/// What a step gives.
+/// Result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Control<R = f64> {
     /// Input of the plant.

@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_E91B95AA_HPP
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_E91B95AA_HPP
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_438A8AD7_HPP
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_438A8AD7_HPP
 
 #include <array>
 #include <cfloat>
@@ -85,7 +85,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

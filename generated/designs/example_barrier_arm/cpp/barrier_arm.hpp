@@ -89,8 +89,8 @@
  * Operations of one step, without input checks and clipping: 29 additions or comparisons, 52
  *       multiplications, 5 divisions, 4 function calls.
  */
-#ifndef BARRIER_ARM_58D3AE9D_HPP
-#define BARRIER_ARM_58D3AE9D_HPP
+#ifndef BARRIER_ARM_45D7ED0C_HPP
+#define BARRIER_ARM_45D7ED0C_HPP
 
 #include <array>
 #include <cfloat>
@@ -133,7 +133,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -150,7 +150,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

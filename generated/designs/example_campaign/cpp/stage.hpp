@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_94E6BA05_HPP
-#define STAGE_94E6BA05_HPP
+#ifndef STAGE_09E7EB1B_HPP
+#define STAGE_09E7EB1B_HPP
 
 #include <array>
 #include <cfloat>
@@ -114,7 +114,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_11F7C571_HPP
-#define DRIVE_11F7C571_HPP
+#ifndef DRIVE_9A0D0C9F_HPP
+#define DRIVE_9A0D0C9F_HPP
 
 #include <array>
 #include <cfloat>
@@ -125,7 +125,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -117,7 +117,7 @@ class Status(IntEnum):
     """u is not finite."""
 
 class Control(NamedTuple):
-    """What a step gives, for each time and state of the batch."""
+    """Result of a step, for each time and state of the batch."""
 
     u: Array
     """Input of the plant."""

@@ -44,8 +44,8 @@
  *       the law and a rigid plant, at the deadline |x| <= 1.015e-4, 0.002024.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef ELASTIC_9AEFD073_HPP
-#define ELASTIC_9AEFD073_HPP
+#ifndef ELASTIC_936234AD_HPP
+#define ELASTIC_936234AD_HPP
 
 #include <array>
 #include <cfloat>
@@ -87,7 +87,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -43,8 +43,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_D924BE52_HPP
-#define STAGE_D924BE52_HPP
+#ifndef STAGE_09C0054D_HPP
+#define STAGE_09C0054D_HPP
 
 #include <array>
 #include <cfloat>
@@ -86,7 +86,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_0BA784FB_HPP
-#define LEVITATION_0BA784FB_HPP
+#ifndef LEVITATION_4A8512A3_HPP
+#define LEVITATION_4A8512A3_HPP
 
 #ifdef L
 #error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
@@ -134,7 +134,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_B5FC07E0_HPP
-#define PENDULUM_B5FC07E0_HPP
+#ifndef PENDULUM_09DA58D3_HPP
+#define PENDULUM_09DA58D3_HPP
 
 #include <array>
 #include <cfloat>
@@ -116,7 +116,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

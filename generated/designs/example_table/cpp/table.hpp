@@ -63,8 +63,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_EAF03F6D_HPP
-#define TABLE_EAF03F6D_HPP
+#ifndef TABLE_CC7E84F6_HPP
+#define TABLE_CC7E84F6_HPP
 
 #include <array>
 #include <cfloat>
@@ -105,7 +105,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -80,8 +80,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_7057CC7C_HPP
-#define TANK_7057CC7C_HPP
+#ifndef TANK_4FEE1C10_HPP
+#define TANK_4FEE1C10_HPP
 
 #include <array>
 #include <cfloat>
@@ -123,7 +123,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -140,7 +140,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

@@ -69,8 +69,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_8AF82219_HPP
-#define TRACK_8AF82219_HPP
+#ifndef TRACK_6553A963_HPP
+#define TRACK_6553A963_HPP
 
 #include <array>
 #include <cfloat>
@@ -112,7 +112,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

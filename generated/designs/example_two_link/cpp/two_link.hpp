@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_F7BC7DC2_HPP
-#define TWO_LINK_F7BC7DC2_HPP
+#ifndef TWO_LINK_4DF935F4_HPP
+#define TWO_LINK_4DF935F4_HPP
 
 #include <array>
 #include <cfloat>
@@ -128,7 +128,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -145,7 +145,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

@@ -77,8 +77,8 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_C3403FD3_HPP
-#define PTC_RATIONAL_INPUTS4_C3403FD3_HPP
+#ifndef PTC_RATIONAL_INPUTS4_00C7F16C_HPP
+#define PTC_RATIONAL_INPUTS4_00C7F16C_HPP
 
 #include <array>
 #include <cfloat>
@@ -121,7 +121,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -138,7 +138,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

@@ -38,8 +38,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE0_58D022FD_HPP
-#define STAGE0_58D022FD_HPP
+#ifndef STAGE0_20890B83_HPP
+#define STAGE0_20890B83_HPP
 
 #include <array>
 #include <cfloat>
@@ -81,7 +81,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_FF042B5A_HPP
-#define STAGE12_FF042B5A_HPP
+#ifndef STAGE12_614D6CA3_HPP
+#define STAGE12_614D6CA3_HPP
 
 #include <array>
 #include <cfloat>
@@ -87,7 +87,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -35,8 +35,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE14_OBSERVER_57558246_HPP
-#define STAGE14_OBSERVER_57558246_HPP
+#ifndef STAGE14_OBSERVER_10505BCE_HPP
+#define STAGE14_OBSERVER_10505BCE_HPP
 
 #include <array>
 #include <cfloat>
@@ -78,7 +78,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

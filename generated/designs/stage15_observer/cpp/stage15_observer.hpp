@@ -37,8 +37,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE15_OBSERVER_275577AF_HPP
-#define STAGE15_OBSERVER_275577AF_HPP
+#ifndef STAGE15_OBSERVER_2F6D9373_HPP
+#define STAGE15_OBSERVER_2F6D9373_HPP
 
 #include <array>
 #include <cfloat>
@@ -80,7 +80,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -36,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE16_OBSERVER_A988219A_HPP
-#define STAGE16_OBSERVER_A988219A_HPP
+#ifndef STAGE16_OBSERVER_B91CC702_HPP
+#define STAGE16_OBSERVER_B91CC702_HPP
 
 #include <array>
 #include <cfloat>
@@ -79,7 +79,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_BC9B7BAF_HPP
-#define STAGE18_BC9B7BAF_HPP
+#ifndef STAGE18_01C38F27_HPP
+#define STAGE18_01C38F27_HPP
 
 #include <array>
 #include <cfloat>
@@ -85,7 +85,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_966B1E4D_HPP
-#define STAGE19_966B1E4D_HPP
+#ifndef STAGE19_EB36E048_HPP
+#define STAGE19_EB36E048_HPP
 
 #include <array>
 #include <cfloat>
@@ -85,7 +85,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

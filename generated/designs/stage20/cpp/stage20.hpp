@@ -52,8 +52,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE20_A21C3A29_HPP
-#define STAGE20_A21C3A29_HPP
+#ifndef STAGE20_BFE9BE5B_HPP
+#define STAGE20_BFE9BE5B_HPP
 
 #include <array>
 #include <cfloat>
@@ -95,7 +95,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -88,7 +88,7 @@ class Status(IntEnum):
     """u is not finite."""
 
 class Control(NamedTuple):
-    """What a step gives."""
+    """Result of a step."""
 
     u: np.float64
     """Input of the plant."""

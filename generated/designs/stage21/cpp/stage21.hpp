@@ -53,8 +53,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE21_6A0C47A0_HPP
-#define STAGE21_6A0C47A0_HPP
+#ifndef STAGE21_16BCA93B_HPP
+#define STAGE21_16BCA93B_HPP
 
 #include <array>
 #include <cfloat>
@@ -96,7 +96,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

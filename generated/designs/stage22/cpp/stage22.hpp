@@ -48,8 +48,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE22_BAE44A16_HPP
-#define STAGE22_BAE44A16_HPP
+#ifndef STAGE22_31B008BE_HPP
+#define STAGE22_31B008BE_HPP
 
 #include <array>
 #include <cfloat>
@@ -91,7 +91,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

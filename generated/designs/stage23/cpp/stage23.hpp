@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_D103F883_HPP
-#define STAGE23_D103F883_HPP
+#ifndef STAGE23_FDF4467F_HPP
+#define STAGE23_FDF4467F_HPP
 
 #include <array>
 #include <cfloat>
@@ -98,7 +98,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

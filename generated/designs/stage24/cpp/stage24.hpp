@@ -50,8 +50,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_A800BC3F_HPP
-#define STAGE24_A800BC3F_HPP
+#ifndef STAGE24_938B4028_HPP
+#define STAGE24_938B4028_HPP
 
 #include <array>
 #include <cfloat>
@@ -93,7 +93,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

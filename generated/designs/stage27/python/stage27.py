@@ -101,7 +101,7 @@ class Status(IntEnum):
     """u is not finite."""
 
 class Control(NamedTuple):
-    """What a step gives."""
+    """Result of a step."""
 
     u: np.float64
     """Input of the plant."""
@@ -109,7 +109,7 @@ class Control(NamedTuple):
     """Its Status."""
 
 class Axes(NamedTuple):
-    """What a step of several axes gives, for each time and state of the batch."""
+    """Result of a step of several axes, for each time and state of the batch."""
 
     u: Array
     """Inputs of the plants along the last axis; 0 on a negative status."""

@@ -40,8 +40,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE29_72A162EE_HPP
-#define STAGE29_72A162EE_HPP
+#ifndef STAGE29_F4B6B5C4_HPP
+#define STAGE29_F4B6B5C4_HPP
 
 #include <array>
 #include <cfloat>
@@ -84,7 +84,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -101,7 +101,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

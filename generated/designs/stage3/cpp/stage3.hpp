@@ -43,8 +43,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE3_53ECF04E_HPP
-#define STAGE3_53ECF04E_HPP
+#ifndef STAGE3_B7D54F4B_HPP
+#define STAGE3_B7D54F4B_HPP
 
 #include <array>
 #include <cfloat>
@@ -86,7 +86,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

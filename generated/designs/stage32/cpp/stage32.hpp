@@ -66,8 +66,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE32_C2F84494_HPP
-#define STAGE32_C2F84494_HPP
+#ifndef STAGE32_15186055_HPP
+#define STAGE32_15186055_HPP
 
 #include <array>
 #include <cfloat>
@@ -110,7 +110,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -127,7 +127,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

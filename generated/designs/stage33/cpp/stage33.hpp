@@ -52,8 +52,8 @@
  *   loop: not checked: axis 1: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE33_7D9830F0_HPP
-#define STAGE33_7D9830F0_HPP
+#ifndef STAGE33_E39E76D7_HPP
+#define STAGE33_E39E76D7_HPP
 
 #include <array>
 #include <cfloat>
@@ -96,7 +96,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -113,7 +113,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

@@ -69,7 +69,7 @@ pub enum Status {
     Gated,
 }
 
-/// What a step gives.
+/// Result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Control<R = f32> {
     /// Input of the plant.
@@ -101,7 +101,7 @@ impl core::fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Axes<const M: usize, R = f32> {

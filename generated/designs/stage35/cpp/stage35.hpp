@@ -52,8 +52,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 1, whose sum is the number of states.
  */
-#ifndef STAGE35_E777AE7A_HPP
-#define STAGE35_E777AE7A_HPP
+#ifndef STAGE35_2B5904B7_HPP
+#define STAGE35_2B5904B7_HPP
 
 #include <array>
 #include <cfloat>
@@ -96,7 +96,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant
@@ -113,7 +113,7 @@ struct [[nodiscard]] Rate {
 
 #ifndef PTC_AXES_HPP
 #define PTC_AXES_HPP
-/// What a step of several axes gives.
+/// Result of a step of several axes.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
     std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status

@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE37_4C72D5CE_HPP
-#define STAGE37_4C72D5CE_HPP
+#ifndef STAGE37_B1C7EA43_HPP
+#define STAGE37_B1C7EA43_HPP
 
 #include <array>
 #include <cfloat>
@@ -83,7 +83,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

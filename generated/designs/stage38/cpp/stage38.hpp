@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_BADA5464_HPP
-#define STAGE38_BADA5464_HPP
+#ifndef STAGE38_74EBC938_HPP
+#define STAGE38_74EBC938_HPP
 
 #include <array>
 #include <cfloat>
@@ -87,7 +87,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

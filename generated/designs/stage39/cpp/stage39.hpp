@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE39_54226CE0_HPP
-#define STAGE39_54226CE0_HPP
+#ifndef STAGE39_8191D014_HPP
+#define STAGE39_8191D014_HPP
 
 #include <array>
 #include <cfloat>
@@ -82,7 +82,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE40_4AEA41A0_HPP
-#define STAGE40_4AEA41A0_HPP
+#ifndef STAGE40_71C49C15_HPP
+#define STAGE40_71C49C15_HPP
 
 #include <array>
 #include <cfloat>
@@ -98,7 +98,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

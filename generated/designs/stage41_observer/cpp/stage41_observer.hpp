@@ -39,8 +39,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE41_OBSERVER_2CD9EEBE_HPP
-#define STAGE41_OBSERVER_2CD9EEBE_HPP
+#ifndef STAGE41_OBSERVER_C35B75BC_HPP
+#define STAGE41_OBSERVER_C35B75BC_HPP
 
 #include <array>
 #include <cfloat>
@@ -82,7 +82,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE42_0745206C_HPP
-#define STAGE42_0745206C_HPP
+#ifndef STAGE42_FD22FD3C_HPP
+#define STAGE42_FD22FD3C_HPP
 
 #include <array>
 #include <cfloat>
@@ -86,7 +86,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_3F14C0D6_HPP
-#define STAGE6_3F14C0D6_HPP
+#ifndef STAGE6_D02C9070_HPP
+#define STAGE6_D02C9070_HPP
 
 #include <array>
 #include <cfloat>
@@ -86,7 +86,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_670CA86A_HPP
-#define STAGE7_670CA86A_HPP
+#ifndef STAGE7_DADCEF00_HPP
+#define STAGE7_DADCEF00_HPP
 
 #include <array>
 #include <cfloat>
@@ -83,7 +83,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE8_3FF6E240_HPP
-#define STAGE8_3FF6E240_HPP
+#ifndef STAGE8_EBBEAE5B_HPP
+#define STAGE8_EBBEAE5B_HPP
 
 #include <array>
 #include <cfloat>
@@ -81,7 +81,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

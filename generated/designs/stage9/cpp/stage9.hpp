@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE9_F73D99A4_HPP
-#define STAGE9_F73D99A4_HPP
+#ifndef STAGE9_4005AB93_HPP
+#define STAGE9_4005AB93_HPP
 
 #include <array>
 #include <cfloat>
@@ -87,7 +87,7 @@ enum class Status : int {
     Range = -3 ///< u not finite
 };
 
-/// What a step gives.
+/// Result of a step.
 template <class Real>
 struct [[nodiscard]] Control {
     Real u; ///< input of the plant

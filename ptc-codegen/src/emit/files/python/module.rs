@@ -149,7 +149,7 @@ fn default(parameter: &Variable) -> &'static str {
 
 const CONTROL: &str = "
 class Control(NamedTuple):
-    \"\"\"What a step gives.\"\"\"
+    \"\"\"Result of a step.\"\"\"
 
     u: np.REAL
     \"\"\"Input of the plant.\"\"\"
@@ -159,7 +159,7 @@ class Control(NamedTuple):
 
 const CONTROLS: &str = "
 class Control(NamedTuple):
-    \"\"\"What a step gives, for each time and state of the batch.\"\"\"
+    \"\"\"Result of a step, for each time and state of the batch.\"\"\"
 
     u: Array
     \"\"\"Input of the plant.\"\"\"
