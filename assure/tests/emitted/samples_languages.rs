@@ -188,7 +188,7 @@ fn structured_text_gives_the_bits_of_the_interpreter() {
     );
 }
 
-/// What is refused, by key and a part of the message.
+/// Refused designs, with the key and a part of the message.
 #[test]
 fn what_a_language_cannot_say_is_refused() {
     let of = |name: &str| {
