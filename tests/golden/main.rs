@@ -54,7 +54,7 @@ fn generated_is_what_the_generator_writes() {
     compare(&LANGUAGES.map(Language::name), &WANTED);
 }
 
-/// Those of the families that call no function at all need no `std`.
+/// Goldens of the families that call no function need no `std`.
 #[test]
 fn goldens_without_a_function_compile_without_std() {
     let folder = empty(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden_rust"));

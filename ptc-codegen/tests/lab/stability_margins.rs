@@ -62,7 +62,7 @@ fn reason(report: &Report) -> &str {
     &report.choices.first().expect("a choice").reason
 }
 
-/// What |x_i| is at worst at the deadline.
+/// Returns the largest |x_i| at the deadline in the worst case.
 fn finals(report: &Report) -> Vec<f64> {
     report.worst.as_ref().expect("a worst case").states.iter().map(|bound| bound.total()).collect()
 }
@@ -91,7 +91,7 @@ fn the_eps_that_is_chosen_keeps_the_margin_that_is_asked_for() {
     }
 }
 
-/// What is accepted with the smallest error stays accepted with any margin that is wanted.
+/// A design that is accepted with the smallest error stays accepted with any wanted margin.
 #[test]
 fn the_bounds_of_a_design_come_before_its_margin() {
     let verdict = |report: &Report| {

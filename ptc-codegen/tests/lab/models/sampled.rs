@@ -57,7 +57,7 @@ fn a_linear_model_is_its_matrices() {
     }
 }
 
-/// What commands make of both is the same, to the last digit.
+/// `simulate` and `check` give the same results for the model and the linear plant, to the last digit.
 #[cfg(feature = "lab")]
 #[test]
 fn it_is_checked_and_simulated_as_they_are() {

@@ -40,7 +40,7 @@ fn each_mistake_is_shown_at_its_line() {
     }
 }
 
-/// What is shown to exist, with the start and the parameters that show it.
+/// References that are proved to exist, with the start and the parameters of the design.
 #[test]
 fn a_reference_that_exists_is_taken() {
     for reference in [

@@ -148,7 +148,7 @@ fn axes_are_shown_as_what_they_are() {
     alone(&page);
 }
 
-/// What a page would ask a network for.
+/// Asserts that a page requests nothing from a network.
 fn alone(page: &Document<'_>) {
     let policy = page.descendants().find_map(|node| {
         let named = node.attribute("http-equiv") == Some("Content-Security-Policy");

@@ -80,7 +80,7 @@ fn a_tank_with_a_leak_fills_as_one_by_hand() {
     }
 }
 
-/// What the joints follow, with two derivatives.
+/// References of the joints, with two derivatives.
 fn targets(t: f64) -> [[f64; 3]; 2] {
     let (first, second) = (0.4 * t, 0.5 * t + 1.0);
     [

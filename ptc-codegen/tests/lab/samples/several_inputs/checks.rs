@@ -1,4 +1,4 @@
-//! What the checks say of them.
+//! Checks of plants with several inputs.
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::check::{Outcome, Verdict};
@@ -6,7 +6,7 @@ use ptc_codegen::check::{Outcome, Verdict};
 use super::{FOUR, changed};
 use crate::support::{example, spec};
 
-/// What is not proved is not called sound.
+/// A check that proves nothing does not report `sound`.
 #[test]
 fn the_checks_say_what_they_do_not_know() {
     let report = |text: &str| examine(&spec(text));
@@ -93,7 +93,7 @@ fn the_checks_say_what_they_do_not_know() {
     }
 }
 
-/// Of axes `loop` is that of each by itself.
+/// The check `loop` of several axes equals that of each axis alone.
 #[test]
 fn the_loop_of_axes_is_that_of_each() {
     let keys = "n = 2\nclock = \"samples\"\nmu = \"exp(a=1)\"\nsample_time = 0.01\neps = 0\nx0_max = [0.5, 0.5]\n";
