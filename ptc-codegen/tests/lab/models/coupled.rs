@@ -157,7 +157,7 @@ fn outputs_of_different_orders_come_to_rest() {
     assert!((x[0] - p).abs() < 1e-3 * p && (x[2] - h).abs() < 1e-3 * h, "{x:?}: p = {p}, h = {h}");
 }
 
-/// At a singular matrix every u is 0, at any level of the guard.
+/// At a singular matrix every u is 0, and the call and both axes fail.
 #[test]
 fn a_singular_state_gives_no_u() {
     let main = "static const unicycle_params params = { .t0 = 0.0 };\n\
