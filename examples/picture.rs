@@ -16,7 +16,7 @@ const PERIOD: f64 = 1e-3;
 const EPS: f64 = 1e-2;
 const END: f64 = 5.5;
 
-/// What is drawn of one run: the settling time, how its curves look, and t, x1, x2, x3, u.
+/// One run of the picture: its settling time, the class of its curves, and t, x1, x2, x3, u.
 struct Run {
     tau: f64,
     class: &'static str,

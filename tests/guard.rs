@@ -20,7 +20,7 @@ fn code(spec: &Spec) -> Code {
     controller::whole(&controller)
 }
 
-/// What `step` tests before it computes anything.
+/// Returns the tests that `step` makes before it computes anything.
 fn first(keys: &[(&str, &str)]) -> Vec<String> {
     let code = code(&spec(keys));
     let step = code.function("step").expect("a step");

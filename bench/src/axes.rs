@@ -65,7 +65,7 @@ pub(crate) fn measure() -> Result<Vec<Step>> {
     Ok(cases.iter().enumerate().map(row).collect())
 }
 
-/// What each case takes, compiled with these flags more.
+/// Measures each case, compiled with further flags.
 fn column(cases: &[(Case, usize)], flags: &[&str]) -> Result<Vec<(f64, f64)>> {
     let folder = scratch(&format!("axes{}", flags.concat()))?;
     let only: Vec<_> = cases.iter().map(|(case, _)| case.clone()).collect();

@@ -1,5 +1,5 @@
-//! What builds cost, in processor seconds: the command, a crate that uses the macro, and what
-//! controllers add to it.
+//! Cost of builds, in processor seconds: the command, a crate that uses the macro, and the controllers that are
+//! added to it.
 
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -27,7 +27,7 @@ pub(crate) struct Builds {
     pub(crate) user: f64,
     /// The same by the path of a checkout, which cargo prepares for changes.
     pub(crate) by_path: f64,
-    /// That crate after a change of it, without a controller.
+    /// The same crate rebuilt after a change, without a controller.
     pub(crate) none: f64,
     /// With one controller.
     pub(crate) one: f64,

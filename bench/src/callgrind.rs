@@ -21,7 +21,7 @@ impl Cost {
     }
 }
 
-/// What one run recorded.
+/// Record of one run.
 #[derive(Debug, Default)]
 pub(crate) struct Profile {
     /// Instructions of the whole process.

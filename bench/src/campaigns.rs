@@ -24,7 +24,7 @@ const COUNTED: [u32; 2] = [64, 256];
 /// Rounds, of which the least time counts.
 const ROUNDS: usize = 3;
 
-/// What a campaign costs.
+/// Cost of a campaign.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Campaign {
     pub(crate) what: String,
@@ -118,7 +118,7 @@ fn of_design(command: &Path, design: &Path, what: String) -> Result<Campaign> {
     })
 }
 
-/// How many scenarios a run has, where each takes so many seconds beside what all runs do once.
+/// Returns the number of scenarios of a run, from the seconds of each beyond the work that all runs share.
 fn scenarios(seconds: f64) -> u32 {
     let mut count = SCENARIOS;
     while count > 8 * FEW && seconds * f64::from(count) > LONG {

@@ -1,4 +1,4 @@
-//! What is measured: controllers by family, order, precision and guard.
+//! Controllers to measure, by family, order, precision and guard.
 
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::family::Family;
@@ -129,13 +129,13 @@ impl Case {
         fields
     }
 
-    /// Whether `field` is an array in the emitted parameters.
+    /// Returns true if `field` is an array in the emitted parameters.
     pub(crate) fn is_array(field: &str) -> bool {
         matches!(field, "k" | "rates")
     }
 }
 
-/// What a measured number belongs to.
+/// Identifies the controller of a measured number.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub(crate) struct Key {
     pub(crate) language: String,

@@ -15,7 +15,7 @@ use crate::case::{Case, GUARDS, Key, ORDERS, PRECISIONS, VARIANTS};
 use crate::failure::{Failure, Result, While};
 use crate::tools::{parallel, run, scratch};
 
-/// What is measured of one controller.
+/// Measurements of one controller.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Count {
     pub(crate) key: Key,

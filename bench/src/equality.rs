@@ -22,12 +22,12 @@ use crate::extract::extract;
 use crate::failure::{Failure, Result};
 use crate::rewrites::{Early, Node, rules};
 
-/// Where an e-graph stops growing.
+/// Limits at which an e-graph stops growing.
 const NODES: usize = 100_000;
 const ITERATIONS: usize = 30;
 const SECONDS: u64 = 20;
 
-/// What was found for one kernel.
+/// Results for one kernel.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Found {
     pub(crate) family: String,
@@ -40,7 +40,7 @@ pub(crate) struct Found {
     pub(crate) free: Outcome,
 }
 
-/// How one e-graph ended.
+/// Outcome of one e-graph.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Outcome {
     /// Cycles of the best expression found.

@@ -78,7 +78,7 @@ fn improve(
     }
 }
 
-/// What `root` costs, and the classes it uses; `None` if the selection is circular.
+/// Returns the cost of `root` and the classes it uses; `None` if the selection is circular.
 fn cost(
     graph: &EGraph<Node, Early>,
     selection: &Selection,

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-/// What ends a command early.
+/// Error that ends a command early.
 #[derive(Debug)]
 pub(crate) struct Failure {
     /// 1: a measurement failed or is out of bounds; 2: something needed is not installed.

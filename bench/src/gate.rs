@@ -16,13 +16,13 @@ const ORDERS: [usize; 4] = [1, 3, 6, 12];
 /// Its guards: the leanest and the default, whose counts have its name behind them.
 const GUARDS: [(Guard, &str); 2] = [(Guard::None, ""), (Guard::Full, " full")];
 
-/// How much more than the baseline a count may be.
+/// Accepted ratio of a count to its baseline.
 const TOLERANCE: f64 = 1.02;
 
 /// The counts that are kept.
 #[derive(Debug, Serialize, Deserialize)]
 struct Baseline {
-    /// What they were counted with: other versions may count otherwise.
+    /// Tools that counted; other versions may count differently.
     counted_with: Vec<String>,
     counts: BTreeMap<String, f64>,
 }

@@ -34,7 +34,7 @@ pub(crate) struct Speed {
     pub(crate) milliseconds: f64,
 }
 
-/// What a tool takes for the Bell polynomials.
+/// Cost of the Bell polynomials in one tool.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Bell {
     pub(crate) tool: String,
@@ -122,7 +122,7 @@ pub(crate) fn measure() -> Result<Vec<Speed>> {
     Ok(speeds)
 }
 
-/// What [`PROBE`] runs.
+/// Computation that [`PROBE`] runs.
 #[inline(never)]
 pub(crate) fn ptc_bench_bell() -> usize {
     black_box(bell_table(black_box(BELL))).len()

@@ -47,7 +47,7 @@ pub(crate) struct Latency {
     pub(crate) hand: Option<[Step; 2]>,
 }
 
-/// What a call takes.
+/// Cost of a call.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct Step {
     /// Mean instructions.

@@ -61,7 +61,7 @@ struct Peer {
     text: u64,
 }
 
-/// How the contestants are made.
+/// Commands that set up the contestants.
 const SET_UP: &str = "
     python3 -m venv bench/peers/venv
     bench/peers/venv/bin/pip install sympy symengine casadi symforce python-flint mpmath

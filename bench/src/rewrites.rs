@@ -32,7 +32,7 @@ impl Node {
     }
 }
 
-/// Whether a class is known before the time is: leaves are, except the time and the states.
+/// Marks the classes that are known before the time: all leaves except the time and the states, and nodes of these.
 #[derive(Default)]
 pub(crate) struct Early;
 

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::failure::{Failure, Result, While};
 
-/// How many compilers or valgrinds run at a time.
+/// Number of compilers or valgrinds that run at a time.
 const AT_A_TIME: usize = 2;
 
 /// The root of the workspace.

@@ -1,11 +1,11 @@
-//! What the checks say of a design, what it costs, and where its poles are.
+//! Verdicts of the checks on a design, its cost and its poles.
 
 use ptc_codegen::Accepted;
 use ptc_codegen::check::examine::{self, Report};
 use ptc_codegen::request::Spec;
 use serde_json::{Value, json};
 
-/// What the page shows of a design beside its text.
+/// Describes a design for the page, beside its text.
 pub(crate) fn of_design(spec: &Spec) -> Value {
     json!({
         "name": spec.name(),

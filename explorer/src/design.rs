@@ -59,7 +59,7 @@ impl<'a> Design<'a> {
             .map_err(|found| found.first().map_or_else(String::new, |first| first.message.clone()))
     }
 
-    /// Where the key and the value of each entry are.
+    /// Returns the places of the key and the value of each entry.
     pub(crate) fn keys(&self) -> Value {
         let mut keys = Map::new();
         for entry in &self.entries {

@@ -1,4 +1,4 @@
-//! What the page asks of the generator, and what it is answered: JSON in, JSON out.
+//! Answers the requests of the page to the generator: JSON in, JSON out.
 //!
 //! A request is `{"design": TOML, "language": NAME, "x0": NUMBERS, "seed": NUMBER, "overlays": MAPPINGS}`.
 //! The answer holds what the commands `emit`, `check` and `simulate` say of the same design; offsets in

@@ -21,7 +21,7 @@ pub enum Family {
     Soft,
 }
 
-/// What help and docs say about a family.
+/// Description of a family in help and docs.
 #[derive(Clone, Copy, Debug)]
 pub struct FamilyInfo {
     /// The family.
@@ -148,7 +148,7 @@ impl Family {
         self.info().name
     }
 
-    /// Whether kappa needs an iteration at run time.
+    /// Returns true if kappa needs an iteration at run time.
     pub fn is_iterated(self) -> bool {
         self == Self::ExpSum
     }

@@ -1,4 +1,4 @@
-//! What other programs use: a design from its text, its files, and its mistakes.
+//! Interface for other programs: a design from its text, its files, and its mistakes.
 
 use std::fmt;
 use std::ops::Range;
@@ -69,7 +69,7 @@ impl Design {
     /// The source of its self-test in C, which a target compiles beside the controller, and its header.
     ///
     /// # Errors
-    /// What has no self-test.
+    /// Fails if the design has no self-test.
     pub fn selftest(&self) -> Result<Vec<File>, Mistakes> {
         self.0.selftest().map_err(Mistakes::of_design)
     }
@@ -93,9 +93,9 @@ pub struct Mistake {
     pub code: &'static str,
     /// The key that is wrong, for example `mu.a`.
     pub key: String,
-    /// What is wrong, with the bad value.
+    /// The mistake, with the bad value.
     pub message: String,
-    /// What is legal, and the likely fix.
+    /// The legal values, and the likely fix.
     pub help: String,
 }
 
@@ -127,7 +127,7 @@ impl Mistakes {
         Self(found.into_iter().map(mistake).collect())
     }
 
-    /// Of a design that was read before: what cannot be expressed is in no line alone.
+    /// Creates the mistakes of a design that was read before, which belong to no single line.
     fn of_design(found: Vec<Diagnostic>) -> Self {
         Self::new(found, "", &[])
     }

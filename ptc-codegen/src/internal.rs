@@ -14,7 +14,7 @@ pub const INTERNAL: &str = "internal";
 pub struct Internal(String);
 
 impl Internal {
-    /// What to do about it.
+    /// Advice to the user.
     pub const HELP: &'static str = "this is a fault of ptc-codegen, not of the input, and nothing was written: report this text with the command line and the design at https://github.com/ptc-codegen/ptc/issues";
 
     fn of(payload: Box<dyn Any + Send>) -> Self {

@@ -25,7 +25,7 @@ pub enum Form {
         /// `rows[j - 1]`, in the scaled gains, the parameters and at most one tick quantity; for algebraic
         /// in two, one of which stands alone at most.
         rows: Vec<Poly>,
-        /// What the symbols of a user-defined mapping are; those of a family are known by themselves.
+        /// Values of the symbols of a user-defined mapping; those of a family are known.
         values: Vec<(Symbol, Expression)>,
     },
     /// gain_j = -r_1^-(n+1-j) (1/(j-1)!) sum_i k_i (i-1)! [z^(i-1)] p(z)^(j-1), where
@@ -44,7 +44,7 @@ pub struct Law {
     pub n: usize,
     /// Rate of stretched time: K_i = k_i rate^-(n+1-i).
     pub rate: Poly,
-    /// How u is computed.
+    /// Form in which u is computed.
     pub form: Form,
     /// The closed forms from which it is computed, where another engine has made them.
     pub expanded: Option<Expanded>,

@@ -1,22 +1,22 @@
-//! How large an input may be, and how much work it may cause: one table, so that every input has a
-//! bound in time and memory, and every refusal for a size says which bound it is.
+//! Limits of the size of inputs and of the work that they cause: one table, so that every input has a bound in time
+//! and memory, and every refusal for a size names its bound.
 
 /// A bound.
 #[derive(Clone, Copy, Debug)]
 pub struct Limit {
-    /// What is counted, in the plural.
+    /// Counted items, in the plural.
     pub what: &'static str,
     /// The largest count that is accepted.
     pub most: u64,
     /// Why the bound is where it is.
     pub why: &'static str,
-    /// What to do about an input that is refused; empty where none is, as work beyond the bound is
-    /// left undone and the form stays as it was written.
+    /// Advice for a refused input; empty if no input is refused, as work beyond the bound is left undone and the form
+    /// stays as it was written.
     pub fix: &'static str,
 }
 
 impl Limit {
-    /// Whether `size` is accepted.
+    /// Returns true if `size` is accepted.
     pub fn admits(&self, size: usize) -> bool {
         u64::try_from(size).is_ok_and(|size| size <= self.most)
     }

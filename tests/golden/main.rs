@@ -54,7 +54,7 @@ fn goldens_match_the_generator() {
     compare(&LANGUAGES.map(Language::name), &WANTED);
 }
 
-/// Those of the families that call no function at all need no `std`.
+/// Goldens of the families that call no function need no `std`.
 #[test]
 fn goldens_without_function_calls_compile_without_std() {
     let folder = empty(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden_rust"));

@@ -161,7 +161,7 @@ fn what_is_fixed_is_no_parameter() {
     assert_close(bare.step(0.5, &[1.0]).expect("a control").u, -4.0, 1e-14, 0.5);
 }
 
-/// What a macro_rules macro passes on is read as if it were written there.
+/// Arguments that a macro_rules macro passes on are read as if they were written there.
 #[test]
 fn arguments_come_from_other_macros_too() {
     macro_rules! of_order {

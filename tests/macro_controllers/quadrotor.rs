@@ -45,7 +45,7 @@ fn rates(s: &Body, thrust: f64, torque: &[f64]) -> Body {
     ]
 }
 
-/// What the law sees: each axis and its rate.
+/// State as the law sees it: each axis and its rate.
 fn seen(s: &Body) -> [[f64; 2]; 4] {
     let [_, _, roll, pitch, yaw, ..] = rates(s, 0.0, &[0.0; 3]);
     [[s[0], s[1]], [s[2], roll], [s[3], pitch], [s[4], yaw]]
@@ -90,8 +90,8 @@ fn errors_from_the_deadline_on_are_those_of_what_the_law_does_not_know() {
     assert!(largest[1..].iter().all(|e| (5e-7..1e-5).contains(e)), "{largest:?}");
 }
 
-/// Where the law knows all, as of axes that do not move each other, each tracking error is a sum of powers
-/// of the time-to-go.
+/// Each tracking error is a sum of powers of the time-to-go if the law knows everything, as for axes that do not move
+/// each other.
 #[test]
 fn tracking_errors_of_chains_are_powers_of_the_time_to_go() {
     let control = Quadrotor::new(QuadrotorParams {}).expect("a legal design");

@@ -149,7 +149,7 @@ ptc::ptc_controller!(
     dynamics = [q - h / 10, p - c * (1 + h), (c - e) * (1 + h)]
 );
 
-/// Where level and temperatures of the tank are after 80 samples under a controller, by Runge's method.
+/// Integrates level and temperatures of the tank over 80 samples under a controller, by Runge's method.
 fn mixed(mut control: impl FnMut(u32, &[f64; 3]) -> [f64; 2]) -> [f64; 3] {
     let (period, mut x) = (0.05, [0.3, 10.0, 5.0]);
     let rate = |[h, c, e]: [f64; 3], [q, p]: [f64; 2]| {

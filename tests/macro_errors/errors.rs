@@ -1,4 +1,4 @@
-//! What `ptc_controller!` says of a mistake, and where it points.
+//! Messages of `ptc_controller!` for mistakes, and the places that they point to.
 //!
 //! `TRYBUILD=overwrite cargo test` in this folder writes the expectations anew, with `--no-default-features` those
 //! of `bare`; they hold for Rust 1.95, as other compilers word and mark some of them differently.

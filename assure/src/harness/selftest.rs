@@ -12,7 +12,7 @@ use super::write;
 /// Writes a controller and its self-test to `folder`: their sources, that of the controller first.
 ///
 /// # Errors
-/// What has no self-test, and a file that cannot be written.
+/// Fails if the design has no self-test or a file cannot be written.
 pub fn sources(folder: &Path, spec: &Spec) -> Result<[PathBuf; 2]> {
     write(folder, spec, Language::C);
     write_selftest(folder, spec)
@@ -21,7 +21,7 @@ pub fn sources(folder: &Path, spec: &Spec) -> Result<[PathBuf; 2]> {
 /// The same beside a controller that is in `folder` already.
 ///
 /// # Errors
-/// What has no self-test, and a file that cannot be written.
+/// Fails if the design has no self-test or a file cannot be written.
 pub fn write_selftest(folder: &Path, spec: &Spec) -> Result<[PathBuf; 2]> {
     let files = ptc_codegen::generate_selftest(spec)
         .map_err(|found| anyhow!("{}", found.first().map_or("", |one| &one.message)))?;

@@ -102,7 +102,7 @@ fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32
         (interpreter.value(program.limits.late), interpreter.value(program.limits.hold_from));
     let held = i32::from(late >= hold_from);
     match program.limits.u_max.map(|limit| interpreter.value(limit)) {
-        // What overflows is no u that a limit could clip.
+        // An overflow is not clipped to a limit: it fails with u = 0.
         _ if !u.is_finite() => (-3, 0.0),
         Some(limit) if u > limit => (2, limit),
         Some(limit) if u < -limit => (2, -limit),

@@ -24,7 +24,7 @@ use crate::layer::{Finding, Table};
 /// Records for each controller, where the run is not brief.
 const RECORDS: usize = 1000;
 
-/// Runner of the files of controllers on their records, in a folder of its own.
+/// Runs the files of controllers on their records, in a separate folder.
 pub(super) type Run<'a> =
     &'a dyn Fn(&Path, &[Home<'_>], &[Vec<Record>]) -> Result<Vec<Vec<Outcome>>>;
 

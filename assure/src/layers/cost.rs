@@ -31,7 +31,7 @@ const UPDATE: &str = "UPDATE_COSTS";
 /// The costs of `specs`, each on each machine.
 ///
 /// # Errors
-/// What cannot be measured, or what a tool says that fails.
+/// Fails if a cost cannot be measured or a tool fails.
 pub fn costs(context: &Context, specs: &[Spec]) -> Result<Vec<Measured>> {
     let folder = context.scratch("cost");
     let plugin = plugin(&folder)?;

@@ -27,9 +27,9 @@ pub(super) const LAYER: Layer = Layer {
 
 const PACKAGES: [&str; 4] = ["mpmath>=1.3", "gmpy2", "numpy>=1.26", "scipy>=1.11"];
 
-/// Numbers of draws: objectives on each side of the truth, the greatest order, designs for `check`, and for its `loop`,
-/// runs of `simulate`, wishes for `design`, suprema that are computed by another route, and sets of parameters of each
-/// emitted controller.
+/// Numbers of draws: objectives on each side of the truth, the greatest order, designs for `check` and for its `loop`,
+/// runs of `simulate`, and wishes for `design`. Then suprema that are computed by another route, and sets of parameters
+/// of each emitted controller.
 struct Size {
     each_way: usize,
     order: usize,

@@ -48,7 +48,7 @@ fn what_is_written_out_costs_what_its_family_costs() {
     }
 }
 
-/// Whether the gains come from a ring.
+/// Returns true if the gains come from a ring.
 fn closes(mu: &str, fixed: &[(&str, &str)]) -> bool {
     match Law::of(&read("mu", mu, 3, fixed)).form {
         Form::Rows { .. } => true,

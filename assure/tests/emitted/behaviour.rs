@@ -1,5 +1,5 @@
-//! What the emitted C does at the edges of what it accepts, and in closed loop; the checks
-//! themselves are those of support/behaviour.c.
+//! Behaviour of the emitted C at the edges of its accepted inputs and in closed loop; the checks are in
+//! support/behaviour.c.
 
 use crate::support;
 

@@ -27,7 +27,7 @@ fn spec(keys: &[(&str, String)]) -> Spec {
     read_spec(&entries).unwrap_or_else(|found| panic!("{keys:?}: {}", found[0]))
 }
 
-/// What the parameter is in a vector.
+/// Returns the value of a parameter in a vector.
 fn parameter(vector: &Vector, parameter: Parameter, eps: f64) -> f64 {
     let values = vector.values(eps);
     match parameter {
@@ -43,8 +43,8 @@ fn parameter(vector: &Vector, parameter: Parameter, eps: f64) -> f64 {
     }
 }
 
-/// Whether the form loses digits at the start that the family keeps: written in dt/tau alone, kappa'
-/// of a very soft start is a difference that nearly vanishes.
+/// Returns true if the expression loses digits at the start that the family keeps: written in dt/tau alone,
+/// kappa' of a very soft start is a difference that nearly vanishes.
 fn is_spelt_softly(vector: &Vector, given: &str) -> bool {
     ["mu", "kappa"].contains(&given) && vector.start < 0.05
 }

@@ -13,7 +13,7 @@ use ptc_codegen::request::Spec;
 use support::specs::spec;
 use support::{STRICT, c_compiler, folder, run, rustc, write};
 
-/// What a compiler says of a file, and whether it takes it.
+/// Returns true if the compiler accepts a file, with the compiler's messages.
 fn compiled(mut compiler: Command, file: &Path, flags: &[&str]) -> (bool, String) {
     compiler.args(flags).arg("-c").arg(file).arg("-o").arg(file.with_extension("o"));
     let output = compiler.output().expect("a compiler");
@@ -134,7 +134,7 @@ int main(void)
 }
 "#;
 
-/// Where `math.h` has no macro, or one that warns, the file has tests of its own.
+/// Without a macro in `math.h`, or with one that warns, the file uses its own tests for finite numbers.
 #[test]
 fn own_tests_for_finite_numbers_agree_with_the_library() {
     let folder = folder("hosts_finite");

@@ -108,7 +108,7 @@ fn inverse_bell(vector: &Vector) -> Scaled {
     (matrix(evaluate), matrix(magnitude))
 }
 
-/// What is left of 0 in a reference of 120 digits.
+/// Residue of an exact 0 in a reference of 120 digits.
 const ZERO: f64 = 1e-100;
 
 fn assert_near(found: f64, wanted: f64, scale: f64, what: &str, vector: &Vector) {

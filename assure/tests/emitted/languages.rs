@@ -91,7 +91,7 @@ fn cpp_gives_the_bits_of_c() {
     });
 }
 
-/// Where no library is called, a controller can run while it is compiled; where one is, it says so.
+/// `step` is `constexpr` exactly if it calls no library, so that the controller can run at compile time.
 #[test]
 fn cpp_is_constexpr_where_no_library_is_called() {
     let folder = folder("languages_constexpr");
@@ -125,7 +125,7 @@ fn cpp_is_constexpr_where_no_library_is_called() {
     }
 }
 
-/// What a language refuses, by key and a part of the message.
+/// Refusals of each language, with the key and a part of the message.
 #[test]
 fn what_a_language_cannot_say_is_refused() {
     let named = |parameter: &str| {

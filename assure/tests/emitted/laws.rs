@@ -97,7 +97,7 @@ fn specs() -> Vec<Spec> {
         .collect()
 }
 
-/// Whether a spec iterates with logarithms, or its law calls functions, whose last bit depends on the library.
+/// Returns true if u depends on the library in its last bit: by logarithms of an iteration, or functions of the law.
 fn calls_a_library(spec: &Spec) -> bool {
     let law = match &spec.feedback {
         Feedback::Expression(law) => law.to_string(),

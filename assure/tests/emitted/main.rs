@@ -1,5 +1,5 @@
-//! What is emitted, compiled and run, against references, itself in other languages, and the interpreter; and the
-//! readers under any text. `cargo assure emitted` runs it.
+//! Compiles and runs the emitted code against references, other languages and the interpreter, and tests the readers
+//! with arbitrary text. `cargo assure emitted` runs it.
 
 mod atoms;
 mod axes;

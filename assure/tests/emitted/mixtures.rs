@@ -11,7 +11,7 @@ use support::in_pairs;
 use support::optimised;
 use support::specs::{rounded, spec};
 
-/// What decays like 1/t is mixed with each of these.
+/// Quick parts, each mixed with a part that decays like 1/t.
 const QUICK: [&str; 12] = [
     "tau*tanh(b*t)",
     "tau*(tanh(b*t) + tanh(2*b*t))/2",

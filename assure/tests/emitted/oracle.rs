@@ -129,8 +129,8 @@ fn add(worst: &mut Worst, spec: &Spec, vector: &Vector, outcome: &Outcome) -> Re
     Ok(())
 }
 
-/// Whether the feedback gains are finite in the precision of `spec`: each is the control of a
-/// unit vector, which double precision holds for all of single.jsonl.
+/// Returns true if the feedback gains are finite in the precision of `spec`. Each is the control of a unit vector,
+/// which double precision holds for all of single.jsonl.
 fn gains_fit(spec: &Spec, vector: &Vector) -> bool {
     let double = Spec { precision: Precision::F64, ..spec.clone() };
     let program = lower(&double, &Law::of(spec));

@@ -188,7 +188,7 @@ fn structured_text_matches_the_interpreter_bit_for_bit() {
     );
 }
 
-/// What is refused, by key and a part of the message.
+/// Refused designs, with the key and a part of the message.
 #[test]
 fn unsupported_features_of_a_language_are_refused() {
     let of = |name: &str| {

@@ -146,7 +146,7 @@ proptest! {
         prop_assert!(inside, "a place outside {text:?}");
     }
 
-    /// What is read is legal, and what is refused has a message.
+    /// Accepted entries give a legal spec, and refused ones a message.
     #[test]
     fn any_entries_are_read_or_refused(
         texts in prop::collection::vec(

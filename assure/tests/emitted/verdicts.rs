@@ -1,5 +1,5 @@
-//! What the check of growth says of the designs in tests/designs/table, seen: the controller in
-//! closed loop with the chain of integrators, up to a millionth of tau before the deadline.
+//! Compares the check `growth` of the designs in tests/designs/table with runs: the controller in closed loop with
+//! the chain of integrators, up to a millionth of tau before the deadline.
 //!
 //! In stretched time the loop is linear, so that x(T) = BB_n(T)^-1 exp(A t) BB_n(tau) x(0) needs no
 //! integration; BB_n and t are those that the controller hands to a law, and u is what its program
@@ -46,7 +46,7 @@ fn spec(path: &Path) -> Spec {
 
 /// The programs of a design whose law is linear.
 struct Loop<'a> {
-    /// What is not fixed is 1, and tau is; the deadline is at 0, so that time is -T.
+    /// Values of the parameters: 1 for tau and all that are not fixed. The deadline is at 0, so that time is -T.
     values: &'a dyn Fn(Parameter) -> f64,
     n: usize,
     controller: Program,
@@ -60,7 +60,7 @@ struct Loop<'a> {
 struct Seen {
     x: DVector<f64>,
     u: f64,
-    /// What u may be wrong by, as it is a sum of large terms.
+    /// Error bound of u, which is a sum of large terms.
     noise: f64,
 }
 
@@ -137,7 +137,7 @@ impl<'a> Loop<'a> {
     }
 }
 
-/// What becomes of a quantity towards the deadline.
+/// Trend of a quantity towards the deadline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Trend {
     Vanishes,

@@ -25,7 +25,7 @@ struct Design {
     name: &'static str,
     tau: f64,
     outputs: usize,
-    /// What a state of the calls, in -2..2, is multiplied by.
+    /// Factors that scale the states of the calls, drawn in -2..2.
     scale: &'static [f64],
     set: &'static [(&'static str, &'static str)],
 }

@@ -92,7 +92,7 @@ and generate with
     bench/peers/venv/bin/pip install sympy casadi
     bench/peers/venv/bin/python bench/peers/models.py";
 
-/// Where ours is not ahead comes first.
+/// Writes the table of models below a summary of the designs in which ours is not ahead.
 pub(super) fn models(text: &mut String, models: &[Model]) {
     let best = |design: &str| {
         let others = models.iter().filter(|one| one.design == design && one.name != OURS);

@@ -30,7 +30,7 @@ pub(crate) fn keep(name: &str, measured: &impl serde::Serialize) -> Result<()> {
     Ok(())
 }
 
-/// What was kept under `name`; nothing where it never was.
+/// Returns the stored results called `name`; `None` if there are none.
 fn kept<T: DeserializeOwned>(name: &str) -> Result<Option<T>> {
     match std::fs::read_to_string(results()?.join(format!("{name}.json"))) {
         Ok(text) => Ok(Some(serde_json::from_str(&text)?)),

@@ -254,7 +254,7 @@ pub(super) fn builds(text: &mut String, builds: Builds) {
     }
 }
 
-/// What `bench/new-user.sh` printed.
+/// Adds the output of `bench/new-user.sh`.
 pub(super) fn new_user(text: &mut String, table: &str) {
     let _ = write!(text, "\n## A new user\n\n    bench/new-user.sh\n\n{NEW_USER}\n\n{table}");
 }

@@ -15,10 +15,10 @@ const SAMPLES: f64 = 200_000.0;
 /// Rows that are handed to the page.
 const ROWS: usize = 2000;
 
-/// How long a sampled loop runs, as a part of tau: the hold after the deadline is seen too.
+/// Length of a sampled run, as a fraction of tau; it shows the hold after the deadline too.
 const UNTIL: f64 = 1.2;
 
-/// What a run starts from.
+/// Parameters, initial state and seed of a run.
 pub(super) struct Around<'a> {
     pub(super) values: &'a Values,
     pub(super) x0: &'a [f64],
@@ -57,7 +57,7 @@ impl Course {
         }
     }
 
-    /// Of so many states and inputs.
+    /// Creates an empty course for the numbers of states and inputs.
     fn new(held: bool, every: usize, (states, inputs): (usize, usize)) -> Self {
         Self {
             held,

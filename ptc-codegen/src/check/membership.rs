@@ -130,7 +130,7 @@ impl fmt::Display for Verdict {
 pub type Ranges<'a> = &'a dyn Fn(Parameter) -> Option<(BigRational, BigRational)>;
 
 /// Tests the conditions of `custom` as a mapping of a chain of order `n`. Every function that expressions know is
-/// smooth or has a pole or a kink, so the order decides only what is said.
+/// smooth or has a pole or a kink, so the order affects only the report.
 pub fn prove(custom: &Custom, n: usize, ranges: Ranges<'_>) -> Membership {
     let mut problem = Problem::new(custom, n, ranges);
     let start = problem.start();

@@ -138,7 +138,7 @@ impl Code {
         step.results.first()?.shape.length()
     }
 
-    /// Returns true if `axis` is given the number of its axis, which has gains, limits or g of its own.
+    /// Returns true if `axis` takes the number of its axis, because gains, limits or g differ between axes.
     pub fn numbers_axes(&self) -> bool {
         let axis = self.function("axis");
         axis.is_some_and(|axis| axis.arguments.iter().any(|a| a.shape == Shape::Count))

@@ -21,7 +21,7 @@ use crate::parameter::{Name, Parameter};
 use crate::request::{Entry, LargerPlant, Spec, items, known, state_name};
 use crate::syntax::{Argument, Node, Value};
 
-/// Help text on the parts of a plant with states of its own.
+/// Help text on the parts of a plant with its own states.
 const LEGAL: &str = "beside `states` the plant has `dynamics`, or A and B with what is `added` to them, and `outputs` or C";
 
 /// Number of expressions that a list has, with the words for them and for what each belongs to.
@@ -39,7 +39,7 @@ struct Reader<'a> {
     whole: bool,
 }
 
-/// Reads a plant whose states have names of their own; `entries` hold A, B and C.
+/// Reads a plant whose states have their own names; `entries` hold A, B and C.
 pub(super) fn read(
     given: &Given<'_>,
     entries: &[Entry],

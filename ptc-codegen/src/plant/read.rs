@@ -114,7 +114,7 @@ fn chain(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
 pub(super) struct Symbols<'a> {
     /// Symbols of its expressions.
     pub(super) own: BTreeSet<Parameter>,
-    /// The keys that are no symbols.
+    /// Keys that are not symbols.
     pub(super) keys: &'a [&'a str],
     /// True if all expressions could be read.
     pub(super) whole: bool,
@@ -144,7 +144,7 @@ impl Symbols<'_> {
         for (name, (place, node)) in given.iter().filter(|(name, _)| !is_key(name)) {
             match self.own.iter().find(|symbol| symbol.spelling() == *name) {
                 Some(symbol) => value(plant, name, *symbol, node, found),
-                // What could not be read may use it.
+                // An expression that could not be read may use it.
                 None if self.whole => match near_miss(name, unvalued.iter().map(String::as_str)) {
                     Some(meant) => misspelt(plant, (name, meant), given, found),
                     None => self.unused(name, *place, spec, found),

@@ -11,7 +11,7 @@ use crate::request::{Side, Spec};
 /// The spring between the two inertias, beside a chain of order n.
 pub(super) struct Spring {
     n: usize,
-    /// r, 1 + r, and the acceleration that the spring makes of its twist, s.
+    /// r, 1 + r, and the acceleration s that the spring causes by its twist.
     ratio: Expression,
     whole: Expression,
     pull: Expression,
@@ -57,7 +57,7 @@ impl Spring {
             false => self.across(&plant.f, forced),
         };
         let is_driven = f != Expression::integer(0);
-        // What f moves the inertia by on which it acts, and the twist by.
+        // Acceleration by f of the inertia on which it acts, and of the twist.
         let (own, twist) = match forced {
             Side::Motor => (self.whole.clone().mul(f.clone()), self.whole.clone().mul(f)),
             Side::Load => {

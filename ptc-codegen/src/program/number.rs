@@ -59,8 +59,8 @@ pub fn exact(value: f64) -> Option<BigRational> {
     BigRational::from_f64(value)
 }
 
-/// Returns true if a double is exactly `value`. Most numbers are no binary fractions, which is seen without the exact
-/// value of the double, whose lowest terms take far longer.
+/// Returns true if a double is exactly `value`. Most numbers are not binary fractions; that test comes first, as
+/// reducing the exact value of the double to lowest terms takes far longer.
 pub fn is_exact(near: f64, value: &BigRational) -> bool {
     let denominator = value.denom().magnitude();
     let is_binary =

@@ -1,7 +1,7 @@
 //! Bounds of rounding errors: the distance of a computed value from the same in exact arithmetic.
 //!
-//! For a value v of a program let v* be the same in exact arithmetic, and e a bound of |v - v*|. What the errors of the
-//! operands make of an operation without its own rounding:
+//! For a value v of a program let v* be the same in exact arithmetic, and e a bound of |v - v*|. An operation inherits
+//! from the errors of its operands, without its own rounding:
 //!
 //! - a b: |ab - a*b*| = |a (b - b*) + b* (a - a*)| <= |a| e_b + (|b| + e_b) e_a
 //! - a/b: |a/b - a*/b*| = |(a - a*)/b* + (a/b) (b* - b)/b*| <= (e_a + |a/b| e_b)/(|b| - e_b)
@@ -81,7 +81,7 @@ impl Units {
         self.times(if function.is_of_library() { LIBRARY } else { 1.0 }, size, inherited)
     }
 
-    /// The same of a power with an exponent that is no whole number.
+    /// The same of a power with a non-integer exponent.
     pub(crate) fn of_power(self, size: f64, inherited: f64) -> f64 {
         self.times(LIBRARY, size, inherited)
     }

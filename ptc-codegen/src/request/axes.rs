@@ -34,7 +34,7 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Returns true if an axis has values of its own.
+    /// Returns true if the axes differ in a value.
     pub fn differ(&self) -> bool {
         !self.gains.is_empty()
             || !self.limits.is_empty()

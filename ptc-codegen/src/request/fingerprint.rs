@@ -13,8 +13,8 @@ const GROWTH: &str = "growth";
 impl Spec {
     /// The fingerprint: equal for two designs whose emitted programs are the same in every language.
     ///
-    /// It hashes the command that gives the design back, without the promises of which the program knows nothing and
-    /// with lists of numbers by their values.
+    /// Hashes the command that gives the design back, without the promises that do not affect the program, and with
+    /// lists of numbers by their values.
     pub fn fingerprint(&self) -> String {
         let spec = self.clone().apart();
         let promises = spec.determining();

@@ -56,7 +56,7 @@ impl Spec {
     }
 }
 
-/// Returns true if the plant of a design has states of its own, so that A, B and C are not the law's.
+/// Returns true if the plant of a design has its own states, so that A, B and C are not the law's.
 pub(crate) fn has_own_states(entries: &[Entry]) -> bool {
     entries.iter().any(|entry| entry.key == STATES)
 }

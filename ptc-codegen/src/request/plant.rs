@@ -17,7 +17,7 @@ impl Spec {
         model.map_or(self.n, |model| model.states.len())
     }
 
-    /// Returns true if the plant is a model, whose states and inputs have names of their own.
+    /// Returns true if the plant is a model, which names its states and inputs.
     pub fn has_model(&self) -> bool {
         self.model.is_some() || self.coupled.is_some() || self.larger.is_some()
     }

@@ -47,7 +47,7 @@ pub struct Promises {
     pub resonance: Option<Resonance>,
 }
 
-/// Two inertias joined by a spring with a damper: what is known of them, least and greatest value each.
+/// Two inertias joined by a spring with a damper: the least and the greatest value of each quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Resonance {
     /// Frequency of the free resonance, Hz.

@@ -56,7 +56,7 @@ pub struct Spec {
     pub fixed: BTreeMap<Parameter, Fixed>,
     /// Bounds of run-time parameters that the user gave, least and greatest value.
     pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
-    /// True if u has a lower limit of its own; otherwise it is -u_max.
+    /// True if u has a separate lower limit; otherwise it is -u_max.
     pub u_min: bool,
     /// The poles from which the gains were computed; empty where gains were given.
     pub poles: Vec<(BigRational, BigRational)>,

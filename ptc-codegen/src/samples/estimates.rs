@@ -247,7 +247,7 @@ impl<'a> Builder<'a> {
         statements
     }
 
-    /// Tests that the predictions that are kept are finite, which u does not show.
+    /// Tests that the stored predictions are finite, which u does not show.
     pub(super) fn finite_predictions(&self) -> Vec<Test> {
         if !self.sampled.observes() || self.sampled.linear.is_none() {
             return Vec::new();

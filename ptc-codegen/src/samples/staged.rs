@@ -27,7 +27,7 @@ pub(super) struct Staged {
     known: BTreeMap<Value, Expr>,
     /// All that has been known, given away or not.
     done: BTreeSet<Value>,
-    /// Number of values that have a name of their own.
+    /// Number of values with their own name.
     named: usize,
 }
 

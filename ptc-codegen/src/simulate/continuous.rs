@@ -41,7 +41,7 @@ pub struct Continuous {
     states: Vec<Value>,
     /// True if xi is integrated, false if x is.
     infinite: bool,
-    /// True if u has a lower limit of its own; the limits of u.
+    /// True if u has a separate lower limit; the limits of u.
     u_min: bool,
     limits: Range,
     x: Vec<f64>,

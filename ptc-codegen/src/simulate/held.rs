@@ -192,7 +192,7 @@ impl Held {
         rows.map(|((whole, of_inputs), constant)| (&**whole, &**of_inputs, constant))
     }
 
-    /// Returns the place at which the effect of a length is kept.
+    /// Returns the index at which the effect of a length is stored.
     fn place(&mut self, length: f64) -> Option<usize> {
         if let Some(place) = self.over.iter().position(|(own, _)| is_same(*own, length)) {
             return Some(place);

@@ -44,7 +44,7 @@ impl Linear {
         Some(rows.map(|(row, gamma)| row.iter().chain([gamma]).map(double).collect()).collect())
     }
 
-    /// The same over part of a period, of which a run has many with lengths of their own: in doubles.
+    /// The same over part of a period, in doubles: a run has many parts of different lengths.
     fn part(&self, length: f64) -> Option<Rows> {
         let is_mild = linear::norm(&self.rates) * length <= MILD;
         let Some((whole, integral)) = flow(&self.rates, length).filter(|_| is_mild) else {

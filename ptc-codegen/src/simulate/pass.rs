@@ -250,8 +250,8 @@ impl Pass<'_> {
     }
 }
 
-/// Returns the distance of the root of a function from the end of a step, by its slope there; NaN where it rises. What
-/// is not above `least` counts as 0.
+/// Returns the distance of the root of a function from the end of a step, by its slope there; NaN where it rises. A
+/// size of at most `least` counts as 0.
 fn distance(
     method: &mut dyn Method,
     monitor: Monitor<'_>,

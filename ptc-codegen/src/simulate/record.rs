@@ -27,7 +27,7 @@ pub struct Row {
     pub status: Status,
     /// Each control u, as it acts on the plant.
     pub u: Vec<f64>,
-    /// True if it was asked for.
+    /// True if the row was requested.
     pub reported: bool,
 }
 
@@ -57,7 +57,7 @@ pub struct Asked {
     pub x0: Vec<f64>,
     /// Points to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
     pub at: Vec<(f64, f64)>,
-    /// True if the rest of the run is kept too.
+    /// True if the rest of the run is recorded too.
     pub whole: bool,
 }
 

@@ -6,10 +6,10 @@ use super::candidate::reason;
 use super::wish::Choice;
 
 /// `text` with what was chosen, each with a comment that says why, and `head` as a comment above.
-/// It is `text` itself if nothing was chosen.
+/// Returns `text` itself if nothing was chosen.
 ///
 /// # Errors
-/// `text` is no TOML.
+/// Fails if `text` is not valid TOML.
 pub fn complete(text: &str, choice: &Choice, head: &str) -> Result<String, TomlError> {
     if *choice == Choice::default() {
         return Ok(text.to_owned());

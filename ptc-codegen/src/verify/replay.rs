@@ -30,7 +30,7 @@ impl Campaign {
     /// The scenario of a text.
     ///
     /// # Errors
-    /// Returns what is wrong, and what is legal.
+    /// Returns the mistake, and the legal form.
     pub fn replayed(&self, text: &str) -> Result<Scenario, (String, String)> {
         let mut given = Vec::new();
         for item in items(text) {

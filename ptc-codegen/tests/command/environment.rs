@@ -1,4 +1,4 @@
-//! What is generated depends on nothing around the process.
+//! The generated code does not depend on the environment of the process.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -221,7 +221,7 @@ fn an_engine_that_is_not_installed_tells_how_to_build_it() {
     }
 }
 
-/// What has no such operation says so; FMUs hold C, which has.
+/// Languages without fused operations refuse them; FMUs hold C, which has them.
 #[test]
 fn languages_without_fused_operations_refuse_them() {
     let design = ["--n=2", "--mu=exp", "--fma", "-o", "-"];

@@ -50,7 +50,7 @@ fn the_schema_takes_every_example_and_no_other_key() {
     assert_eq!(fits("[disturbance]\ngust = \"any\"\n", &schema), Ok(()));
 }
 
-/// Whether the keys of a design, and its words, are those of the schema; else the first that is not.
+/// Tests a design against the keys and words of the schema; fails with the first that the schema lacks.
 fn fits(text: &str, schema: &Value) -> Result<(), String> {
     let mut table = schema.clone();
     let mut in_brackets = false;

@@ -23,7 +23,7 @@ fn limited(arguments: &[&str]) -> Command {
     shell
 }
 
-/// What the command gives, without a panic, in time, and with an exit code that is documented.
+/// Returns the output of the command, which ends in time, without a panic and with a documented exit code.
 fn run(arguments: &[&str]) -> Output {
     let began = Instant::now();
     let output = limited(arguments).output().expect("the command runs");

@@ -1,5 +1,4 @@
-//! What `check` says of the designs in tests/designs/table: good, bad and borderline ones, and
-//! files that are wrong.
+//! Verdicts of `check` on the designs in tests/designs/table: good, bad and borderline ones, and invalid files.
 //!
 //! Each begins with what it is, and lines for this test: `#: exit 1` is the exit code, `#: says TEXT`
 //! a part of what is printed, and `#: growth unsound: TEXT` how the outcome of a check begins.
@@ -17,7 +16,7 @@ fn check(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     support::told(command.args(arguments).current_dir(folder))
 }
 
-/// How the outcome of each check begins, as text and JSON give it: name, verdict and summary.
+/// Returns the beginning of each outcome, which text and JSON share: name, verdict and summary.
 fn outcomes(found: &Value) -> Vec<String> {
     let word = |value: &Value| value.as_str().expect("text").to_owned();
     let outcome = |check: &Value| {
@@ -26,7 +25,7 @@ fn outcomes(found: &Value) -> Vec<String> {
     found["checks"].as_array().expect("checks").iter().map(outcome).collect()
 }
 
-/// What is wrong with the answer to one design.
+/// Returns the differences between the expected and the actual answer to one design.
 fn misses(folder: &Path, file: &str) -> Vec<String> {
     let design = fs::read_to_string(folder.join(file)).expect("a design");
     let wanted: Vec<_> = design.lines().filter_map(|line| line.strip_prefix("#: ")).collect();

@@ -30,7 +30,7 @@ fn numbers(design: &str, key: &str) -> Vec<f64> {
     list.split(", ").map(|item| item.parse().expect("a number")).collect()
 }
 
-/// What the design's own commands make of it.
+/// Asserts that `verify`, `check` and `emit` accept the design.
 fn is_taken(folder: &Path) {
     let (code, told, wrong) = run(folder, &["verify", "roll.toml"]);
     assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");

@@ -30,7 +30,7 @@ impl Draw {
     }
 }
 
-/// What came of random parameters.
+/// Outcomes for random parameters.
 #[derive(Default, Debug)]
 struct Seen {
     accepted: usize,

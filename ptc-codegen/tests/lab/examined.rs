@@ -1,5 +1,4 @@
-//! What the checks say of designs, where that takes long: many samples, every eps, and expressions made to
-//! be hard to prove.
+//! Checks of designs that take long: many samples, every eps, and expressions made to be hard to prove.
 
 use crate::command::spec_of;
 use crate::verdicts::{report, verdict};
@@ -51,7 +50,7 @@ fn hold(report: &Report) -> u32 {
     (eps.and_then(ToPrimitive::to_f64).expect("an eps") / 0.025).round() as u32
 }
 
-/// What |x_i| at the deadline is at worst, in parts of its bound.
+/// Largest |x_i| at the deadline in the worst case, as a fraction of its bound.
 fn share(report: &Report, errors: [f64; 2]) -> f64 {
     let worst = report.worst.as_ref().expect("a worst case");
     let shares = worst.states.iter().zip(errors).map(|(state, error)| state.total() / error);
@@ -78,7 +77,7 @@ fn an_open_eps_in_samples_is_the_best_hold() {
     assert_eq!(hold(&report(line)), 0, "nothing disturbs this loop");
 }
 
-/// What this thread has used of a processor, which no other thread adds to; 0 where the system does not tell.
+/// Processor seconds of this thread, which no other thread adds to; 0 if the system does not report them.
 fn processor_seconds() -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     told.split_whitespace().next().and_then(|ns| ns.parse::<f64>().ok()).map_or(0.0, |ns| ns / 1e9)

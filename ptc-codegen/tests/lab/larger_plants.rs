@@ -56,7 +56,7 @@ struct TwoMasses {
 }
 
 impl TwoMasses {
-    /// Of 3.5 kg, with a ratio of 6, a resonance in Hz and its damping ratio.
+    /// Creates masses of 3.5 kg in the ratio 6, with a resonance in Hz and its damping ratio.
     fn new(hertz: f64, damping: f64, friction: [f64; 2]) -> Self {
         let (motor, load) = (0.5, 3.0);
         let reduced: f64 = 1.0 / (1.0 / motor + 1.0 / load);

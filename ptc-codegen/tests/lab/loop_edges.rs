@@ -110,7 +110,7 @@ fn jitter_bound_of_one_state_is_tight() {
 /// A signal or its rate.
 type OfTime = fn(f64) -> f64;
 
-/// What a reference that is known leaves of e has one sign at each sample, and cancels.
+/// The effect of a known reference on e has a known sign at each sample, so that the effects cancel in the bound.
 #[test]
 fn known_reference_bound_is_tight() {
     let signals: [(&str, OfTime, OfTime); 3] = [

@@ -1,4 +1,4 @@
-//! What the check `loop` bounds of linear plants with several inputs, which are sampled exactly, against runs of the
+//! Bounds of the check `loop` for linear plants with several inputs, which are sampled exactly, against runs of the
 //! plant from random states with random errors.
 
 use ptc_codegen::check::Verdict;

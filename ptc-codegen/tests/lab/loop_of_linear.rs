@@ -1,5 +1,5 @@
-//! What the check `loop` says of linear plants between the samples, after the deadline and with jitter,
-//! against fine runs of the plant.
+//! Results of the check `loop` for linear plants between the samples, after the deadline and with jitter, against
+//! fine runs of the plant.
 
 use crate::support;
 
@@ -197,7 +197,7 @@ fn samples_that_are_early_or_late_stay_within_the_bound() {
     }
 }
 
-/// What is known of a chain holds of the same plant by A and B.
+/// The bounds of a chain equal those of the same plant given by A and B.
 #[test]
 fn a_chain_is_a_linear_plant() {
     for (own, a, b) in [

@@ -1,5 +1,4 @@
-//! What the check `loop` bounds of models that are not linear, against runs of the plant from random states with
-//! random noise.
+//! Bounds of the check `loop` for nonlinear models, against runs of the plant from random states with random noise.
 
 use ptc_codegen::check::Verdict;
 
@@ -143,7 +142,7 @@ fn states_beside_the_chain_are_not_shown_to_stay() {
     );
 }
 
-/// What has no value somewhere in the envelope, or nothing in the envelope to speak of, is no proof.
+/// Nothing is proved if a chain has no bound in the envelope, or if no state there has its chain within bounds.
 #[test]
 fn nothing_is_proved_of_what_is_not_enclosed() {
     let text = |output: &str| {

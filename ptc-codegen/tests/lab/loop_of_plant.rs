@@ -1,4 +1,4 @@
-//! What the check `loop` says of a design with a plant, against runs of the sampled loop.
+//! Results of the check `loop` for a design with a plant, against runs of the sampled loop.
 
 use crate::support;
 

@@ -1,4 +1,4 @@
-//! What the check `loop` bounds of loops in samples that follow a reference, against runs of the emitted program with
+//! Bounds of the check `loop` for loops in samples that follow a reference, against runs of the emitted program with
 //! the plant.
 
 use ptc_codegen::check::Verdict;

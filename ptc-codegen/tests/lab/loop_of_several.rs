@@ -1,4 +1,4 @@
-//! What the check `loop` bounds of plants with several inputs in samples, against runs of the plant from random
+//! Bounds of the check `loop` for plants with several inputs in samples, against runs of the plant from random
 //! states with random noise.
 
 use ptc_codegen::check::Verdict;

@@ -19,14 +19,14 @@ pub(crate) struct Case {
     pub follows: fn(f64) -> Vec<f64>,
 }
 
-/// What runs have to come near to, and what they lose themselves.
+/// Accepted distances of runs from the bounds, and the rounding errors of the runs.
 pub(crate) struct Nearness {
-    /// Of 24 runs so many are from corners of the bounds at the start, the others from a part of these.
+    /// Number of runs, of 24, that start in corners of the bounds; the others start within a part of these.
     pub corners: u32,
-    /// Bounds on the way, and of the inputs, in parts of what the runs reach.
+    /// Accepted ratios of the bounds, on the way and of the inputs, to the values that the runs reach.
     pub way: f64,
     pub inputs: f64,
-    /// What doubles lose of a state.
+    /// Rounding error of a state in doubles.
     pub lost: f64,
 }
 
@@ -35,7 +35,7 @@ pub(crate) type Bounds = (Vec<f64>, Vec<f64>, Vec<f64>);
 
 const WAY: &str = "on the way, between samples too";
 
-/// What `loop` says of a design.
+/// Returns the outcome of the check `loop` for a design.
 pub(crate) fn loop_of(text: &str) -> Outcome {
     let (spec, _) = read_design(&entries(text)).unwrap_or_else(|found| panic!("{text}: {found:?}"));
     let report = examine(&spec);
@@ -69,7 +69,7 @@ fn inputs(line: &str) -> Vec<f64> {
     all.map(|(_, u)| u.split(", ").next().expect("a bound").parse().expect("a number")).collect()
 }
 
-/// That runs with random errors stay within the bounds, and come near to them.
+/// Asserts that runs with random errors stay within the bounds and come near to them.
 pub(crate) fn stays_within(case: Case, near: &Nearness) {
     let Case { text, h, start, chains, states, follows } = case;
     let (last, way, most) = bounds(&loop_of(&text));
@@ -117,7 +117,7 @@ pub(crate) fn stays_within(case: Case, near: &Nearness) {
     assert!(is_near, "{text}{reached:?} {way:?} {of_inputs:?} {most:?}");
 }
 
-/// That the verdict turns where `error` crosses the bounds of a design of orders 1 and 2, and where `limits`
+/// Asserts that the verdict turns where `error` crosses the bounds of a design of orders 1 and 2, and where `limits`
 /// cross those of its `inputs`.
 pub(crate) fn turns_at_the_bounds(text: &str, inputs: [&str; 2]) {
     let (last, _, most) = bounds(&loop_of(text));
@@ -149,7 +149,7 @@ pub(crate) fn without_error(text: &str) -> String {
     kept.map(|line| format!("{line}\n")).collect()
 }
 
-/// That designs in which a text is replaced by another have such a verdict with such a reason.
+/// Asserts the verdict and its reason for designs in which one text is replaced by another.
 pub(crate) fn has_verdicts(text: &str, all: &[(&str, &str, Verdict, &str)]) {
     for (from, to, verdict, why) in all {
         assert!(text.contains(from), "{from}");

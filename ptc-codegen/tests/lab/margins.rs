@@ -1,4 +1,4 @@
-//! What a loop tolerates beyond its design: each margin ends where the check does.
+//! Margins of a loop beyond its design: each ends where the check does.
 
 use crate::loop_of_plant::{designs, verdict};
 use crate::support::entries;
@@ -51,7 +51,7 @@ fn margins_end_where_the_loop_is_not_sound() {
     }
 }
 
-/// Of axes that differ it is what all of them tolerate; with a clock in samples too.
+/// Margins of different axes are those that all axes tolerate; with a clock in samples too.
 #[test]
 fn margins_of_axes_are_the_least() {
     for clock in ["eps = 0.05", "clock = \"samples\"\nu_max = inf"] {

@@ -49,7 +49,7 @@ const DESIGNS: [(&str, &str, &str); 6] = [
     ),
 ];
 
-/// What campaigns have to show, in few runs.
+/// Settings and objective of a campaign with few runs.
 const SHORT: &str =
     "scenarios = 4\nsearch = 0\n[[objective]]\nbound = \"attractive\"\nerror = 100\n";
 
@@ -147,7 +147,7 @@ fn resolved_designs_emit_the_same_bytes() {
     }
 }
 
-/// What `design` writes is what it verified: `verify` judges the same design.
+/// `design` writes the design that it verified: `verify` judges the same one.
 #[test]
 fn chosen_design_is_verified_as_written() {
     let wish = DESIGNS[1].1.replace("poles = [-4, -5]\n", "").replace("x0_max = [1, 0.5]\n", "");
@@ -164,7 +164,7 @@ fn chosen_design_is_verified_as_written() {
     assert!(verified.contains(&format!("design {own}")), "{verified}");
 }
 
-/// What other keys determine is listed beside what was chosen, and is what the code holds.
+/// Values that follow from other keys are listed beside the chosen ones, and the code holds them.
 #[test]
 fn derived_values_of_a_design_are_listed() {
     let design = |eps: &str| {

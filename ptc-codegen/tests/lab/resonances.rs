@@ -1,4 +1,4 @@
-//! What a resonance of the plant makes of the loop: bands of `check` against runs of the loop just inside and outside
+//! Effect of a resonance of the plant on the loop: bands of `check` against runs of the loop just inside and outside
 //! of them, and the eps that takes it into account.
 
 use ptc_codegen::check::Verdict;
@@ -21,7 +21,7 @@ fn read(text: &str) -> (Report, Plant) {
     (examine(&spec), plant.expect("a plant"))
 }
 
-/// By how much a loop grows per length of tau, long after its deadline, with a resonance of a frequency.
+/// Growth factor of a loop per length of tau, long after its deadline, with a resonance at `hertz`.
 fn growth((report, plant): &(Report, Plant), hertz: f64) -> f64 {
     let (spec, plant) = as_one(report.spec.clone(), Some(plant.clone()));
     let plant = plant.expect("a plant");
@@ -133,7 +133,7 @@ fn resonance_is_refused_within_an_unstable_band_only() {
     assert!(stderr.contains("unstable for resonances at 20 Hz"), "{stderr}");
 }
 
-/// What the loop of an open eps resists, and what it costs.
+/// An open eps is chosen so that the loop resists the resonance, which takes a larger eps.
 #[test]
 fn open_eps_is_chosen_to_tolerate_the_resonance() {
     let text = |plant: &str| {

@@ -29,7 +29,7 @@ fn run(text: &str, x0: &[f64], around: &Loop) -> Seen {
     seen
 }
 
-/// What the emitted C gives for each call, on the bits of t and x.
+/// Returns the bits of u and the status that the emitted C gives for each call, from the exact bits of t and x.
 fn in_c(name: &str, text: &str, calls: &Seen) -> Vec<(u64, i32)> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(&folder).expect("a folder");

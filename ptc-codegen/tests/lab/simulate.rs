@@ -196,7 +196,7 @@ fn a_disturbance_of_the_rational_family_is_followed_to_the_end() {
     }
 }
 
-/// Of order 3 the later states are far below the rounding of the first one's part in their rate.
+/// At order 3 the later states are far below the rounding error of the first one's part in their rate.
 #[test]
 fn a_disturbance_of_a_higher_order_does_not_stop_the_integration() {
     let text = "n = 3\nmu = \"rational(a=1)\"\npoles = [-4, -5, -6]\ntau = 2\nu_max = 50\n\

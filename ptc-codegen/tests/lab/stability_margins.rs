@@ -62,7 +62,7 @@ fn reason(report: &Report) -> &str {
     &report.choices.first().expect("a choice").reason
 }
 
-/// What |x_i| is at worst at the deadline.
+/// Returns the largest |x_i| at the deadline in the worst case.
 fn finals(report: &Report) -> Vec<f64> {
     report.worst.as_ref().expect("a worst case").states.iter().map(|bound| bound.total()).collect()
 }
@@ -91,7 +91,7 @@ fn chosen_eps_keeps_the_requested_margin() {
     }
 }
 
-/// What is accepted with the smallest error stays accepted with any margin that is wanted.
+/// A design that is accepted with the smallest error stays accepted with any wanted margin.
 #[test]
 fn error_bounds_take_precedence_over_the_margin() {
     let verdict = |report: &Report| {

@@ -130,7 +130,7 @@ fn several_integrals_are_left_to_sampling() {
     }
 }
 
-/// Where u is clipped x is integrated, and xi behind that: the integral goes on.
+/// The integral continues where u is clipped: x is integrated there, and xi afterwards.
 #[test]
 fn an_integral_goes_on_where_u_leaves_its_bound() {
     let text = format!(
@@ -217,7 +217,7 @@ fn held_inputs_are_summed() {
     }
 }
 
-/// By the matrix exponential there is no state between the samples; the integral sees it.
+/// The matrix exponential gives no state between the samples, but the integral includes the motion there.
 #[test]
 fn integrals_see_a_linear_plant_between_its_samples() {
     let text = format!(

@@ -279,7 +279,7 @@ fn linear_loops_need_no_integration() {
     }
 }
 
-/// What is clipped is not part of a linear loop: these runs meet their bound.
+/// Clipping is not part of a linear loop, so that runs that reach their bound run by themselves.
 #[test]
 fn what_is_clipped_is_run_by_itself() {
     let text = design(2, "exp(a=1)", "-4, -5", "")

@@ -137,7 +137,7 @@ fn a_wish_in_samples_is_met() {
     assert!(design.contains("of the worst |x2| at the deadline"), "{design}");
 }
 
-/// What is printed of a scenario runs it again, with what its sensors drew.
+/// A printed scenario runs again with the same draws of its sensors.
 #[test]
 fn a_scenario_is_replayed() {
     let text = format!("g_error = [0.9, 1.1]\n{NOISY}{}", attractive(1.0));

@@ -102,8 +102,8 @@ fn what_is_printed_is_run_again_to_the_last_bit() {
     }
 }
 
-/// What a disturbance within -1..1 makes of x1 and x2 at most at T, from x0 = 0 and tau = 1 with the
-/// poles -p and -q: an impulse at T0 leaves T0 (r^q - r^p)/(p - q) with r = T/T0.
+/// Largest effect of a disturbance within -1..1 on x1 and x2 at T, from x0 = 0 and tau = 1 with the poles -p and -q:
+/// an impulse at T0 leaves T0 (r^q - r^p)/(p - q) with r = T/T0.
 fn worst((p, q): (f64, f64), t: f64) -> [f64; 2] {
     let count = 20_000;
     let mut sums = [0.0; 2];

@@ -44,7 +44,7 @@ struct Claim {
     delay: usize,
     start: Vec<[f64; 2]>,
     force: [f64; 2],
-    /// Whether the force is any signal between its bounds, and not a constant.
+    /// True if the force is any signal between its bounds; false if it is constant.
     varies: bool,
     noise: Vec<f64>,
     weights: Vec<f64>,

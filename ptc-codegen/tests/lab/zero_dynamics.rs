@@ -116,7 +116,7 @@ fn zeros_of_textbook_plants_match_their_linearisation() {
     }
 }
 
-/// What is said of each rest point.
+/// Returns the verdict and the text for each rest point.
 fn points(found: &Outcome) -> Vec<(Verdict, &str)> {
     let first = match found.summary.contains("at another rest point they are stable") {
         true => Verdict::Unsound,

@@ -27,15 +27,15 @@ fn with_eps(design: &str, eps: &str) -> Report {
     report(&format!("{design} --eps={eps}"))
 }
 
-/// What the check says of overflow, and its fix.
+/// Returns the verdict, the summary and the fix of the check `envelope`.
 fn told(report: &Report) -> (Verdict, String, String) {
     let outcome = report.outcomes.iter().find(|outcome| outcome.name == "envelope");
     let outcome = outcome.expect("a check");
     (outcome.verdict, outcome.summary.clone(), outcome.fix.clone().unwrap_or_default())
 }
 
-/// Whether a state of 1 alone makes u of the emitted `step` no number, at the last instant before the gains are held or
-/// where they are.
+/// Returns true if a state of 1 alone makes u of the emitted `step` overflow, at the last instant before the gains are
+/// held or where they are held.
 fn overflows(report: &Report, eps: f64, tau: f64) -> bool {
     let spec = &report.spec;
     let law = Law::of(spec);

@@ -143,7 +143,7 @@ fn the_project_holds_the_structured_text() {
     assert!(functions >= 3 && arrays >= 8 && escaped > 8, "{functions} {arrays} {escaped}");
 }
 
-/// What imports it looks for the namespace of the schema and for a date, which is always the same.
+/// Importers look for the namespace of the schema and for a date, which is always the same.
 #[test]
 fn the_project_says_how_it_is_made_again() {
     let xml = emitted("n = 1\nmu = \"exp\"\ngains = [2]\n", Language::PlcOpen);
@@ -177,8 +177,9 @@ fn the_project_refuses_what_structured_text_refuses() {
     }
 }
 
-/// What MatIEC, the compiler of Beremiz and OpenPLC, does not take: types without a name, derived types among temporary
-/// variables, a declaration without its semicolon, literals beyond those of a REAL, and FOR loops of one round.
+/// Constructs that MatIEC, the compiler of Beremiz and OpenPLC, rejects: types without a name, derived types among
+/// temporary variables, a declaration without its semicolon, literals beyond the range of a REAL, and FOR loops with
+/// one iteration.
 #[test]
 fn structured_text_keeps_to_what_matiec_takes() {
     let mut literals = 0;

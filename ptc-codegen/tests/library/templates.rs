@@ -1,4 +1,4 @@
-//! What is in the templates.
+//! Contents of the templates.
 
 use std::fs;
 use std::path::Path;

@@ -2,15 +2,15 @@
 
 use super::support::{command, folder_with};
 
-/// What is typed: a design, and what is done with it.
+/// Input of a user: a design, and the arguments of the command.
 struct Typed {
     name: &'static str,
     design: &'static str,
     arguments: &'static [&'static str],
     code: i32,
-    /// What is printed of it, on both outputs.
+    /// Parts of its output, on both streams.
     wanted: &'static [&'static str],
-    /// How many errors there are.
+    /// Number of errors.
     errors: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What a file of the library imports: paths of its `use` lines and of its code, without its tests.
+//! Imports of a file of the library: paths of its `use` lines and of its code, without its tests.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,7 +16,7 @@ pub(crate) struct File {
     pub(crate) text: String,
 }
 
-/// What its code refers to.
+/// References in the code of a file.
 #[derive(Clone, Default)]
 pub(crate) struct Imports {
     /// Every path into this crate.
@@ -38,7 +38,7 @@ impl File {
         path
     }
 
-    /// What it imports; `modules` are those of all files.
+    /// Returns the imports of the file; `modules` are those of all files.
     pub(crate) fn imports(&self, modules: &BTreeSet<Path>) -> Imports {
         let tokens: TokenStream =
             self.text.parse().unwrap_or_else(|error| panic!("{}: {error}", self.name));
@@ -176,14 +176,14 @@ fn behind_generics(tokens: &[TokenTree]) -> usize {
     tokens.len()
 }
 
-/// Whether `#[cfg(test)]`, or `#[cfg(all(test, ...))]`, begins here.
+/// Returns true if `#[cfg(test)]`, or `#[cfg(all(test, ...))]`, begins here.
 fn is_for_tests(tokens: &[TokenTree]) -> bool {
     let Some(TokenTree::Group(attribute)) = tokens.get(1) else { return false };
     let text = attribute.stream().to_string().replace(' ', "");
     text == "cfg(test)" || text.starts_with("cfg(all(test,")
 }
 
-/// Whether an item can begin behind `before`.
+/// Returns true if an item can begin behind `before`.
 fn is_item(before: &[TokenTree]) -> bool {
     match before.last() {
         None => true,
@@ -237,7 +237,7 @@ fn leaves(tokens: &[TokenTree]) -> Vec<(Path, String)> {
     vec![(path, name)]
 }
 
-/// Those of the branches in braces behind `stem`.
+/// Returns the leaves of the branches in braces behind `stem`.
 fn branches(braces: TokenStream, stem: &[String]) -> Vec<(Path, String)> {
     let tokens: Vec<TokenTree> = braces.into_iter().collect();
     let is_comma = |t: &TokenTree| matches!(t, TokenTree::Punct(p) if p.as_char() == ',');

@@ -171,7 +171,7 @@ fn commands(page: &str, start: &str) -> Vec<String> {
     lines.filter(|line| line.starts_with(start)).map(ToOwned::to_owned).collect()
 }
 
-/// Those that run the generator, with or without optimisation.
+/// Returns the commands of a page that run the generator, with or without optimisation.
 fn runs(page: &str) -> Vec<String> {
     let all = commands(page, "cargo run ");
     let found: Vec<_> = all.into_iter().filter(|line| line.contains(" -p ptc-codegen ")).collect();

@@ -1,4 +1,4 @@
-//! What the pages print is what their commands print.
+//! Compares the output shown on the pages with that of their commands.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use super::{
     VERIFY, blocks_of, folder, shell,
 };
 
-/// What `line` prints in `folder`; a refused design is no failure.
+/// Returns the output of `line` in `folder`; a refused design is not a failure.
 pub(super) fn printed(line: &str, folder: &Path) -> String {
     let binary = format!("'{}'", env!("CARGO_BIN_EXE_ptc-codegen"));
     let command = line.replacen("ptc-codegen", &binary, 1);

@@ -139,7 +139,7 @@ impl Plant {
         }
     }
 
-    /// How far an estimate of state `i` is off.
+    /// Returns the absolute error of an estimate of state `i`.
     pub(crate) fn off(&self, i: usize, estimate: f64) -> f64 {
         let estimate = fixed(&BigRational::from_f64(estimate).expect("a finite estimate"));
         double(&(estimate - &self.x[i])).abs()

@@ -1,4 +1,4 @@
-//! What the tests of the command and of its library share.
+//! Helpers shared by the tests of the command and of its library.
 // Each test file uses its own part of this module.
 #![allow(dead_code)]
 

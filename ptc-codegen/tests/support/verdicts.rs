@@ -1,4 +1,4 @@
-//! What the checks say of a design on a command line.
+//! Verdicts of the checks on a design given as a command line.
 
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::{Report, examine};
@@ -9,7 +9,7 @@ pub(crate) fn report(line: &str) -> Report {
     examine(&spec_of(line).unwrap_or_else(|found| panic!("{line}: {}", found[0])))
 }
 
-/// What the check called `name` says of a design.
+/// Returns the verdict of the check called `name` on a design.
 pub(crate) fn verdict(line: &str, name: &str) -> Verdict {
     report(line).outcomes.iter().find(|outcome| outcome.name == name).expect("a check").verdict
 }

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::command;
 
-/// What it prints where it succeeds.
+/// Returns the output of a command that succeeds.
 pub(crate) fn stdout(arguments: &[&str]) -> String {
     super::stdout(&mut command(arguments))
 }

@@ -44,7 +44,7 @@ struct Case<'a> {
     /// The mapping, and the law where it is not a sum of gains.
     flags: Vec<String>,
     n: usize,
-    /// What |u - u_ref|/scale may be.
+    /// Accepted |u - u_ref|/scale.
     allowed: f64,
     /// Fields of the parameters beside tau, t0, eps and u_max.
     fields: &'a dyn Fn(&Value) -> String,

@@ -34,7 +34,7 @@ fn measured(world: &World, bound: &str) -> Result<String> {
     Ok(String::from_utf8(output.stdout).context("UTF-8")?.trim_end().to_owned())
 }
 
-/// Loops with a gate that a reading leads astray, or in which it is not told.
+/// Returns the rows of loops with a gate in which a reading has an effect, or is not counted as gated.
 fn faults(table: &str) -> Vec<String> {
     let rows = table.lines().skip(2).filter(|row| row.contains("| yes |"));
     let is_kept = |row: &&str| {

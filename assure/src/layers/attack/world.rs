@@ -113,7 +113,7 @@ impl World {
         Ok(child)
     }
 
-    /// Returns the difference between an end and that of one run, if any.
+    /// Returns the difference of an output from that of one run, if any.
     pub(super) fn differs(&self, folder: &Path, end: &Output) -> Option<String> {
         let told = || String::from_utf8_lossy(&end.stderr).into_owned();
         if end.status.code() != self.code {

@@ -66,7 +66,7 @@ pub(super) fn differences(folder: &Path, design: &Design, run: &[Row]) -> Result
     let printed = text(&mut Command::new(&program)).context("the emitted C, which init accepts")?;
     let given = |line: &str| line.split(' ').skip(1).filter_map(|cell| cell.parse().ok()).collect();
     let computed: Vec<Vec<f64>> = printed.lines().map(given).collect();
-    // What acts was computed `delay` samples before.
+    // The acting input was computed `delay` samples before.
     let acting = rows.iter().skip(design.delay());
     let differs = |(u, row): (&Vec<f64>, &Row)| {
         u.len() != row.u.len()

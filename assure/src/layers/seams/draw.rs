@@ -95,7 +95,7 @@ impl Draft<'_> {
         self.word("clock", "samples");
     }
 
-    /// A model with one input, in lines of its own.
+    /// Adds a model with one input, a line for each key.
     fn model(&mut self, states: &[&str], input: &str, output: &str, rates: &[&str]) {
         self.states = states.iter().map(|state| (*state).to_owned()).collect();
         let list = states.iter().map(|state| format!("\"{state}\"")).collect::<Vec<_>>().join(", ");
@@ -116,7 +116,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The lines that designs of all kinds have: the period, the start, limits and what is asked of the loop.
+    /// Adds the lines that designs of all kinds share: the period, the start, limits and requirements on the loop.
     fn finished(mut self, name: String, kind: &'static str) -> Design {
         let h = [0.01, 0.02][self.random.below(2) as usize];
         let samples = 20 + self.random.below(40);
@@ -124,7 +124,7 @@ impl Draft<'_> {
         self.plain("sample_time", h.to_string());
         let x0_max: Vec<_> = (0..count).map(|_| self.number(0.05, 0.6)).collect();
         let gives = |key: &str| self.lines.iter().any(|line| line.key == key);
-        // Of several outputs only a clock in samples has bounds.
+        // With several outputs only a clock in samples has bounds.
         let is_bounded = !gives("outputs") || gives("clock");
         if is_bounded && self.chance(90) {
             let all: Vec<_> = x0_max.iter().map(f64::to_string).collect();

@@ -1,4 +1,4 @@
-//! A key that is left out is no way around a verdict: what is lost is named, and nothing is accepted instead.
+//! Leaving out a key does not evade a verdict: the report names the missing key, and nothing is accepted instead.
 
 use std::collections::BTreeSet;
 
@@ -38,7 +38,7 @@ impl Said {
         }
     }
 
-    /// Makes it an acceptance without a word of what is missing, as a seeded defect.
+    /// Turns it into an acceptance that does not mention the missing key, as a seeded defect.
     pub(super) fn accept(&mut self) {
         (self.open, self.unseen, self.words) = Default::default();
     }

@@ -59,9 +59,9 @@ pub(super) struct World<'a> {
 /// A defect of the seam between two commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Defect {
-    /// `verify` makes up a value of its own.
+    /// `verify` chooses another value than the checks.
     OtherValue,
-    /// A constant of the emitted C is another one than that of the verdict.
+    /// A constant of the emitted C differs from that of the verdict.
     OtherConstant,
 }
 
@@ -156,7 +156,7 @@ impl World<'_> {
         if let Some(text) = self.emitted(folder, language)? {
             named(language, &text);
         }
-        // Without an eps it is a run-time parameter, and there is no one run.
+        // Without an eps it is a run-time parameter, and there is no single run to compare.
         let command = answers.report["command"].as_str().unwrap_or_default();
         if !command.contains("--eps=") {
             return Ok(());
@@ -181,7 +181,7 @@ impl World<'_> {
             let text = fs::read_to_string(&file)?;
             fs::write(&file, compiled::with_other_constant(&text))?;
         }
-        // What the actuator resolves is another input than what was computed.
+        // An actuator with steps applies another input than the computed one.
         if !design.gives("u_step") {
             answers.differences.extend(compiled::differences(folder, design, &answers.run)?);
         }

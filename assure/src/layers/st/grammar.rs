@@ -1,5 +1,5 @@
-//! A grammar of Structured Text of its own: IEC 61131-3, second edition, annex B, as far as emitted code goes, without
-//! the extensions that vendors add.
+//! An independent grammar of Structured Text: IEC 61131-3, second edition, annex B, as far as emitted code goes,
+//! without the extensions that vendors add.
 //!
 //! It demands what iec2c of Beremiz and OpenPLC does beyond it: literals of LREAL in the range of 32-bit floats, no
 //! anonymous arrays among inputs, no structures among temporaries, and declarations before their use.
@@ -279,7 +279,7 @@ impl Parser {
     }
 
     fn operand(&mut self) -> Result<(), Wrong> {
-        // One sign or NOT: two in a row are none of the grammar.
+        // One sign or NOT: the grammar does not allow two in a row.
         if !self.takes("NOT") {
             self.takes("-");
         }

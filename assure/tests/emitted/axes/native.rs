@@ -21,7 +21,7 @@ fn list(values: &[f64], nan: &str, suffix: &str, (open, close): (&str, &str)) ->
     format!("{open}{}{close}", values.join(", "))
 }
 
-/// Whether the states are those of one plant.
+/// Returns true if the states belong to one plant rather than to separate axes.
 pub(super) fn is_plant(spec: &Spec) -> bool {
     spec.coupled.as_ref().is_some_and(|coupled| !coupled.is_of_axes)
 }

@@ -1,4 +1,4 @@
-//! What the tests share beside the harness of the assurance crate.
+//! Helpers that the tests share, beside the harness of the assurance crate.
 // Each test file uses its own part of this module.
 #![allow(dead_code, unused_imports)]
 

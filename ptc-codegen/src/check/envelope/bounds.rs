@@ -187,8 +187,8 @@ impl<'a> Bounds<'a> {
     }
 
     /// Returns where the iteration may end: its bracket, cut to where the residual, which decreases, is not certain to
-    /// have one sign, widened by the largest length of the last step. What the loop computes on the way does not count:
-    /// where it is no number the iteration bisects.
+    /// have one sign, widened by the largest length of the last step. Intermediate values of the loop do not count: the
+    /// iteration bisects where they are not numbers.
     fn root(&self, root: &Root) -> Computed {
         let [low, high, start, tolerance] =
             [root.low, root.high, root.start, root.tolerance].map(|value| self.get(value));

@@ -74,7 +74,7 @@ impl Regular {
         Self { inverse, most, ..self }
     }
 
-    /// Bounds of the solution, and of the determinant behind it; `None` where what is computed may overflow.
+    /// Bounds of the solution, and of the determinant behind it; `None` where a computed value may overflow.
     pub(super) fn solution(self, right: &[Computed]) -> Option<Vec<Computed>> {
         let Self { m, precision, inverse, most } = self;
         if right.iter().any(|entry| entry.special) {
@@ -110,7 +110,7 @@ pub(in crate::check) fn reach(m: usize, most: f64, precision: Precision) -> f64 
     (2.0 * growth * most * relative + absolute * (2.0 * count(m) + growth * most)) * MORE
 }
 
-/// Bounds how far a right side that is at most `wanted` is from that of the system that is solved exactly.
+/// Bounds the distance of a right side of at most `wanted` from that of the system that is solved exactly.
 pub(in crate::check) fn off(m: usize, (most, wanted): (f64, f64), precision: Precision) -> f64 {
     let (growth, count) = (growth(m), count(m));
     let (relative, absolute) = (precision.epsilon(), precision.least_normal());

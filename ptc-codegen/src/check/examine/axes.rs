@@ -56,7 +56,7 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     }
 }
 
-/// Ranks a verdict by how much it says against a design.
+/// Ranks verdicts by severity.
 fn gravity(verdict: Verdict) -> u8 {
     match verdict {
         Verdict::NotNeeded => 0,

@@ -77,7 +77,7 @@ fn with_eps(spec: &Spec) -> Resolved {
     resolved
 }
 
-/// Returns true if it is one output of several, which has no dynamics of its own.
+/// Returns true if the spec is one output of several, so that it has no dynamics.
 fn is_of_several(spec: &Spec) -> bool {
     spec.model_in_samples().is_some_and(|model| model.dynamics.is_empty())
 }

@@ -128,7 +128,7 @@ impl Sampled {
         self.value_of(row, *lost, k, reach)
     }
 
-    /// Bound of a value over the states and the causes of sample `k`, and what is `lost` beside it.
+    /// Bounds a value over the states and the causes of sample `k`, plus its part `lost`.
     fn value_of(&self, row: &Row, lost: f64, k: usize, reach: &Reach) -> f64 {
         let output = self.output(row);
         let states = &reach.states[k];

@@ -51,7 +51,7 @@ impl Jittered {
         self.in_time.get(k).copied().unwrap_or(f64::INFINITY)
     }
 
-    /// Goes on to the next sample; `inexact` is what is not exact in the step.
+    /// Goes on to the next sample; `inexact` bounds the error of the step.
     pub(super) fn pass(&mut self, sampled: &Sampled, step: &Step, inexact: f64) {
         // The part of x that a period takes away, with every input gain.
         let part = 1.0 - step.matrix.entries[0];

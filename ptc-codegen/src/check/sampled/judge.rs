@@ -88,7 +88,7 @@ impl<'a> Loop<'a> {
             ));
         }
         let delay = promises.delay.clone().unwrap_or_default();
-        // A row of u, and one for what is kept, each over the states and the causes.
+        // Rows of u and of the kept values, each over the states and the causes.
         let size = size(spec);
         let numbers = (2 * (size - spec.n) * (size + spec.n)) as f64;
         let samples = samples.to_usize().filter(|count| *count as f64 * numbers <= ENTRIES);
@@ -285,7 +285,7 @@ impl<'a> Loop<'a> {
     }
 }
 
-/// The states, what is kept of them, and the causes.
+/// Number of states, kept values and causes.
 fn size(spec: &Spec) -> usize {
     let delay = spec.promises.delay.clone().unwrap_or_default();
     let kept = spec.sampled().filter(|own| own.observes()).map_or(0, |own| match own.linear {

@@ -1,9 +1,8 @@
 //! Rounding errors of the reference. In the error dynamics the reference cancels exactly; its rounding errors do not.
 //!
-//! A program is linear in what it keeps, what is measured and the reference. Each of these is what it is in e, or an
-//! input less rho, and a part of the reference beside it; the exact coefficients of those parts add up to 0, as the
-//! law is one of e. What is left of them is the error of each coefficient, and what the numbers of the reference
-//! themselves are off by.
+//! A program is linear in the values that it keeps, the measurements and the reference. Each of these is its value in
+//! e, or an input less rho, plus a part of the reference. The exact coefficients of those parts add up to 0, as the law
+//! is one of e. The errors of the coefficients remain, and those of the numbers of the reference.
 
 use num_traits::ToPrimitive;
 
@@ -13,8 +12,8 @@ use super::rounded::{ROUNDED, Rounded};
 use crate::algebra::BigRational;
 use crate::request::Sampled;
 
-/// Bounds how far each term of a sum is from its value in e: what is kept, by its names, what is measured, the numbers
-/// of the reference and rho of the inputs under way. For these the bound of their error is known too.
+/// Bounds the distance of each term of a sum from its value in e: the kept values by their names, the measurements, the
+/// numbers of the reference, and rho of the inputs under way. For the last two the bound of their error is known too.
 pub(super) fn shifts(
     followed: &Followed,
     kept: &[&str],

@@ -1,4 +1,4 @@
-//! The worst case as a theorem: what nothing that is allowed exceeds.
+//! The worst case as a theorem: a bound that no allowed run exceeds.
 
 use super::cells::Worst;
 use super::judge::Loop;

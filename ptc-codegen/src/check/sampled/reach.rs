@@ -24,8 +24,7 @@ pub(super) struct Reach {
     /// Bound of the movement of each state of the plant as a period is longer or shorter, where states are at the times
     /// of the samples themselves.
     pub(super) moves: Vec<Vec<f64>>,
-    /// Bound of the errors of a sample, by how much each of the next states counts, one sample behind the other:
-    /// [`Sampled::inexact`].
+    /// Bound of the errors of a sample in each of the next states, one sample after the other: [`Sampled::inexact`].
     pub(super) inexact: Vec<f64>,
     /// Bound of the state by how late the sample is, where that is followed.
     pub(super) jittered: Option<Jittered>,

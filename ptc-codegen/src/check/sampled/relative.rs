@@ -99,8 +99,8 @@ impl Sampled {
         late.moved.first().copied()
     }
 
-    /// Bounds the movement of each state of the plant from a sample of its own time until the time from which a period
-    /// leads to the next one; empty without jitter. The first sample is in time.
+    /// Bounds the movement of each state of the plant from the actual time of a sample until the time from which a
+    /// period leads to the next one; empty without jitter. The first sample is in time.
     pub(super) fn moves(&self, states: &[f64], acting: f64, first: bool) -> Vec<f64> {
         let Some(late) = self.late.as_ref().filter(|late| late.own_times) else {
             return Vec::new();

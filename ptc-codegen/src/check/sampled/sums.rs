@@ -1,8 +1,8 @@
 //! Sums over the states of a chain of integrators and the input that acts, between the samples too.
 //!
 //! Within a sample such a sum is a polynomial of the degree of the chain, and within its control points in Bernstein's
-//! form. Each is a sum over the states at the sample and its input, so that its worst case is that of an output: what
-//! cancels in the sum cancels in its bound. What moves the plant within the sample beside u is added to each.
+//! form. Each is a sum over the states at the sample and its input, so that its worst case is that of an output: terms
+//! that cancel in the sum cancel in its bound. The movement of the plant beside u within the sample is added to each.
 
 use super::span::Span;
 use super::trust::Trust;
@@ -101,11 +101,11 @@ impl Sampled {
 
     /// Bounds the contribution of f and the actuator within a sample, which is not part of the states at its start.
     fn beside(&self, terms: &[f64], m: usize, of_input: f64) -> f64 {
-        // An input that is kept has not been through the actuator.
+        // A kept input is the input before the actuator.
         let actuator = self.acting().map_or(0.0, |_| of_input * self.actuator);
         let force = self.force.as_ref().filter(|_| m > 0).map_or(0.0, |force| {
             let n = self.chain.n;
-            // By how much the states count at the start.
+            // Effect of a force of 1 on the weighted states.
             let moved: f64 = (0..n).map(|i| terms[i] * self.chain.shares[n - i]).sum();
             moved * force.most()
         });

@@ -132,8 +132,8 @@ impl Sampled {
         step.columns.iter().zip(self.limits()).chain(force).chain(moved).chain(others)
     }
 
-    /// Bounds the errors of a sample, and the rounding of a reference there, by how much each of the next states
-    /// counts, from `states` with an input within `acting`.
+    /// Bounds the errors of a sample, with the rounding of a reference there, in each of the next states, from `states`
+    /// and an input within `acting`.
     pub(super) fn inexact(&self, step: &Step, states: &[f64], acting: f64) -> Vec<f64> {
         let unit = unit(self.size());
         let mut sums = step.matrix.inexact(states, unit);

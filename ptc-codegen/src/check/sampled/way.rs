@@ -33,7 +33,7 @@ pub struct Way {
     pub commands: Span,
     /// Interval of the input that acts, as the actuator resolves it, including the sample at the deadline.
     pub acts: Span,
-    /// Interval of each sum that was asked for; empty where they are not bounded as sums.
+    /// Interval of each requested sum; empty where they are not bounded as sums.
     pub sums: Vec<Span>,
     /// Lower bound of the worst |u|.
     pub u_attained: f64,
@@ -72,8 +72,8 @@ impl Way {
 }
 
 impl Way {
-    /// Combines two bounds of the same loop into the tighter one; at the samples alone the second one is of their own
-    /// times.
+    /// Combines two bounds of the same loop into the tighter one; at the samples alone the second one refers to their
+    /// actual times.
     pub(super) fn least(self, other: Self) -> Self {
         let u = self.u.min(other.u);
         let u_attained = self.u_attained.max(other.u_attained);
@@ -97,8 +97,8 @@ impl Way {
 }
 
 impl Afterwards {
-    /// Combines two bounds of the same loop into the tighter one; at the samples alone the second one is of their own
-    /// times.
+    /// Combines two bounds of the same loop into the tighter one; at the samples alone the second one refers to their
+    /// actual times.
     pub(super) fn least(self, other: Self) -> Self {
         let (u, acts) = (self.u.min(other.u), self.acts.min(other.acts));
         if !(self.between && other.between) {

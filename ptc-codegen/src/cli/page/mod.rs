@@ -55,7 +55,7 @@ pub(crate) struct Section {
     pub(crate) caption: String,
     pub(crate) figure: Svg,
     pub(crate) table: Table,
-    /// Further parts, each under a title of its own.
+    /// Further parts, each under its own title.
     pub(crate) parts: Vec<Part>,
 }
 

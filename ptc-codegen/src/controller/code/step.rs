@@ -148,7 +148,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The end `within`, or what `beyond` makes of that with a limit.
+    /// The end `within`, or the result of `beyond` where a limit is exceeded.
     fn limited(within: Finish, limits: &Bounds, beyond: impl Fn(Finish) -> Finish) -> Finish {
         let tests: Vec<_> = limits.beyond(&Expr::local("v")).collect();
         tests.into_iter().rev().fold(within, |rest, (test, limit)| {

@@ -26,7 +26,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Refuses names of the states that are none, or too few.
+    /// Refuses invalid names of the states, or a wrong number of them.
     fn names_of_states(&mut self, n: usize) {
         let Some(node) = self.keys.get("states").copied() else { return };
         let names = self.names(node, ("input", &[]));

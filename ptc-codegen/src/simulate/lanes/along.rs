@@ -24,7 +24,7 @@ pub struct Abreast {
     kept: Kept,
 }
 
-/// Results of a tick at the times that are kept.
+/// Results of a tick at the stored times.
 #[derive(Clone, Debug)]
 struct Kept {
     /// The registers that are read later; `None` where a tick is more than arithmetic.

@@ -9,7 +9,7 @@ use crate::expression::{Expression, Variable};
 /// More than the rounding of a dozen products and sums in doubles.
 const ROUNDED: f64 = 1e-14;
 
-/// A sum over x_1..x_n and u, and what is added to it.
+/// A sum over x_1..x_n and u, plus a constant.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Affine {
     states: Vec<f64>,
@@ -18,7 +18,7 @@ pub(super) struct Affine {
 }
 
 impl Affine {
-    /// The sum that an expression is; `None` if it is none, or goes with time.
+    /// The affine sum of an expression; `None` if it is not one, or depends on time.
     pub(super) fn of(h: &Expression, n: usize) -> Option<Self> {
         let linear = Linear::of(&normal(h)).or_else(|| Linear::of(h))?;
         let rest = number_of(&linear.rest)?;
@@ -54,7 +54,7 @@ impl Affine {
         self.states.iter().any(|part| *part != 0.0)
     }
 
-    /// The sum without what is added.
+    /// The sum without the constant.
     pub(super) fn sum(&self) -> Sum {
         Sum { states: self.states.clone(), input: self.input }
     }

@@ -223,8 +223,8 @@ impl Loop {
         Some([last[0], first[0]])
     }
 
-    /// Returns the responses of the loop to f at the least T/tau of a cell and at the greatest, and the contributions
-    /// of f at both, with what it may add beyond that between them.
+    /// Returns the responses of the loop to f at the least and at the greatest T/tau of a cell, and the contributions
+    /// of f at both. These include the part that f may add between them.
     fn added(
         &mut self,
         drift: Drift,

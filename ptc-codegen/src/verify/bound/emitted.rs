@@ -32,7 +32,7 @@ const CLOSE: f64 = 4.0;
 /// Cells after which twice as much may be, again and again: a close bound is of less use than one.
 const PATIENCE: f64 = 400.0;
 
-/// Accepted ratio of such a bound to the greatest of those in the middles, however far from the one of its own cell.
+/// Accepted ratio of such a bound to the greatest one in the middle of a cell, whatever the ratio in its own cell.
 const SMALL: f64 = 1.0 / 1024.0;
 
 /// The emitted program over the envelope.

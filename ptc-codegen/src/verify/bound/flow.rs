@@ -38,7 +38,7 @@ pub(super) struct Flow {
     rounded: BTreeMap<u64, Rows>,
     largest: Option<Range>,
     pub(super) impulses: BTreeMap<u64, Rc<Impulse>>,
-    /// Bounds of them at all later times, once these are asked for; `None` where they fall too slowly.
+    /// Bounds of the impulses at all later times, computed on demand; `None` where they fall too slowly.
     pub(super) tail: Option<Option<Rc<Tail>>>,
 }
 
@@ -51,7 +51,7 @@ pub(super) fn dot<'a>(
 }
 
 impl Flow {
-    /// Returns the flow of the gains k_1..k_n; `None` where they are no numbers of a usual size.
+    /// Returns the flow of the gains k_1..k_n; `None` where they are not numbers of a usual size.
     pub(super) fn new(gains: &[BigRational]) -> Option<Self> {
         let n = gains.len();
         let rate = unit_rate(gains)?;

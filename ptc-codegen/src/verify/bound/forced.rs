@@ -55,8 +55,8 @@ pub(super) fn chosen(rows: Rows, sum: Option<&[Range]>) -> Rows {
 }
 
 impl Loop {
-    /// Returns the rest of all lags from that of the time `to` on, in blocks that grow with the lag and, as the weight
-    /// may fall like a power of time, at most halve the time.
+    /// Returns the blocks of all lags from that of the time `to` on. Blocks grow with the lag and at most halve the
+    /// time, as the weight may fall like a power of time.
     pub(super) fn blocks(&mut self, now: f64, mut to: f64) -> Option<Vec<Block>> {
         let mut blocks = Vec::new();
         while to > 0.0 {

@@ -198,7 +198,7 @@ fn moves(expression: &Expression) -> bool {
 }
 
 impl Linear {
-    /// The sum that an expression is; `None` where it is no such sum as it is spelt.
+    /// The linear sum of an expression; `None` if it is not linear as it is spelt.
     pub(super) fn of(expression: &Expression) -> Option<Self> {
         use Expression as E;
         if !moves(expression) {

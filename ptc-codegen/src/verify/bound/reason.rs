@@ -34,8 +34,8 @@ pub(super) struct Gap {
 }
 
 impl Gap {
-    /// Returns the obstacle at the beginning of a cell. What is bounded by intervals of several parts need not be
-    /// attained: then the gap says nothing of the objective.
+    /// Returns the obstacle at the beginning of a cell. A bound by intervals of several parts need not be attained;
+    /// then the gap says nothing about the objective.
     pub(super) fn of(
         why: &Why,
         aim: &Aim,

@@ -1,6 +1,6 @@
 //! Rounding error of the values that a program computes.
 //!
-//! The bounds of the envelope hold every computed value, and what rounding makes of it follows operation by operation, by
+//! The bounds of the envelope hold every computed value, and its rounding error follows operation by operation, by
 //! [`rounding`].
 
 use std::collections::BTreeMap;
@@ -96,7 +96,7 @@ pub(super) fn error(
 fn error_of(units: Units, op: &Op, operands: &[Rounded], own: Computed) -> f64 {
     let size = own.range.size().high();
     let near: Vec<_> = operands.iter().map(|operand| operand.near()).collect();
-    // What is computed may be that much less than before it was rounded.
+    // Size that the result may have before it is rounded.
     let unrounded = size * (1.0 + 8.0 * units.roundoff) + units.subnormal;
     let error = match (op, &near[..]) {
         (Op::Neg(_), [a]) => Some(a.error),

@@ -202,11 +202,11 @@ fn holds(campaign: &Campaign, worst: &Worst, kind: &Kind) -> Result<String, Lack
         true => "the emitted program with its rounding, between the samples too",
         false => "the emitted program with its rounding, at the samples",
     };
-    // What a sum over x and the u that acts is within from t0 to the end.
+    // Interval of a sum over x and the acting u, from t0 to the end.
     let largest = |affine: &Affine| -> Result<Largest, Lack> {
         let (way, after) = (way()?, after()?);
         let between = way.between && after.is_none_or(|after| after.between);
-        // A sample that is early or late is none of those that are bounded.
+        // A sample that is early or late is not among the bounded ones.
         if !between
             && affine.has_states()
             && campaign.around.as_ref().is_some_and(|a| a.jitter > 0.0)

@@ -30,7 +30,7 @@ impl Reader<'_> {
                 self.unknown(&format!("verify.{name}"), *place, &legal);
             }
         }
-        // What starts at rest needs no interval.
+        // States that start at rest need no interval.
         let needed = states.iter().take(n - self.spec.states_at_rest());
         let missing: Vec<_> =
             needed.filter(|name| !given.contains_key(name.as_str())).cloned().collect();

@@ -44,8 +44,8 @@ impl Reader<'_> {
         drawn
     }
 
-    /// Checks that the controller takes a parameter at run time, or holds the one value that [verify] gives: what is
-    /// compiled in has no interval.
+    /// Checks that the controller takes a parameter at run time, or holds the one value that [verify] gives: a value
+    /// that is compiled in has no interval.
     pub(super) fn is_open(
         &mut self,
         parameter: Parameter,

@@ -7,8 +7,8 @@ use super::watch::along;
 use super::{ACCURACY, is_range};
 use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run};
 
-/// Returns true if the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel, the
-/// error of a step counts many times, and falls with the accuracy; a difference in what is integrated does not.
+/// Returns true if the sides, both at their end, differ by more than `blur`. Where the terms of x or u cancel, the
+/// error of a step counts many times, and falls with the accuracy; a difference of the integrated equations does not.
 pub(in crate::verify) fn is_blurred(outcome: &Outcome, blur: f64) -> bool {
     outcome.ended.is_none() && outcome.difference() > blur
 }

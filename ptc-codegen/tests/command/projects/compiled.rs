@@ -82,8 +82,8 @@ fn the_example_arrives() {
     }
 }
 
-/// What the page shows of a run; the firmware prints the same (`cargo assure projects`).
-/// A run of 1e9 samples is not tried, and the file of values says that the period is open.
+/// A run of 1e9 samples is not tried, and the file of values says that the period is open. The page shows a run as the
+/// firmware prints it (`cargo assure projects`).
 #[test]
 fn a_run_that_takes_long_is_not_tried() {
     let home = folder("projects_long");
@@ -156,7 +156,7 @@ fn the_sketch_arrives_with_a_stub_of_arduino() {
     }
 }
 
-/// What the sketch uses of Arduino's core. `delay` ends the program: the sketch has stopped.
+/// The part of Arduino's core that the sketch uses. `delay` ends the program: the sketch has stopped.
 const ARDUINO: &str = r#"
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-//! What a project cannot do, and the names that its tools keep.
+//! Designs that a project refuses, and names reserved by its tools.
 
 use std::fs;
 use std::path::Path;

@@ -50,7 +50,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
     assert!(wrong.contains("did you mean `near.toml`?"), "{wrong}");
 }
 
-/// What is to be chosen is given no interval.
+/// An interval of a value that `design` chooses is refused.
 #[test]
 fn intervals_of_what_is_chosen_are_refused() {
     for (key, help, given) in [

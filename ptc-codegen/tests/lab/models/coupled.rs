@@ -9,7 +9,7 @@ use ptc_codegen::request::Spec;
 use super::{checked, example, in_c, spec, support};
 use support::{QUADROTOR, UNICYCLE, folder_with, run_in};
 
-/// What `tools/coupled.py` computes: a plant, t, its state and u.
+/// Output of `tools/coupled.py`: a plant, t, its state and u.
 const DIGITS: &str = include_str!("coupled.txt");
 
 pub(super) const MIX: &str = "name = \"mix\"
@@ -157,7 +157,7 @@ fn outputs_of_different_orders_come_to_rest() {
     assert!((x[0] - p).abs() < 1e-3 * p && (x[2] - h).abs() < 1e-3 * h, "{x:?}: p = {p}, h = {h}");
 }
 
-/// Where the matrix is singular every u is 0, whatever the call is trusted with.
+/// At a singular matrix every u is 0, and the call and both axes fail.
 #[test]
 fn singular_state_returns_zero_u() {
     let main = "static const unicycle_params params = { .t0 = 0.0 };\n\

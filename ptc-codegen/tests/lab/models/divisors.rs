@@ -1,4 +1,4 @@
-//! What `check` says of divisors of the law that may be 0 within the envelope.
+//! Verdicts of `check` on divisors of the law that may be 0 within the envelope.
 
 use super::{checked, folder_with, run_in};
 

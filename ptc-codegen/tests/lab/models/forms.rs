@@ -10,7 +10,7 @@ use ptc_codegen::request::Spec;
 
 use super::{LEVITATION, example, in_c, spec};
 
-/// What a step computes.
+/// Returns the cost of a step.
 fn step(spec: &Spec) -> Cost {
     let program = optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
     count(&program, &program.controls(), Stage::Tick)

@@ -9,7 +9,7 @@ use ptc_codegen::request::Spec;
 
 use crate::support;
 
-/// What the program of the controller of `spec` and `main` prints, as numbers, a line each.
+/// Runs the controller of `spec` with `main` in C, and returns the numbers of each line that it prints.
 #[track_caller]
 pub(crate) fn run(test: &str, spec: &Spec, main: &str) -> Vec<Vec<f64>> {
     run_in(support::folder(test), spec, main)
@@ -52,14 +52,14 @@ pub(crate) fn advance(n: usize) -> String {
     )
 }
 
-/// What the self-test of the controller of `spec` finds wrong: it compares the emitted C with the
+/// Returns the result of the self-test of the controller of `spec`, which compares the emitted C with the
 /// definition in long arithmetic.
 #[track_caller]
 pub(crate) fn selftest(test: &str, spec: &Spec) -> f64 {
     selftest_of(test, spec, spec)
 }
 
-/// What the self-test of `spec` finds wrong of another controller with the same name and parameters.
+/// Returns the result of the self-test of `spec` on another controller with the same name and parameters.
 #[track_caller]
 pub(crate) fn selftest_of(test: &str, spec: &Spec, other: &Spec) -> f64 {
     let name = spec.name();

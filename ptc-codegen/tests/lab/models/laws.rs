@@ -68,7 +68,7 @@ fn checks_say_what_they_know() {
     assert_ne!(verdict, "sound");
 }
 
-/// What laws know by hand: t, the time-to-go and kappa + t0.
+/// Values of two laws by hand, from t, the time-to-go and kappa + t0.
 type ByHand<'a> = &'a dyn Fn(f64, f64, f64) -> [f64; 2];
 
 /// The state of the pair: p, v, h.
@@ -193,7 +193,7 @@ fn a_law_of_one_input_knows_the_states() {
     }
 }
 
-/// By hand: mu = 1 - e^-t at tau = 1, so that r_k = -(-1)^k T.
+/// Compares with the law by hand: mu = 1 - e^-t at tau = 1, so that r_k = -(-1)^k T.
 #[test]
 fn a_law_knows_the_derivatives_of_the_mapping() {
     let own = spec(&PENDULUM.replace(

@@ -2,7 +2,7 @@
 
 use super::support::runge_kutta;
 
-/// What a plant is: its rates by time, state and input.
+/// Rates of a plant, from time, state and input.
 pub(super) type Rates<'a> = &'a dyn Fn(f64, &[f64], f64) -> Vec<f64>;
 
 /// The states at the times of `grid`, the first of which is that of `x0`, with an input at every instant.

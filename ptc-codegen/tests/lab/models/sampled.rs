@@ -57,7 +57,7 @@ fn linear_model_equals_its_matrices() {
     }
 }
 
-/// What commands make of both is the same, to the last digit.
+/// `simulate` and `check` give the same results for the model and the linear plant, to the last digit.
 #[cfg(feature = "lab")]
 #[test]
 fn model_and_matrices_check_and_simulate_alike() {

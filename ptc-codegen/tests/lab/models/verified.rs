@@ -70,8 +70,8 @@ fn the_chain_of_a_motor_is_bounded_at_the_end() {
     });
 }
 
-/// What is set at run time is known to the law: the speed is that of the polynomial, whatever is drawn, and
-/// the voltage the largest of the resistances.
+/// The law knows a parameter that is set at run time. The speed is that of the polynomial for any drawn resistance, and
+/// the voltage is the largest over the resistances.
 #[test]
 fn a_parameter_at_run_time_is_drawn_for_plant_and_law() {
     let design = |h: &str, bound: f64| {

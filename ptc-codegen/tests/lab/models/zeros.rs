@@ -1,4 +1,4 @@
-//! What `check` says of the zero dynamics.
+//! Verdicts of `check` on the zero dynamics.
 
 use super::{checked, example, support};
 use support::{run_in, words};

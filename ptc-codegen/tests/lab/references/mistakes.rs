@@ -40,7 +40,7 @@ fn invalid_references_are_refused_at_their_line() {
     }
 }
 
-/// What is shown to exist, with the start and the parameters that show it.
+/// References that are proved to exist, with the start and the parameters of the design.
 #[test]
 fn differentiable_references_are_accepted() {
     for reference in [

@@ -1,4 +1,4 @@
-//! What commands say of a reference: checks, heads, runs.
+//! Output of the commands for a reference: checks, heads of files, runs.
 
 use serde_json::Value;
 

@@ -148,7 +148,7 @@ fn report_of_several_axes_shows_each_axis() {
     alone(&page);
 }
 
-/// What a page would ask a network for.
+/// Asserts that a page requests nothing from a network.
 fn alone(page: &Document<'_>) {
     let policy = page.descendants().find_map(|node| {
         let named = node.attribute("http-equiv") == Some("Content-Security-Policy");

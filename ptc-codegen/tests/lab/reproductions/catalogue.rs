@@ -1,5 +1,4 @@
-//! What `list --catalogue` says of the designs, what `new --from` writes, the C of each, and the table of
-//! docs/catalogue.md.
+//! Tests `list --catalogue`, `new --from`, the C of each design, and the table of docs/catalogue.md.
 
 use std::collections::BTreeSet;
 use std::fs;

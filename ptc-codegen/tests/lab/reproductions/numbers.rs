@@ -26,7 +26,7 @@ fn run(words: &[String]) -> Vec<(f64, f64, Vec<f64>)> {
     rows
 }
 
-/// Those of the command of a design.
+/// Returns the numbers that the command of a design prints.
 fn numbers(name: &str) -> Vec<(f64, f64, Vec<f64>)> {
     run(&command(name).0)
 }
@@ -242,7 +242,7 @@ fn arctan(s: f64) -> f64 {
     (half * root * root).tan()
 }
 
-/// That of the law with the least bound of the settling times.
+/// The solution of the law with the least bound of the settling times.
 fn tangent(s: f64) -> f64 {
     let angle = (10.0_f64.sqrt().atan() - std::f64::consts::FRAC_PI_2 * s).max(0.0);
     angle.tan().powi(2)
@@ -303,7 +303,7 @@ fn a_disturbance_that_does_not_vanish() {
     }
 }
 
-/// By tools/example4.py, t/tau = 0.5; the other numbers are in tests/simulate.rs.
+/// Expected values from tools/example4.py, at t/tau = 0.5; the other numbers are in tests/simulate.rs.
 #[test]
 fn example_4_of_the_letter() {
     let middle: Vec<_> =

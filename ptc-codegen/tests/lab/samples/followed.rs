@@ -10,8 +10,8 @@ use ptc_codegen::code::{Code, Instance};
 use super::code;
 use super::rest::{Chain, late};
 
-/// What is left of a tracking error of the size of 1, with time in samples: the measured state and the reference
-/// are rounded.
+/// Accepted residue of a tracking error of size 1, with time in samples: the measured state and the reference are
+/// rounded.
 const LEFT: f64 = 2e-15;
 
 /// r and its derivatives, at a time.

@@ -70,7 +70,7 @@ fn mistakes_are_named() {
     assert!(found.contains("needs a clock in samples"), "{found}");
 }
 
-/// What a reference in samples is refused beside, by key and a part of the message.
+/// Refused combinations of a reference in samples with other keys, by a part of the message.
 #[test]
 fn references_that_are_refused_are_named() {
     let common = [("mu", "exp(a=1)"), ("clock", "samples"), ("sample_time", "0.01")];

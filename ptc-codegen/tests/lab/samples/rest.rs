@@ -8,8 +8,8 @@ use ptc_codegen::code::{Code, Instance, Status};
 
 use super::code;
 
-/// What is left at rest, in parts of the largest state on the way: each of two rounds of deadbeat
-/// leaves some roundings of what it found.
+/// Accepted residue at rest, relative to the largest state on the way: each of two rounds of deadbeat leaves some
+/// rounding errors of the state that it found.
 const REST: f64 = 1e-28;
 
 /// The same with an observer.

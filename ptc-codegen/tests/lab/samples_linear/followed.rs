@@ -45,7 +45,7 @@ const CASES: [Case; 4] = [
     },
 ];
 
-/// How far the states are from the reference at sample N, in parts of the largest on the way.
+/// Returns the distance of the states from the reference at sample N, relative to the largest state on the way.
 fn left(case: &Case, delay: (&str, usize), given: bool, observes: bool) -> f64 {
     const SAMPLES: u32 = 80;
     let [a, b, c, h] = case.plant;

@@ -1,4 +1,4 @@
-//! What is refused: plants without digits to spare, and mistakes in the keys.
+//! Refused designs: plants without digits to spare, and mistakes in the keys.
 
 use ptc_codegen::request;
 

@@ -1,5 +1,5 @@
-//! What the check `loop` says that one lost or wild reading costs, against the emitted C: in each random design every
-//! sample in turn has such a reading, as far from its prediction as the gate lets pass.
+//! Compares the cost of one lost or wild reading in the check `loop` with runs of the emitted C. In each random design
+//! every sample in turn has such a reading, as far from its prediction as the gate lets pass.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -227,7 +227,7 @@ impl Design {
             .0
     }
 
-    /// What the emitted C prints.
+    /// Returns the output of the emitted C.
     fn run(&self, spec: &Spec, random: &mut Random, folder: &std::path::Path) -> String {
         for file in ptc_codegen::generate(spec, Language::C).expect("C") {
             fs::write(folder.join(file.name), file.text).expect("a file");

@@ -14,7 +14,7 @@ use ptc_codegen::code::{Code, Instance, Outcome};
 use ptc_codegen::request::{self, Spec};
 use ptc_codegen::samples;
 
-/// What stands above every design.
+/// First lines of every design.
 const ABOVE: &str = "mu = \"exp(a=1)\"\nclock = \"samples\"\n";
 
 fn read(text: &str) -> Result<Spec, String> {

@@ -10,7 +10,7 @@ pub(super) struct Arm {
     pub(super) drag: f64,
 }
 
-/// What the law takes the arm to be.
+/// The arm as the law knows it.
 pub(super) const KNOWN: Arm = Arm { m1: 2.0, m2: 1.5, drag: 0.0 };
 
 pub(super) const L1: f64 = 0.6;
@@ -107,7 +107,7 @@ pub(super) fn tank(leak: f64) -> impl Fn(&[f64], &[f64]) -> Vec<f64> {
     }
 }
 
-/// What a plant is: its rates by state and inputs.
+/// Rates of a plant, from its state and inputs.
 type Rates<'a> = &'a dyn Fn(&[f64], &[f64]) -> Vec<f64>;
 
 /// The inputs by time and state.

@@ -2,7 +2,7 @@
 
 use super::{UNICYCLE, example, folder_with, run, run_in};
 
-/// What a run that ends early says, with its exit code.
+/// Returns the exit code and the message of a run that ends early.
 fn ended(test: &str, design: &str, further: &[&str]) -> (Option<i32>, String) {
     let folder = folder_with(&format!("several_inputs_ends_{test}"), "plant.toml", design);
     let (code, _, told) = run_in(&folder, &[&["simulate", "plant.toml"], further].concat());

@@ -80,7 +80,7 @@ fn leaking_tank_matches_manual_integration() {
     }
 }
 
-/// What the joints follow, with two derivatives.
+/// References of the joints, with two derivatives.
 fn targets(t: f64) -> [[f64; 3]; 2] {
     let (first, second) = (0.4 * t, 0.5 * t + 1.0);
     [

@@ -1,5 +1,5 @@
-//! What `verify` proves: `drawn`, random loops against dense samples of exact solutions; `spelt`,
-//! expressions, reasons and precisions; `sums`, x and u together under a force.
+//! Proofs of `verify`: `drawn`, random loops against dense samples of exact solutions; `spelt`, expressions, reasons
+//! and precisions; `sums`, x and u together under a force.
 
 mod drawn;
 mod loops;
@@ -10,7 +10,7 @@ use crate::support;
 use ptc_codegen::verify::bound::Proof;
 use ptc_codegen::verify::{self, Campaign};
 
-/// Whether each objective is proved.
+/// Returns true for each objective that is proved.
 fn proved(text: &str) -> Vec<bool> {
     verify::bound::proved(&campaign(text)).iter().map(Proof::is_proved).collect()
 }

@@ -290,7 +290,7 @@ fn a_stretched_time_that_is_iterated_is_bounded_from_t0_on() {
     }
 }
 
-/// Where the sign that decides it is known a kink is what it is there; parts that cancel then do.
+/// A kink is replaced by one branch where the sign that selects it is known, so that its parts can cancel.
 #[test]
 fn kinks_whose_sign_is_known_are_no_obstacle() {
     let holds = |h: &str, bounds: &str| {

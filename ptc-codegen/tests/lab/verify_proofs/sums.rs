@@ -2,8 +2,8 @@
 
 use super::proved;
 
-/// What an impulse at T/tau = w0 makes of x1, x2 and u at w, for tau = 1: the loop of exp(a=1) with
-/// the poles -4 and -5 has x1 = a w^4 + b w^5, and the impulse x1 = 0, x2 = 1.
+/// Effect of an impulse at T/tau = w0 on x1, x2 and u at w, for tau = 1: the loop of exp(a=1) with the poles -4 and -5
+/// has x1 = a w^4 + b w^5, and the impulse x1 = 0, x2 = 1.
 fn kernel(w: f64, w0: f64) -> [f64; 3] {
     let [cube, fourth] = [w0.powi(3), w0.powi(4)];
     [

@@ -97,7 +97,7 @@ pub(crate) fn octave() -> Option<Command> {
     Some(octave)
 }
 
-/// What a driver in Python answers, where all that it imports is there.
+/// Returns the answers of a driver in Python; `None` if a module that it imports is missing.
 fn in_interpreter(
     needed: &str,
     text: &str,

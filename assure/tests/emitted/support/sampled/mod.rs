@@ -33,8 +33,8 @@ pub(crate) struct Design {
     pub(crate) folder: PathBuf,
 }
 
-/// What is done with a controller. Behind what is measured an observer is given u, and a controller that follows
-/// one its reference.
+/// A call of a controller. Behind the measurements, `Step` gives u to an observer, and the reference to a controller
+/// that follows one.
 #[derive(Clone, Debug)]
 pub(crate) enum Call {
     Init(Vec<f64>),
@@ -51,23 +51,23 @@ impl Design {
         type_name(&self.code.name)
     }
 
-    /// Whether it is an observer alone.
+    /// Returns true if it is an observer alone.
     pub(crate) fn observes(&self) -> bool {
         self.code.function("update").is_some()
     }
 
-    /// What is called at each tick.
+    /// Returns the function that is called at each tick.
     fn called(&self) -> &Function {
         let name = if self.observes() { "update" } else { "step" };
         self.code.function(name).expect("a call for each tick")
     }
 
-    /// How many measured values a step is given.
+    /// Returns the number of measured values that a step takes.
     pub(crate) fn measured(&self) -> usize {
         self.given_to("x") + self.given_to("y")
     }
 
-    /// How many numbers of a reference it is given behind these.
+    /// Returns the number of reference values behind the measured ones.
     pub(crate) fn references(&self) -> usize {
         self.given_to("r")
     }
@@ -78,12 +78,12 @@ impl Design {
         found.and_then(|a| a.shape.length()).unwrap_or(0)
     }
 
-    /// How many states stand in a row, where a step is given those of each axis in one.
+    /// Number of states in a row, if a step takes a row of states for each axis.
     fn columns(&self) -> Option<usize> {
         self.row_of("x")
     }
 
-    /// How many numbers of the reference stand in a row, where a step is given that of each output in one.
+    /// Number of reference values in a row, if a step takes a row for each output.
     fn row(&self) -> Option<usize> {
         self.row_of("r")
     }
@@ -107,7 +107,7 @@ impl Design {
         x.chain(r).map(|to| format!("{to} = ({})number(); ", self.real())).collect()
     }
 
-    /// What it gives beside u, with the lengths of arrays.
+    /// Returns the functions other than the tick and `arm`, with the length of the array that each returns.
     fn given(&self) -> impl Iterator<Item = (&Function, Option<usize>)> {
         let others =
             self.code.functions.iter().filter(|f| ![self.called().name, "arm"].contains(&f.name));
@@ -122,12 +122,12 @@ impl Design {
         self.code.parameters.iter().map(|p| (p.name.as_str(), p.shape))
     }
 
-    /// How many numbers `init` takes.
+    /// Returns the count of numbers that `init` takes.
     pub(crate) fn numbers(&self) -> usize {
         self.parameters().map(|(_, shape)| length(shape)).sum()
     }
 
-    /// What the interpreter answers.
+    /// Returns the answers of the interpreter.
     pub(crate) fn interpreted(&self, calls: &[Call]) -> Vec<String> {
         let mut instance: Option<Instance<'_>> = None;
         let mut lines = Vec::new();
@@ -203,7 +203,7 @@ pub(crate) fn script(calls: &[Vec<Call>]) -> String {
     text
 }
 
-/// What a driver answers to the script in `folder`.
+/// Returns the answers of a driver to the script in `folder`.
 fn answers(command: &mut Command, folder: &Path) -> Vec<String> {
     let script = fs::File::open(folder.join("script")).expect("a script");
     let text = run(command.stdin(Stdio::from(script)));
@@ -220,7 +220,7 @@ pub(crate) const LANGUAGES: [Language; 6] = [
     Language::StructuredText,
 ];
 
-/// How many numbers a shape holds.
+/// Returns the count of numbers in a shape.
 pub(crate) fn length(shape: Shape) -> usize {
     if let Shape::Reals(length) = shape { length } else { 1 }
 }

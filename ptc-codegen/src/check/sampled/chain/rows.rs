@@ -1,7 +1,7 @@
 //! The rows of each sample of a loop, from which its step is made where it is needed.
 //!
 //! The rows take a tenth of the memory of a step. Samples before a hold are the same in loops with other holds, which
-//! share them, and a sample that repeats to the end is kept once.
+//! share them, and a sample that repeats to the end is stored once.
 
 use std::sync::Arc;
 
@@ -26,9 +26,9 @@ impl Rows {
 /// Dimensions of the rows.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::check::sampled) struct Layout {
-    /// States, with what is kept.
+    /// States, including the values that the controller keeps.
     pub(in crate::check::sampled) size: usize,
-    /// Errors of each measured state, and that of the actuator.
+    /// Errors of each measured state, and of the actuator.
     pub(in crate::check::sampled) causes: usize,
     /// Measurements whose innovations are known: all, or none.
     pub(in crate::check::sampled) innovations: usize,
@@ -132,7 +132,7 @@ impl Steps {
         let (of_state, of_cause) = u.split_at(size);
         step.u.of_state.copy_from_slice(of_state);
         step.u.of_cause.copy_from_slice(of_cause);
-        // What a controller keeps has not been through the actuator.
+        // The controller keeps its inputs as they are before the actuator.
         let late = kept.chunks_exact(width).all(|row| row[width - 1].0 == 0.0);
         let through = |own: Near, input: Near, of: Near| {
             let (sum, error) = through(own, input, of);
@@ -210,7 +210,7 @@ impl Steps {
 fn through(own: Near, (value, error): Near, (entry, off): Near) -> Near {
     let unit = 2.0 * unit_roundoff(Precision::F64);
     let sum = own.0 + value * entry;
-    // What was not exact, and the rounding of this line.
+    // Errors of the factors, then the rounding errors of this line.
     let inexact = value.abs() * off + error * (entry.abs() + off);
     let rounding = unit * (own.0.abs() + (value * entry).abs());
     (sum, (own.1 + inexact + rounding) * (1.0 + 4.0 * unit))

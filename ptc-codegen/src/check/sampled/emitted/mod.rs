@@ -1,8 +1,8 @@
-//! A controller in samples as rows: what its program makes of one sample is linear in what it keeps
-//! and in what is measured, and rounding is charged to each of these by itself.
+//! A controller in samples as rows: over one sample its program is linear in the values that it keeps and in the
+//! measurements, and each of these is charged with its own rounding error.
 //!
-//! Counts are known numbers, so that every test of the program is decided but those of clipping and
-//! of finite values, which are taken as passed.
+//! Counts are known numbers, so that every test of the program is decided, except those of clipping and of finite
+//! values, which are assumed to pass.
 
 mod repeats;
 mod sample;
@@ -25,7 +25,7 @@ enum Held {
     Count(u32),
     /// The same at every state.
     Known(Rounded),
-    /// A sum over what is kept, what is measured, and the reference.
+    /// A sum over the kept values, the measurements and the reference.
     Linear(Vec<Rounded>),
 }
 
@@ -59,11 +59,11 @@ pub(super) fn samples(
     followed: Option<&Followed>,
     samples: RangeInclusive<usize>,
 ) -> Option<Samples> {
-    // What follows the deadline is no part of the law before it, and how the reference comes about none of what
-    // is done with it.
+    // Samples after the deadline do not affect the law before it, and the source of the reference does not affect
+    // its use.
     let reference = spec.reference.as_ref().map(|_| Reference::Input);
     let spec = &Spec { after: After::Hold, reference, ..spec.clone() };
-    // Every reading is believed, which the innovations have to bear out.
+    // The rows assume that every reading is believed; the bounds of the innovations have to confirm it.
     let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
     let observer = sampled.observer.clone();
     let observer = observer.map(|own| Observer { gate: Gate::default(), ..own });
@@ -79,7 +79,7 @@ pub(super) fn samples(
     let terms = followed.map(|followed| shifts(followed, &kept, sampled, &chain.shares));
     let start = |at: usize| terms.as_ref().map_or(0.0, |terms| terms[at].0);
     let units = kept.iter().enumerate().map(|(at, name)| (unit(name), start(at))).collect();
-    // What `init` computes is the same at every sample.
+    // The results of `init` are the same at every sample.
     let mut begun = Sample::new(&code, &kept, (sampled, spec.references()))?;
     begun.block(&code.init)?;
     let step = code.function("step")?;
@@ -103,7 +103,7 @@ pub(super) fn samples(
                 held => sample.row(held, chain, false),
             })
             .collect();
-        // Behind what is kept, how far each measurement is from what an observer predicts.
+        // Behind the kept values: the distance of each measurement from the prediction of an observer.
         let missed = if coasts { sample.innovations() } else { Vec::new() };
         if *innovations.get_or_insert(missed.len()) != missed.len() {
             return None;

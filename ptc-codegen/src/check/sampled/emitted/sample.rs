@@ -211,7 +211,7 @@ impl<'a> Sample<'a> {
                     return Some(false);
                 };
                 let (a, b) = (a.emitted(), b.emitted());
-                // Where neither is below the other, both are the same number.
+                // If neither is below the other, both are the same number.
                 Some(a.is_below(&b) || !b.is_below(&a) && matches!(test, Test::AtMost(..)))
             }),
             Test::Finite(_) => Some(true),

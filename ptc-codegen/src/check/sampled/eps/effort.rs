@@ -25,10 +25,10 @@ pub(super) struct Effort {
 }
 
 impl Effort {
-    /// Returns what the limit allows for a loop.
+    /// Returns the effort that the limit allows for a loop.
     ///
     /// # Errors
-    /// It allows no search.
+    /// Fails if the limit allows no search.
     pub(super) fn of(closed: &Loop<'_>) -> Result<Self, String> {
         let each = closed.samples as f64 * (closed.size() as f64).powi(3);
         let share = OPERATIONS / (each * most(POINTS, ROUNDS));
@@ -75,7 +75,7 @@ mod tests {
     use crate::request::Spec;
     use crate::syntax::number;
 
-    /// Long loops are searched at fewer points, and longer ones not at all; the limit of work is kept.
+    /// Long loops are searched at fewer points, and longer ones not at all, so that the work stays within its limit.
     #[test]
     fn search_effort_stays_within_its_limit() {
         let mut spec = Spec::new(6, Family::Exp);

@@ -1,4 +1,4 @@
-//! The eps of a law: what it makes of the worst case of its loop, and the one that leaves the least.
+//! Choice of eps: its effect on the worst case of the loop, and the eps with the smallest worst case.
 
 // Counts become numbers here.
 #![allow(clippy::cast_precision_loss)]
@@ -167,7 +167,7 @@ impl<'a> Trial<'a> {
             }
             Law::Samples { free } => {
                 let to_go = (eps / self.h).round().to_usize()?;
-                // Without a hold deadbeat takes over at an end of its own.
+                // Without a hold, deadbeat takes over at another sample, so that every sample is evaluated.
                 let first = if to_go == 0 { 0 } else { self.closed.samples.checked_sub(to_go)? };
                 self.program(eps, first)?.after(chain, free.as_ref()?, first)
             }
@@ -210,7 +210,7 @@ impl<'a> Trial<'a> {
         (1..=self.closed.spec.n).map(state).collect()
     }
 
-    /// The same in parts of what is wanted, of the state that is farthest from it.
+    /// Returns the largest ratio of a final |x_i| to its required bound.
     fn cost(&self, eps: f64) -> f64 {
         let Some(sampled) = self.held(eps) else { return f64::INFINITY };
         let finals = self.finals(&sampled);

@@ -130,7 +130,7 @@ impl Tried<'_> {
                     (best, least) = (eps, cost);
                 }
             }
-            // Where neither is legal, the best one shows the way.
+            // If neither is legal, the search moves towards the best eps so far.
             let is_left = if of_here.is_finite() || of_there.is_finite() {
                 of_here <= of_there
             } else {

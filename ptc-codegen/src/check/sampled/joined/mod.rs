@@ -2,9 +2,9 @@
 //!
 //! Over the samples a..b of a step s_b = R s_a + sum_k v_k w_k with R = M_{b-1} ... M_a and v_k = M_{b-1} ... M_{k+1} b_k. With
 //! the mean v of the v_k over L samples, sum_k v_k w_k = v sum_k w_k + sum_k (v_k - v) w_k: the step has one cause that counts
-//! L v and is within the bounds of w_k, and sum_k |v_k - v| is what is not exact in it. So a bound of the joined loop is one
-//! of the loop, and what it attains is attained, by signals that are constant over each step. A step ends where R is
-//! farther from 1 than a small part.
+//! L v and is within the bounds of w_k, and sum_k |v_k - v| is its error. So a bound of the joined loop is one of the
+//! loop, and what the joined loop attains, the loop attains by signals that are constant over each step. A step ends
+//! where R is farther from 1 than a small part.
 //!
 //! R and v_k are rounded: |R' - R M| <= unit |R| |M|, and an error E of R becomes E |M| + (|R| + E) |errors of M|. So nothing
 //! is gained where |M_{b-1}| ... |M_a| grows as M_{b-1} ... M_a does not, as with a law that predicts late inputs by their
@@ -28,7 +28,7 @@ const BESIDE: usize = 40;
 /// Least and greatest tried movement of the plant over a run of samples, as a fraction of its states.
 const MOVED: [f64; 2] = [1.0 / 256.0, 0.5];
 
-/// Most samples of a run: what each of them does is kept until its end.
+/// Largest number of samples in a run, which stores the effect of each until its end.
 const LENGTH: usize = 4096;
 
 /// Exceeds the rounding error of positive sums over a step: some twenty operations for each of at most 5e6 samples.
@@ -37,7 +37,7 @@ pub(super) const ROUNDED: f64 = 1.0 + 1e-7;
 /// A loop whose samples are joined, with where it is at each step.
 pub(super) struct Joined {
     pub(super) sampled: Sampled,
-    /// The first sample of each step; the last one is that of the deadline.
+    /// The first sample of each step; the last entry is the sample of the deadline.
     pub(super) starts: Vec<usize>,
     pub(super) reach: Reach,
 }

@@ -9,7 +9,7 @@ use super::super::trust::unit;
 use super::super::worst::Sampled;
 use super::ROUNDED;
 
-/// Most that what is not exact may grow by in a run, for each state.
+/// Largest growth of the error of each state over a run.
 const GROWTH: f64 = 2.0;
 
 impl Sampled {

@@ -1,13 +1,13 @@
 //! Bounds at each sample of a loop whose samples are joined: they follow from those at the first sample of its step.
 //!
-//! Behind the first sample a of a step, s_k = P_k s_a + w_k with P_k the product M_{k-1} ... M_a as doubles give it, and
-//! w_{k+1} = M_k w_k + d_k + E_k s_k - R_k s_a, where d_k moves the loop, E_k is not exact in M_k and R_k is the rounding of
-//! the product. With the bounds x_k = |P_k| x_a + W_k of |s_k| the last two are within (|E_k| + unit |M_k|) x_k, as
-//! |R_k| <= unit |M_k| |P_k|. So |w_k| <= W_k for W_a = 0, W_{k+1} = |M_k| W_k + |d_k| + (|E_k| + unit |M_k|) x_k: all terms
-//! are positive.
+//! Behind the first sample a of a step, s_k = P_k s_a + w_k with P_k the product M_{k-1} ... M_a in doubles. Then
+//! w_{k+1} = M_k w_k + d_k + E_k s_k - R_k s_a: d_k moves the loop, E_k is the error of M_k, R_k the rounding error
+//! of the product. With the bounds x_k = |P_k| x_a + W_k of |s_k| the last two are within (|E_k| + unit |M_k|) x_k,
+//! as |R_k| <= unit |M_k| |P_k|. So |w_k| <= W_k for W_a = 0, W_{k+1} = |M_k| W_k + |d_k| + (|E_k| + unit |M_k|) x_k:
+//! all terms are positive.
 //!
-//! A sum q s_k = p s_a + (q P_k - p) s_a + q w_k is bounded, for any row p, by the worst case of p s_a, which is known, plus
-//! |q P_k - p| x_a + |q| W_k: little, as P_k is near 1 in a step.
+//! For any row p, the sum q s_k equals p s_a + (q P_k - p) s_a + q w_k. Its bound is the worst case of p s_a, which is
+//! known, plus |q P_k - p| x_a + |q| W_k. These terms are small, as P_k is near 1 in a step.
 
 use super::super::chain::Step;
 use super::super::random::Random;
@@ -20,10 +20,10 @@ use super::{Joined, ROUNDED};
 
 /// A run of samples behind one whose bounds are known.
 struct Block {
-    /// Bounds of all states at its first sample, and what those of the plant are within.
+    /// Bounds of all states at its first sample, and intervals of those of the plant.
     states: Vec<f64>,
     spans: Vec<Span>,
-    /// The row of u there, what its sum over the states is within, and what |u| reaches at least.
+    /// The row of u there, the interval of its sum over the states, and a lower bound of the worst |u|.
     row: Vec<f64>,
     of_row: Span,
     attained: f64,
@@ -38,7 +38,7 @@ struct Added {
     states: Vec<f64>,
     /// To the sum of u over the states.
     of_row: f64,
-    /// Part of u due to the errors of its own sample, without the actuator.
+    /// Part of u due to the errors of the same sample, without the actuator.
     direct: f64,
 }
 

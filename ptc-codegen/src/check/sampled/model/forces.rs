@@ -62,8 +62,8 @@ impl Rates<'_> {
         }
     }
 
-    /// Bounds what is held while the states are in a cell and the last rates s stay within bounds: for a mechanical
-    /// plant s, for any other the inputs that act, D^-1 (s - F) at every state on the way.
+    /// Bounds the signals that are held while the states are in a cell and the last rates s stay within bounds: s for a
+    /// mechanical plant, the acting inputs D^-1 (s - F) at every state on the way for any other.
     fn held(
         &self,
         emitted: &mut OnCells<'_>,

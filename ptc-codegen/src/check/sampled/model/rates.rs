@@ -106,7 +106,7 @@ impl<'a> Rates<'a> {
     /// Cells that hold every state of the envelope whose chains are within bounds.
     ///
     /// # Errors
-    /// Fails if there is none.
+    /// Fails if there is no such cell.
     fn within(&self, chains: &[f64]) -> Result<Vec<Vec<Range>>, String> {
         let exact = vec![0.0; self.errors.len()];
         let mut coordinates =
@@ -128,7 +128,7 @@ impl<'a> Rates<'a> {
     /// The bounds where all is within those that the loops reach.
     ///
     /// # Errors
-    /// Fails if there are none.
+    /// Fails if no bounds are found.
     pub(super) fn sizes(&self, reached: &Reached) -> Result<Sizes, String> {
         let cells = self.within(&reached.chains)?;
         let around = |bounds: &[f64]| -> Vec<_> {

@@ -61,7 +61,7 @@ fn gain(spec: &Spec) -> String {
     }
 }
 
-/// Returns true if the plant has an input gain of its own.
+/// Returns true if the plant has its own input gain.
 fn has_gain(spec: &Spec) -> bool {
     matches!(&spec.promises.plant, Some(PlantBounds::Bounded { gain: Some(_), .. }))
 }

@@ -28,7 +28,7 @@ use gate::Closed;
 /// Why the bounds of a loop decide nothing where its u may be clipped.
 pub(super) const CLIPPED: &str = "u may reach its limit, and the bounds assume that it does not";
 
-/// Why bounds of the rigid plant are none of one with a resonance.
+/// Why bounds of the rigid plant do not hold for one with a resonance.
 const FLEXIBLE: &str = "the plant has a resonance that the law does not know; without it";
 
 /// Name of the check.
@@ -52,7 +52,7 @@ pub(super) fn outcome_of(
     let eps = spec.fixed.contains_key(&Parameter::Eps);
     let found = Loop::new(spec, expanded).and_then(|closed| match eps {
         false => Err("`eps` is left to run time".to_owned()),
-        // What is between the samples decides no verdict.
+        // No verdict depends on the bounds between the samples.
         true => Ok(if way { closed } else { closed.at_samples() }),
     });
     match found {
@@ -69,7 +69,7 @@ pub(super) fn outcome_of(
             if spec.promises.x0_max.is_empty() {
                 outcome.details.extend(peaks(spec, expanded));
             }
-            // Of what is known it is not shown what it leaves.
+            // With bounds of the start the design asks for a verdict, which an unproved bound leaves undecided.
             let followed = spec.sampled().map(|own| Followed::new(spec, own));
             match followed {
                 Some(Err(_)) if !spec.promises.x0_max.is_empty() => {

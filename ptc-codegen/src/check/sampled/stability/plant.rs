@@ -101,7 +101,7 @@ impl Flexible {
         let Spring { frequency, damping, inertia_ratio: r } = spring;
         let omega = 2.0 * std::f64::consts::PI * frequency;
         let pull = [omega, 2.0 * damping * omega];
-        // What acts on the measured side, of the input and of the spring.
+        // Effects of the input and of the spring on the measured side.
         let (direct, share) = match self.measured {
             Side::Motor => (1.0 + r, -r / (1.0 + r)),
             Side::Load => (0.0, 1.0 / (1.0 + r)),

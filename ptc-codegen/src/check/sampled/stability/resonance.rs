@@ -115,7 +115,7 @@ impl Stays {
     /// Returns true if it is stable with every resonance of the design; `true` without one.
     pub(super) fn resists(&self) -> bool {
         let Some(resonances) = &self.resonances else { return true };
-        // Those that are most often too much come first.
+        // Frequencies that most often fail come first.
         let mut grid = resonances.grid(resonances.frequency);
         let middle = grid.len() / 2;
         grid.rotate_left(middle);

@@ -28,7 +28,7 @@ pub(crate) struct Wanted {
 }
 
 impl Wanted {
-    /// Returns what a design asks for; by default 6 dB each way and a sample.
+    /// Returns the margin that a design requires; by default 6 dB each way and a sample.
     pub(crate) fn of(spec: &Spec) -> Self {
         let double = |value: &Option<Fixed>| value.as_ref().and_then(Fixed::number)?.to_f64();
         let delay = spec.promises.margin_delay.as_ref().and_then(Fixed::number);
@@ -59,7 +59,7 @@ pub(crate) struct Tolerance {
 }
 
 impl Tolerance {
-    /// Describes what is tolerated, for a reason to choose an eps.
+    /// Describes the found margin, for a reason to choose an eps.
     pub(crate) fn found(&self) -> String {
         match &self.found {
             Some(found) => format!("the loop is stable for {found}"),
@@ -68,10 +68,10 @@ impl Tolerance {
     }
 }
 
-/// Returns what a design whose eps is set tolerates.
+/// Returns the margin of a design whose eps is set, and the required one.
 ///
 /// # Errors
-/// Why that is not known.
+/// Returns why it is not known.
 pub(crate) fn tolerance(spec: &Spec, expanded: Option<&Expanded>) -> Result<Tolerance, String> {
     let (eps, wanted) = (set_eps(spec)?, Wanted::of(spec));
     of_loop(spec, expanded, &mut |stays| {
@@ -86,13 +86,13 @@ pub(crate) fn tolerance(spec: &Spec, expanded: Option<&Expanded>) -> Result<Tole
 /// Returns the eps of a design as a number.
 ///
 /// # Errors
-/// It is left to run time.
+/// Fails if it is left to run time.
 pub(super) fn set_eps(spec: &Spec) -> Result<BigRational, String> {
     let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number).cloned();
     eps.ok_or_else(|| "`eps` is left to run time".to_owned())
 }
 
-/// Returns the smallest eps from `least` on that was found to keep the margin, of a law in time; `None` if there is none.
+/// Returns the smallest eps from `least` on that was found to keep the margin of a law in time; `None` if none was.
 pub(crate) fn smallest_tolerant(
     spec: &Spec,
     expanded: Option<&Expanded>,
@@ -135,7 +135,7 @@ pub(super) fn staying<T>(
     })
 }
 
-/// Examines the loop of e of a design, of which a reference is no part, and neither is where it begins.
+/// Examines the loop of e of a design, without its reference and its initial state.
 pub(super) fn of_loop<T>(
     spec: &Spec,
     expanded: Option<&Expanded>,

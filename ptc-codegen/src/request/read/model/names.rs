@@ -124,7 +124,7 @@ pub(super) fn word(node: &Node) -> Option<&str> {
     }
 }
 
-/// The name of a state of a plant; `None` where the text is no name, or means something in every expression.
+/// The name of a state of a plant; `None` if the text is not a name, or means something in every expression.
 pub(crate) fn state_name(node: &Node) -> Option<Name> {
     word(node).filter(|word| !is_taken(word)).and_then(Name::new)
 }

@@ -1,4 +1,4 @@
-//! What the checks say of them.
+//! Checks of plants with several inputs.
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::check::{Outcome, Verdict};
@@ -6,7 +6,7 @@ use ptc_codegen::check::{Outcome, Verdict};
 use super::{FOUR, changed};
 use crate::support::{example, spec};
 
-/// What is not proved is not called sound.
+/// A check that proves nothing does not report `sound`.
 #[test]
 fn unproved_checks_are_not_sound() {
     let report = |text: &str| examine(&spec(text));
@@ -93,7 +93,7 @@ fn unproved_checks_are_not_sound() {
     }
 }
 
-/// Of axes `loop` is that of each by itself.
+/// The check `loop` of several axes equals that of each axis alone.
 #[test]
 fn loop_of_several_axes_matches_each_axis() {
     let keys = "n = 2\nclock = \"samples\"\nmu = \"exp(a=1)\"\nsample_time = 0.01\neps = 0\nx0_max = [0.5, 0.5]\n";

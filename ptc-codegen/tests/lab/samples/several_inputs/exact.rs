@@ -116,7 +116,7 @@ fn is_exact(text: &str) -> bool {
     spec(text).sampled().expect("a clock in samples").exact.is_some()
 }
 
-/// What is not linear in numbers, or has no chains of this kind, is known at the samples alone.
+/// Plants that are not linear in numbers, or have no chains of this kind, are known at the samples alone.
 #[test]
 fn what_is_not_sampled_exactly() {
     let text = design(&PLANTS[2].1, "0.02", 24, "");

@@ -201,7 +201,7 @@ fn last(text: &str, h: f64, x0: &[f64]) -> Vec<f64> {
     end.into_iter().map(f64::abs).collect()
 }
 
-/// What r^(n) and the plant change over a sample leaves e_i of an output of order n at O(h^(n+2-i)), or less.
+/// Changes of r^(n) and the plant over a sample leave e_i of an output of order n at O(h^(n+2-i)) or less.
 #[test]
 fn the_tracking_error_falls_with_the_period() {
     let axes = "name = \"pair\"\nn = 2\naxes = 2\nmu = \"exp(a=1)\"\ng = [2, -0.5]\n[params]\n";
@@ -248,7 +248,7 @@ fn the_tracking_error_falls_with_the_period() {
     }
 }
 
-/// What an output of lower order does not read may be anything; what it reads may not.
+/// Reference values beyond the order of an output may be anything; values that it reads may not.
 #[test]
 fn a_row_is_read_up_to_its_order() {
     let text = changed(&example("tank.toml"), "sample_time = 0.25\nreference = \"input\"", "");

@@ -25,7 +25,7 @@ outputs = ["a", "b", "c", "d"]
 dynamics = { a = "A*(2 + b^2) + B - a*c", b = "b1", b1 = "B*(3 + a) + C*d - b*d1", c = "C + D*a - c^2", d = "d1", d1 = "D*(2 - b) + A*c + a" }
 "#;
 
-/// What of two chains of order 2 is left to run time.
+/// Run-time parameters of two chains of order 2.
 const AT_RUN_TIME: [(&str, &[f64]); 5] = [
     ("samples", &[64.0]),
     ("h", &[1.0 / 128.0]),

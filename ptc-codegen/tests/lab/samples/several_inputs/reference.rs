@@ -107,7 +107,7 @@ fn last(text: &str, h: f64, x0: &[f64], chain: fn(&[f64]) -> Vec<f64>) -> Vec<f6
     end.into_iter().map(f64::abs).collect()
 }
 
-/// What is not held leaves x_i of an output of order n at O(h^(n+2-i)), or less.
+/// Changes of the plant within a sample leave x_i of an output of order n at O(h^(n+2-i)) or less.
 #[test]
 fn the_error_falls_with_the_period() {
     let tank = |x: &[f64]| vec![x[0], x[2], (x[1] - x[2]) * (1.0 + x[0])];

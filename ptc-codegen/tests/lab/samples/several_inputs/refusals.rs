@@ -1,4 +1,4 @@
-//! What is refused beside them.
+//! Keys that are refused for plants with several inputs.
 
 use super::read;
 
