@@ -18,18 +18,20 @@ export function verdict(answer) {
   if (answer.fault) return ["bad", `The generator failed: ${answer.fault}`];
   const found = answer.diagnostics ?? [];
   if (found.length === 0) {
-    const open = (answer.checks ?? []).filter((check) => check.verdict === "undecided").map((check) => check.name);
-    return open.length ? ["open", `Accepted; undecided: ${open.join(", ")}`] : ["good", "Accepted"];
+    return [answer.verdict.open ? "open" : "good", sentence(answer.verdict.text)];
   }
-  const refusing = (answer.checks ?? []).filter((check) => check.refuses).map((check) => check.name);
-  if (refusing.length) return ["bad", `Refused by ${refusing.join(", ")}`];
+  if ((answer.checks ?? []).some((check) => check.refuses)) return ["bad", sentence(answer.verdict.text)];
   return ["bad", found.length === 1 ? "1 error" : `${found.length} errors`];
+}
+
+function sentence(text) {
+  return text[0].toUpperCase() + text.slice(1);
 }
 
 export function show(answer) {
   const [kind, text] = verdict(answer);
   Object.assign($("verdict"), { className: kind, textContent: text });
-  $("verdicts").replaceChildren(...(answer.checks ?? []).flatMap(one));
+  $("verdicts").replaceChildren(...(answer.checks ?? []).flatMap(one), ...margins(answer));
   $("cost").textContent = cost(answer);
   $("told").hidden = !answer.design;
   $("command").textContent = answer.design ? `ptc-codegen emit --lang c ${answer.design.command}` : "";
@@ -41,6 +43,10 @@ function one({ name, verdict: word, summary, details, fix }) {
     element("dt", {}, name, " ", element("span", { class: `badge ${CLASSES[word]}` }, word)),
     element("dd", {}, element("p", {}, summary), ...(more.length ? [element("ul", {}, ...more)] : [])),
   ];
+}
+
+function margins({ verdict: found }) {
+  return found ? [element("dt", {}, "margins"), element("dd", {}, element("p", {}, found.margins))] : [];
 }
 
 function cost(answer) {

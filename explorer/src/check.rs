@@ -34,6 +34,11 @@ pub(crate) fn checks(report: &Report) -> Value {
     report.outcomes.iter().map(one).collect()
 }
 
+/// The last line of the report, whether it leaves something open, and the margins.
+pub(crate) fn verdict(report: &Report) -> Value {
+    json!({ "text": report.verdict(), "open": report.is_open(), "margins": report.margins() })
+}
+
 /// The poles and the lines of the check `growth`; null where the gains are not fixed.
 pub(crate) fn plane(spec: &Spec) -> Value {
     let Some(plane) = examine::plane(spec) else { return Value::Null };

@@ -41,6 +41,7 @@ fn respond(request: &Value) -> Value {
     answer["design"] = check::of_design(&spec);
     let report = examine(&spec);
     answer["checks"] = check::checks(&report);
+    answer["verdict"] = check::verdict(&report);
     answer["fingerprint"] = json!(report.spec.fingerprint());
     answer["chosen"] = report.choices.iter().map(ToString::to_string).collect();
     answer["plane"] = check::plane(&report.spec);

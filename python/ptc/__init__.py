@@ -116,11 +116,13 @@ def emit(design: Design, lang: str = "c", *, selftest: bool = False) -> dict[str
 
 def check(design: Design) -> Report:
     """What every check says of a design. A design that is refused is no error here."""
-    checks, refused, undecided = _ptc.check(design._own)
+    checks, refused, undecided, verdict, margins = _ptc.check(design._own)
     return Report(
         name=design.name,
         accepted=not refused,
+        verdict=verdict,
         undecided=tuple(undecided),
+        margins=margins,
         checks=tuple(
             Check(name, verdict, summary, tuple(details), fix, name in refused)
             for name, verdict, summary, details, fix in checks

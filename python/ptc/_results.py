@@ -74,8 +74,12 @@ class Report:
     """Name of the controller."""
     accepted: bool
     """Whether no check refuses it, so that code can be emitted."""
+    verdict: str
+    """The last line of the command's report: what is refused, or what an acceptance leaves open."""
     undecided: tuple[str, ...]
     """Names of the checks that could not be decided."""
+    margins: str
+    """Input gains, delays and resonances for which the loop with its final gains is stable, or why they are unknown."""
     checks: tuple[Check, ...]
     """All of them."""
 

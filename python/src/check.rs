@@ -12,8 +12,9 @@ use crate::failure::internal;
 /// A check as the arguments of `ptc.Check`.
 type Told = (&'static str, &'static str, String, Vec<String>, Option<String>);
 
-/// Its checks, the names of those that refuse the design, and of those that are undecided.
-type Checked = (Vec<Told>, Vec<&'static str>, Vec<&'static str>);
+/// Its checks, the names of those that refuse the design and of those that are undecided, the last line of the report
+/// and the margins.
+type Checked = (Vec<Told>, Vec<&'static str>, Vec<&'static str>, String, String);
 
 fn told(outcome: &Outcome) -> Told {
     let Outcome { name, verdict, summary, details, fix } = outcome;
@@ -32,11 +33,12 @@ pub(crate) fn check(py: Python<'_>, design: &Design) -> PyResult<Checked> {
             let refused = names(&mut report.refusals());
             let open = names(&mut report.undecided());
             let checks = report.outcomes.iter().map(told).collect();
+            let (verdict, margins) = (report.verdict(), report.margins());
             // No check looks at coefficients that overflow.
             if refused.is_empty() {
                 Accepted::of(report)?;
             }
-            Ok((checks, refused, open))
+            Ok((checks, refused, open, verdict, margins))
         })
     });
     report.map_err(|fault| internal(&fault))?.map_err(|found| design.wrong(py, found))

@@ -141,6 +141,7 @@ def checked():
         theirs = json.loads(run([GENERATOR, "check", path, "--format", "json"]).stdout)
         report = ptc.check(ptc.Design.load(path))
         expect(report.accepted == theirs["accepted"], f"{path}: accepted")
+        expect(report.verdict == theirs["verdict"], f"{path}: verdict")
         expect(list(report.undecided) == theirs["undecided"], f"{path}: undecided")
         for ours, check in zip(report.checks, theirs["checks"]):
             told = (ours.name, ours.verdict, ours.summary, list(ours.details), ours.fix)

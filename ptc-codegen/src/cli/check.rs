@@ -3,10 +3,9 @@
 use std::fmt::Write;
 
 use crate::accepted::Accepted;
-use crate::check::Outcome;
 use crate::check::examine::{Report, examine_expanded};
 use crate::check::resolved::{Choice, follows, lines};
-use crate::check::sampled::{Bound, Cost, Gating, Margins, Stability, Worst, margins, stability};
+use crate::check::sampled::{Bound, Cost, Gating, Margins, Worst, margins};
 use clap::Args;
 use serde_json::json;
 
@@ -24,9 +23,10 @@ The fingerprint names the design with all that was chosen; verdicts, reports and
 one controller show the same.
 
 JSON: {\"name\":\"...\",\"command\":\"...\",\"fingerprint\":\"...\",\"chosen\":[...],\"follows\":[...],
-\"accepted\":true,\"undecided\":[],\"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",
-\"verdict\":\"sound\",\"summary\":\"...\",\"details\":[...],\"fix\":null},...]};
-a verdict is sound, unsound, refuted, undecided or not checked.
+\"accepted\":true,\"verdict\":\"accepted; not looked at: overflow (envelope)\",\"undecided\":[],
+\"not_looked_at\":[\"overflow (envelope)\"],\"checks\":[{\"name\":\"growth\",\"verdict\":\"sound\",
+\"summary\":\"...\",\"details\":[...],\"fix\":null},...]};
+`verdict` of a check is sound, unsound, refuted, undecided or not checked.
 
 Examples:
   ptc-codegen check roll.toml
@@ -65,11 +65,9 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let refused = report.refusals().next().is_some();
     let margins =
         request.margins.then(|| checking(|| margins(&report.spec, report.expanded.as_ref())));
-    let stable = stability(&report.spec, report.expanded.as_ref());
-    let margins = (&stable, margins.as_ref());
     write::to_stdout(&match request.format {
-        ListFormat::Text => text(&report, margins, refused),
-        ListFormat::Json => json(&report, margins, refused),
+        ListFormat::Text => text(&report, margins.as_ref()),
+        ListFormat::Json => json(&report, margins.as_ref(), refused),
     })?;
     if refused {
         return Err(Failure::refused(Vec::new()));
@@ -82,10 +80,8 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     if undecided { Err(Failure::undecided(Vec::new())) } else { Ok(()) }
 }
 
-/// The margins of stability, or why they are not known, and those of the sound loop where they are asked for.
-type Tolerated<'a> = (&'a Result<Stability, String>, Option<&'a Option<Margins>>);
-
-fn text(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> String {
+/// Prints a report, with the margins of the sound loop if they are asked for.
+fn text(report: &Report, margins: Option<&Option<Margins>>) -> String {
     let spec = &report.spec;
     let order = match &spec.coupled {
         Some(coupled) => coupled.order_text(),
@@ -106,12 +102,7 @@ fn text(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
             let _ = writeln!(out, "            fix: {fix}");
         }
     }
-    let _ = match stable {
-        Ok(stable) => {
-            writeln!(out, "\nmargins     with the final gains the loop is stable for {stable}")
-        }
-        Err(why) => writeln!(out, "\nmargins     not known: {why}"),
-    };
+    let _ = writeln!(out, "\nmargins     {}", report.margins());
     match margins {
         Some(Some(margins)) => {
             let _ = writeln!(out, "            {margins}");
@@ -119,20 +110,7 @@ fn text(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
         Some(None) => out.push_str("            none of the bounds: `loop` is not sound\n"),
         None => {}
     }
-    let names = |outcomes: &mut dyn Iterator<Item = &Outcome>| {
-        outcomes.map(|outcome| outcome.name).collect::<Vec<_>>().join(", ")
-    };
-    let open = names(&mut report.undecided());
-    let mut verdict = match (refused, open.is_empty()) {
-        (true, _) => format!("refused: {}", names(&mut report.refusals())),
-        (false, true) => "accepted".to_owned(),
-        (false, false) => format!("accepted; undecided: {open}"),
-    };
-    let unseen = report.unseen();
-    if !refused && !unseen.is_empty() {
-        let _ = write!(verdict, "; not looked at: {}", unseen.join(", "));
-    }
-    let _ = writeln!(out, "\n{verdict}");
+    let _ = writeln!(out, "\n{}", report.verdict());
     out
 }
 
@@ -185,7 +163,7 @@ pub(crate) fn chosen(choice: &Choice) -> serde_json::Value {
     json!({ "key": choice.key, "value": choice.value, "reason": choice.reason })
 }
 
-fn json(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> String {
+fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> String {
     let checks: Vec<_> = report
         .outcomes
         .iter()
@@ -210,11 +188,12 @@ fn json(report: &Report, (stable, margins): Tolerated<'_>, refused: bool) -> Str
         "chosen": report.choices.iter().map(chosen).collect::<Vec<_>>(),
         "follows": follows(&report.spec).iter().map(chosen).collect::<Vec<_>>(),
         "accepted": !refused,
+        "verdict": report.verdict(),
         "undecided": report.undecided().map(|outcome| outcome.name).collect::<Vec<_>>(),
         "not_looked_at": report.unseen(),
         "checks": checks,
     });
-    design["stability"] = match stable {
+    design["stability"] = match report.stability() {
         Ok(stable) => json!({
             "gain": stable.gain,
             "delay": stable.delay,

@@ -57,6 +57,7 @@ fn misses(folder: &Path, file: &str) -> Vec<String> {
         expect(found["accepted"] == (code != Some(1)), "accepted");
         let open = found["undecided"].as_array().expect("names");
         expect(open.is_empty() == (code != Some(3)) || code == Some(1), "undecided");
+        expect(stdout.lines().last() == found["verdict"].as_str(), "one last line");
     }
     for outcome in told {
         let (_, told) = outcome.split_once(' ').expect("a name and more");
@@ -108,4 +109,23 @@ fn odd_files_are_wrong_and_not_fatal() {
     }
     let (code, _, stderr) = check(&folder, &["none.toml"]);
     assert_eq!(code, Some(2), "{stderr}");
+}
+
+/// An accepted loop that is unstable with its final gains has no margins, and each front end says so with one line.
+#[test]
+fn missing_margins_are_part_of_the_verdict() {
+    let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/designs/table");
+    let design = fs::read_to_string(table.join("samples_unstable_observer.toml")).expect("text");
+    let folder = support::folder_with("verdict_of_margins", "design.toml", &design);
+    let (code, stdout, _) = check(&folder, &["design.toml"]);
+    let line = stdout.lines().last().expect("a verdict").to_owned();
+    assert_eq!(code, Some(0), "{stdout}");
+    assert!(line.ends_with("; margins are not known: not stable with the final gains"), "{stdout}");
+    let run =
+        ["simulate", "design.toml", "--x0", "1e-3,0", "-o", "run.csv", "--report", "run.html"];
+    let (code, _, stderr) = support::run_in(&folder, &run);
+    assert_eq!(code, Some(0), "{stderr}");
+    let page = fs::read_to_string(folder.join("run.html")).expect("a report");
+    assert!(page.contains(&format!("<p class=\"verdict open\">{line}</p>")), "{line}");
+    assert!(page.contains("Margins: not known: the loop is not stable"), "no margins");
 }

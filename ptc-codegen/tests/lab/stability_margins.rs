@@ -4,7 +4,7 @@ use crate::support::entries;
 
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::{Report, examine};
-use ptc_codegen::check::sampled::{Stability, stability};
+use ptc_codegen::check::sampled::{NoMargins, Stability, stability};
 use ptc_codegen::plant::read_design;
 
 fn report(text: &str) -> Report {
@@ -12,7 +12,7 @@ fn report(text: &str) -> Report {
     examine(&spec)
 }
 
-fn found(text: &str) -> Result<Stability, String> {
+fn found(text: &str) -> Result<Stability, NoMargins> {
     stability(&report(text).spec, None)
 }
 

@@ -1,5 +1,7 @@
 //! The checks of several axes: those of one where they share everything, else those of each.
 
+use std::sync::OnceLock;
+
 use super::{Report, envelope, in_samples, judged};
 use crate::check::resolved::{Resolved, alone};
 use crate::check::{Outcome, Verdict, sampled, zeros};
@@ -53,6 +55,7 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
         outcomes,
         greatest,
         worst,
+        stability: OnceLock::new(),
     }
 }
 

@@ -1,5 +1,7 @@
 //! The checks of a clock in samples.
 
+use std::sync::OnceLock;
+
 use super::Report;
 use super::{membership, of_chain, of_error, rest};
 use crate::check::Outcome;
@@ -29,6 +31,7 @@ pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
             outcomes,
             greatest: None,
             worst: None,
+            stability: OnceLock::new(),
         };
     }
     let model = spec.model_in_samples();
@@ -64,7 +67,15 @@ pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
         lacks("envelope"),
     ];
     outcomes.extend(zeros::outcome(&continuous));
-    Report { spec, choices: Vec::new(), expanded: None, outcomes, greatest: None, worst }
+    Report {
+        spec,
+        choices: Vec::new(),
+        expanded: None,
+        outcomes,
+        greatest: None,
+        worst,
+        stability: OnceLock::new(),
+    }
 }
 
 /// The check of the loop that runs of a plant with several inputs.

@@ -1,6 +1,7 @@
 //! All checks on one design, and what follows from them for the guard eps.
 
 mod axes;
+mod conclusion;
 mod divisor;
 mod envelope;
 mod growth;
@@ -32,6 +33,8 @@ pub(crate) use period::held_period;
 #[cfg(feature = "files")]
 pub use plane::{Plane, plane};
 pub use report::Report;
+
+use std::sync::OnceLock;
 
 use super::membership::prove;
 use super::resolved::{Looped, Resolved};
@@ -100,7 +103,8 @@ fn in_time(spec: Spec, known: Option<Looped>, expanded: Option<Expanded>) -> Rep
     let growth = of_error(&spec, of_chain(&spec, growth));
     let mut outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));
-    Report { spec, choices: Vec::new(), expanded, outcomes, greatest, worst }
+    let stability = OnceLock::new();
+    Report { spec, choices: Vec::new(), expanded, outcomes, greatest, worst, stability }
 }
 
 /// The check of the loop that runs, and its worst case.

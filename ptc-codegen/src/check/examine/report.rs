@@ -1,7 +1,9 @@
 //! Results of the checks, and those that refuse a design.
 
+use std::sync::OnceLock;
+
 use crate::check::resolved::Choice;
-use crate::check::sampled::Worst;
+use crate::check::sampled::{NoMargins, Stability, Worst};
 use crate::check::zeros;
 use crate::check::{Outcome, Verdict};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -10,7 +12,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
 /// Results of the checks.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Report {
     /// The resolved design.
     pub spec: Spec,
@@ -24,6 +26,8 @@ pub struct Report {
     pub greatest: Option<(Parameter, Fixed)>,
     /// The worst case of the sampled loop, where it is known.
     pub worst: Option<Worst>,
+    /// The margins of stability, once they are computed.
+    pub(crate) stability: OnceLock<Result<Stability, NoMargins>>,
 }
 
 impl Report {

@@ -55,9 +55,7 @@ pub(crate) use outcome::{NAME, outcome};
 #[cfg(feature = "lab")]
 pub(crate) use proved::proved;
 pub use span::Span;
-#[cfg(feature = "files")]
-pub use stability::stability;
-pub use stability::{Damped, Stability};
+pub use stability::{Damped, NoMargins, Stability, stability};
 pub(crate) use stability::{Tolerance, bands, damped, smallest_tolerant, tolerance};
 pub use sums::Sum;
 #[cfg(feature = "files")]

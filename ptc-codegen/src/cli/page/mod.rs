@@ -101,7 +101,6 @@ struct Page<'a> {
     design: Option<(String, Vec<Result<&'a str, char>>)>,
     groups: Vec<Group>,
     report: &'a Report,
-    refusals: Vec<&'static str>,
     budget: Vec<Bar>,
     worst: Option<Drawn>,
     charts: Vec<Svg>,
@@ -118,6 +117,15 @@ fn colour(verdict: Verdict) -> &'static str {
         Verdict::Sound => "good",
         Verdict::Unsound | Verdict::Refuted => "bad",
         Verdict::Undecided | Verdict::NotChecked | Verdict::NotNeeded => "open",
+    }
+}
+
+/// The class of the last line of a report.
+fn concluded(report: &Report) -> &'static str {
+    match report.refusals().next() {
+        Some(_) => "bad",
+        None if report.is_open() => "open",
+        None => "good",
     }
 }
 
@@ -161,7 +169,6 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
         command,
         design,
         groups: formulas::groups(report, plant)?,
-        refusals: report.refusals().map(|outcome| outcome.name).collect(),
         budget: budget::bars(report),
         worst: worst::drawn(report)?,
         charts: curve::charts(report)?,

@@ -4,14 +4,12 @@
 //! An observer, and inputs that are kept, run as the law believes. So the plant moves by Phi x + g Gamma a, where a
 //! is the input that acts, or acted some samples ago, and the rest of the sample is as it is.
 
-#[cfg(feature = "files")]
 mod design;
 mod plant;
 mod resonance;
 mod wanted;
 
-#[cfg(feature = "files")]
-pub use design::stability;
+pub use design::{NoMargins, stability};
 pub use resonance::Damped;
 pub(crate) use resonance::{bands, damped};
 pub(super) use wanted::Wanted;
