@@ -1,9 +1,9 @@
 //! Effect of a resonance of the plant on the loop: bands of `check` against runs of the loop just inside and outside
 //! of them, and the eps that takes it into account.
 
-use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::check::sampled::{Damped, stability};
+use ptc_codegen::check::{Outcome, Verdict};
 use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plant::{Plant, as_one, read_design};
 use ptc_codegen::simulate::{Loop, Sampled, Values};
@@ -121,6 +121,10 @@ fn resonance_is_refused_within_an_unstable_band_only() {
         let [own] = &bands.unstable[..] else { panic!("{bands:?}") };
         assert!(own[1] >= last * (1.0 - 1e-3), "{bands:?}, not {last}");
     }
+    // Only the refusal is part of `loop`: all bands are part of the margins.
+    let told = |own: &Outcome| own.details.iter().any(|line| line.contains("unstable for"));
+    assert!(!told(&looped(&report)) && !told(&own), "{own:?}");
+    assert_eq!(report.margins().matches("unstable for resonances").count(), 1);
     // The command says so, and runs it all the same.
     let folder = folder_with("resonance_command", "design.toml", &text);
     let (code, told, _) = run_in(&folder, &["check", "design.toml"]);

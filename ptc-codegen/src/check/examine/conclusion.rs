@@ -2,7 +2,7 @@
 
 use super::Report;
 use crate::check::Outcome;
-use crate::check::sampled::{NoMargins, Stability, stability};
+use crate::check::sampled::{Damped, NoMargins, Stability, stability};
 
 impl Report {
     /// The margins of the loop with its final gains, computed on the first call.
@@ -20,6 +20,15 @@ impl Report {
         match self.stability() {
             Ok(stable) => format!("with the final gains the loop is stable for {stable}"),
             Err(why) => format!("not known: {why}"),
+        }
+    }
+
+    /// The resonances with which the loop is stable; `None` if they are not known, or the design has none.
+    pub(super) fn resonance(&self) -> Option<&Damped> {
+        match self.stability() {
+            Ok(stable) => stable.resonance.as_ref(),
+            Err(NoMargins::Unstable(damped)) => damped.as_ref(),
+            Err(NoMargins::NotExamined(_)) => None,
         }
     }
 

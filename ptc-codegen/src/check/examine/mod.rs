@@ -69,9 +69,9 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
 /// Runs every check on a resolved design.
 pub fn examine_resolved(resolved: Resolved, expanded: Option<Expanded>) -> Report {
     let mut report = judged(resolved, expanded);
+    resonance::judge(&mut report);
     let looped = report.outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
     if let Some(looped) = looped {
-        resonance::judge(&report.spec, report.expanded.as_ref(), looped);
         looped.details.extend(unseen::slips(&report.spec));
     }
     report

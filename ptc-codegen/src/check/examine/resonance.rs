@@ -1,31 +1,28 @@
-//! Effect on the loop of a resonance of the plant that the law does not know.
+//! Refusal of a resonance of the plant that the law does not know.
 
-use crate::check::sampled::{self, Damped, bands, damped};
+use super::Report;
+use crate::check::sampled::{self, Damped, bands};
 use crate::check::{Outcome, Verdict};
 use crate::diagnostic::digits_up;
-use crate::expansion::Expanded;
-use crate::request::{After, Spec};
+use crate::request::After;
 
-/// Adds to the check of the loop which resonances leave the loop that stays stable: one that the plant may have and
-/// that does not refutes it.
-pub(super) fn judge(spec: &Spec, expanded: Option<&Expanded>, looped: &mut Outcome) {
-    if spec.promises.resonance.is_none() {
+/// Makes the check of the loop unsound if the plant may have a resonance with which the loop that stays is unstable.
+/// The margins print all of these resonances.
+pub(super) fn judge(report: &mut Report) {
+    let spec = &report.spec;
+    if spec.promises.resonance.is_none() || spec.after != After::Hold {
         return;
     }
-    let found = match damped(spec, expanded) {
-        Ok(Some(found)) => found,
-        Ok(None) => return,
-        Err(why) => {
-            looped
-                .details
-                .push(format!("what resonances leave the loop stable is not known: {why}"));
-            return;
-        }
-    };
-    looped.details.push(format!("with the final gains it is {found}"));
+    let Some(found) = report.resonance().cloned() else { return };
+    let looped = report.outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
+    if let Some(looped) = looped.filter(|looped| looped.verdict != Verdict::Refuted) {
+        refuse(looped, &found);
+    }
+}
+
+fn refuse(looped: &mut Outcome, found: &Damped) {
     let exceeded = found.exceeded();
-    let stays = spec.after == After::Hold;
-    if exceeded.is_empty() || !stays || matches!(looped.verdict, Verdict::Refuted) {
+    if exceeded.is_empty() {
         return;
     }
     let summary = format!(
@@ -35,8 +32,7 @@ pub(super) fn judge(spec: &Spec, expanded: Option<&Expanded>, looped: &mut Outco
     let before = std::mem::replace(&mut looped.summary, summary);
     looped.details.insert(0, before);
     looped.verdict = Verdict::Unsound;
-    looped.fix = Some(fix(&found));
-    debug_assert_eq!(looped.name, sampled::NAME);
+    looped.fix = Some(fix(found));
 }
 
 fn fix(found: &Damped) -> String {

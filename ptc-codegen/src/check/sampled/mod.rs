@@ -56,7 +56,7 @@ pub(crate) use outcome::{NAME, outcome};
 pub(crate) use proved::proved;
 pub use span::Span;
 pub use stability::{Damped, NoMargins, Stability, stability};
-pub(crate) use stability::{Tolerance, bands, damped, smallest_tolerant, tolerance};
+pub(crate) use stability::{Tolerance, bands, smallest_tolerant, tolerance};
 pub use sums::Sum;
 #[cfg(feature = "files")]
 pub use trajectory::{Trajectory, trajectory};

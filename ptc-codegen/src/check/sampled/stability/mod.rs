@@ -11,7 +11,7 @@ mod wanted;
 
 pub use design::{NoMargins, stability};
 pub use resonance::Damped;
-pub(crate) use resonance::{bands, damped};
+pub(crate) use resonance::bands;
 pub(super) use wanted::Wanted;
 pub(crate) use wanted::{Tolerance, smallest_tolerant, tolerance};
 

@@ -6,14 +6,12 @@ use num_traits::ToPrimitive;
 
 use super::super::gain::Gain;
 use super::super::judge::Loop;
+use super::Stays;
 use super::plant::{Flexible, Plant, Spring};
-use super::wanted::staying;
-use super::{OPERATIONS, Stays};
 use crate::algebra::BigRational;
 use crate::diagnostic::{digits_down, digits_up};
-use crate::expansion::Expanded;
 use crate::linear::Linear;
-use crate::request::{Resonance, Spec};
+use crate::request::Resonance;
 
 /// Step of the frequency, as a part of it, and of a turn in a sample.
 const STEP: f64 = 0.03;
@@ -193,15 +191,6 @@ impl Damped {
         let last = self.unstable.last()?[1];
         (last < self.examined[1]).then_some(last)
     }
-}
-
-/// Returns the resonances with which the loop of a design is stable, whose eps is set; `None` without a resonance.
-///
-/// # Errors
-/// Why that is not known.
-pub(crate) fn damped(spec: &Spec, expanded: Option<&Expanded>) -> Result<Option<Damped>, String> {
-    let mut left = OPERATIONS;
-    staying(spec, expanded, &mut left, &|stays| stays.damped(true))
 }
 
 /// Bands in words, with the word before them.
