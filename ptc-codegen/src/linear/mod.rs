@@ -15,6 +15,7 @@ mod poles;
 mod roots;
 mod several;
 mod singular;
+mod spring;
 
 pub(crate) use between::{Between, Part, drift};
 pub use complex::Complex;
@@ -31,6 +32,8 @@ pub(crate) use poles::sampled_poles;
 pub use roots::roots;
 pub use several::{Chains, Several};
 pub(crate) use several::{IllSampled, Left, Moving, scaled, sizes};
+pub use spring::Side;
+pub(crate) use spring::{Joint, Spring, Twist};
 
 use crate::algebra::{BigRational, integer};
 

@@ -38,9 +38,10 @@ pub use read::{read, read_partly};
 use crate::collect::{listed, set};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
+use crate::linear::Side;
 use crate::model::Inverse;
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::request::{self, Entry, LargerPlant, Side, Spec};
+use crate::request::{self, Entry, LargerPlant, Spec};
 
 /// The table of a design file that holds the plant.
 pub const TABLE: &str = "plant";

@@ -7,19 +7,18 @@
 //! resonance = { frequency_hz = [34, 344], damping = [0.03, 0.3], inertia_ratio = 6, measured = "motor" }
 //! ```
 //!
-//! With r = J_load/J_motor, d the twist (the motor's x_(n-1) less the load's), w = 2 pi `frequency_hz` and the spring's
-//! s = 2 `damping` w d' + w^2 d: the motor has xn' = (1 + r) g u - r/(1 + r) s, the load xn' = s/(1 + r) + (1 + r)/r f,
-//! and d' ' is their difference. Of a rigid joint both are xn' = f + g u.
+//! The equations are those of [`crate::linear`]; the twist is the motor's x_(n-1) less the load's.
 
 use num_traits::{Signed, Zero};
 
 use super::read::{Given, value};
-use super::spring::Spring;
+use super::spring::{Sides, Spring};
 use super::{Plant, TABLE};
 use crate::diagnostic::{Diagnostics, Place, near_miss, shorten};
 use crate::expression::{Expression, Variable};
+use crate::linear::{Joint, Side};
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::request::{LargerPlant, MAX_ORDER, Resonance, Side, Spec};
+use crate::request::{LargerPlant, MAX_ORDER, Resonance, Spec};
 use crate::syntax::{Argument, Node, Value};
 
 /// The key of the table.
@@ -57,11 +56,11 @@ pub(super) fn put(plant: &mut Plant, given: &Given<'_>, spec: &Spec, found: &mut
     };
     let mut reader = Reader { plant, given, items, whole: true, found };
     reader.names();
-    let [frequency, damping, ratio] = NUMBERS.map(|name| reader.number(name));
+    let [frequency, damping, inertia_ratio] = NUMBERS.map(|name| reader.number(name));
     let (measured, forced) = (reader.side("measured", None), reader.side("f", Some(Side::Load)));
     let whole = reader.whole;
     let (Some(measured), Some(forced), true) = (measured, forced, whole) else { return };
-    let spring = Spring::new(spec.n, [frequency, damping, ratio]);
+    let spring = Spring::new(spec.n, Joint { frequency, damping, inertia_ratio });
     let linear = spec.sampled().and_then(|own| own.linear.as_ref());
     plant.dynamics = match linear {
         Some(linear) => spring.before(linear, measured),
@@ -75,7 +74,7 @@ pub(super) fn put(plant: &mut Plant, given: &Given<'_>, spec: &Spec, found: &mut
                 let help = "say `f = \"motor\"` or `f = \"load\"` in `resonance`: the side on which f acts";
                 return wrong(found, &message, help);
             }
-            spring.beside(plant, spec, (measured, forced))
+            spring.beside(plant, spec, Sides { measured, forced })
         }
     };
     let states = (1..=spec.n).map(|j| format!("x{j}")).chain(TWIST.map(str::to_owned));

@@ -1,80 +1,64 @@
-//! The equations of a spring between two inertias.
+//! The rates of a plant of the law with a spring before or beside it.
 
 use num_traits::Zero;
 
 use super::Plant;
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Variable};
-use crate::linear::Linear;
-use crate::request::{Side, Spec};
+use crate::linear::{self, Joint, Linear, Side, Twist};
+use crate::request::Spec;
 
-/// The spring between the two inertias, beside a chain of order n.
+/// The sides that a design names.
+#[derive(Clone, Copy)]
+pub(super) struct Sides {
+    /// The side that the sensors see.
+    pub(super) measured: Side,
+    /// The side on which f acts.
+    pub(super) forced: Side,
+}
+
+/// The spring between the two inertias, whose states follow the n states of the law.
 pub(super) struct Spring {
     n: usize,
-    /// r, 1 + r, and the acceleration s that the spring causes by its twist.
-    ratio: Expression,
-    whole: Expression,
-    pull: Expression,
+    equations: linear::Spring<Expression>,
 }
 
 impl Spring {
-    pub(super) fn new(n: usize, [frequency, damping, ratio]: [Expression; 3]) -> Self {
-        let two = || Expression::integer(2);
-        let [twist, rate] = [1, 2].map(|k| Expression::from(Variable::State(n + k)));
-        let omega = two().mul(Expression::pi()).mul(frequency);
-        let damped = two().mul(damping).mul(omega.clone()).mul(rate);
-        let pull = damped.add(omega.clone().mul(omega).mul(twist));
-        let whole = Expression::integer(1).add(ratio.clone());
-        Self { n, ratio, whole, pull }
+    pub(super) fn new(n: usize, joint: Joint<Expression>) -> Self {
+        Self { n, equations: linear::Spring::new(joint) }
     }
 
-    /// Returns the term that the spring adds to the rate of the measured side.
-    fn on(&self, side: Side) -> Expression {
-        match side {
-            Side::Motor => self.ratio.clone().div(self.whole.clone()).neg().mul(self.pull.clone()),
-            Side::Load => self.pull.clone().div(self.whole.clone()),
-        }
+    fn twist(&self) -> Twist<Expression> {
+        let [angle, rate] = [1, 2].map(|k| Expression::from(Variable::State(self.n + k)));
+        Twist { angle, rate }
     }
 
-    /// The rates of the spring's states, whose twist `drive` moves.
-    fn twisted(&self, drive: Expression) -> [Expression; 2] {
-        [Variable::State(self.n + 2).into(), drive.sub(self.pull.clone())]
+    /// The acceleration of a side by an input of the motor and by the spring.
+    fn moved(&self, side: Side, input: Expression) -> Expression {
+        self.equations.moved(side, input, self.equations.pull(self.twist()))
     }
 
     /// The rates of a chain with the spring.
-    pub(super) fn beside(
-        &self,
-        plant: &Plant,
-        spec: &Spec,
-        (measured, forced): (Side, Side),
-    ) -> Vec<Expression> {
-        let n = self.n;
+    pub(super) fn beside(&self, plant: &Plant, spec: &Spec, sides: Sides) -> Vec<Expression> {
+        let (n, Sides { measured, forced }) = (self.n, sides);
         let own = || spec.input_gain.clone().unwrap_or(Expression::integer(1));
         let gain = plant.g.clone().unwrap_or_else(own);
-        let input = self.whole.clone().mul(gain.mul(Variable::Control.into()));
+        let input = gain.mul(Variable::Control.into());
         let f = match measured == forced {
             true => plant.f.clone(),
             false => self.across(&plant.f, forced),
         };
-        let is_driven = f != Expression::integer(0);
-        // Acceleration by f of the inertia on which it acts, and of the twist.
-        let (own, twist) = match forced {
-            Side::Motor => (self.whole.clone().mul(f.clone()), self.whole.clone().mul(f)),
-            Side::Load => {
-                let own = self.whole.clone().div(self.ratio.clone()).mul(f);
-                (own.clone(), own.neg())
+        let mut last = self.moved(measured, input.clone());
+        let mut drive = self.equations.driven(input);
+        if f != Expression::integer(0) {
+            let own = self.equations.forced(forced, f);
+            if measured == forced {
+                last = last.add(own.clone());
             }
-        };
-        let mut last = self.on(measured);
-        if measured == Side::Motor {
-            last = input.clone().add(last);
+            drive = drive.add(if forced == Side::Load { own.neg() } else { own });
         }
-        if is_driven && measured == forced {
-            last = last.add(own);
-        }
-        let drive = if is_driven { input.add(twist) } else { input };
         let next = (2..=n).map(|j| Variable::State(j).into());
-        next.chain([last]).chain(self.twisted(drive)).collect()
+        next.chain([last]).chain(self.equations.rates(self.twist(), drive)).collect()
     }
 
     /// An expression of the states of the side that is not measured, in those of the plant.
@@ -94,11 +78,8 @@ impl Spring {
 
     /// The rates of a linear plant whose input acts through the spring.
     pub(super) fn before(&self, plant: &Linear, measured: Side) -> Vec<Expression> {
-        let input = self.whole.clone().mul(Variable::Control.into());
-        let acts = match measured {
-            Side::Motor => input.clone().add(self.on(measured)),
-            Side::Load => self.on(measured),
-        };
+        let acts = self.moved(measured, Variable::Control.into());
+        let drive = self.equations.driven(Variable::Control.into());
         let zero = Expression::integer(0);
         let row = |(row, b): (&Vec<BigRational>, &BigRational)| {
             let states = (1..).zip(row).map(|(j, a)| (a, Variable::State(j).into()));
@@ -107,6 +88,6 @@ impl Spring {
             terms.reduce(Expression::add).unwrap_or(zero.clone())
         };
         let own = plant.a.iter().zip(&plant.b).map(row);
-        own.chain(self.twisted(input)).collect()
+        own.chain(self.equations.rates(self.twist(), drive)).collect()
     }
 }

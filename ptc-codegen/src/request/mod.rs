@@ -26,7 +26,7 @@ pub use larger::LargerPlant;
 pub(crate) use larger::has_own_states;
 pub use poles::{Pole, PoleError, gains};
 pub(crate) use promises::exact_one_or_each;
-pub use promises::{PlantBounds, Promises, Resonance, Side, one_or_each};
+pub use promises::{PlantBounds, Promises, Resonance, one_or_each};
 pub(crate) use read::derivatives;
 pub use read::{Entry, read};
 pub(crate) use read::{items, known, meant, state_name};

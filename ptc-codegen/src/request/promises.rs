@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use crate::algebra::BigRational;
-use crate::linear::Delay;
+use crate::linear::{Delay, Side};
 use crate::parameter::Fixed;
 
 /// Promises of the design beyond the code, for the checks at generation.
@@ -58,25 +58,6 @@ pub struct Resonance {
     pub inertia_ratio: [BigRational; 2],
     /// The side that is measured.
     pub measured: Side,
-}
-
-/// A side of the spring: u acts on the motor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The side on which u acts.
-    Motor,
-    /// The other one.
-    Load,
-}
-
-impl Side {
-    /// The side as a design spells it.
-    pub(crate) fn text(self) -> &'static str {
-        match self {
-            Self::Motor => "motor",
-            Self::Load => "load",
-        }
-    }
 }
 
 /// Number `j`, from 0, of a list that holds one for all, or one each; of several axes one for each

@@ -4,8 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::super::chain::Chain;
 use crate::algebra::BigRational;
-use crate::linear::{Linear, Rows, flow};
-use crate::request::Side;
+use crate::linear::{Joint, Linear, Rows, Side, Spring, Twist, flow};
 
 /// Motion over a sample of the states of the plant, and of the input that acts. The plant has `n` known states and then
 /// others.
@@ -24,15 +23,6 @@ impl Plant {
         let input = chain.input.iter().map(|(value, _)| *value).collect();
         Self { n: chain.n, others: 0, motion: chain.motion.entries.clone(), input }
     }
-}
-
-/// Numbers of a resonance.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Spring {
-    /// Hz.
-    pub(super) frequency: f64,
-    pub(super) damping: f64,
-    pub(super) inertia_ratio: f64,
 }
 
 /// A plant whose input acts through a spring between motor and load, sampled.
@@ -62,8 +52,8 @@ impl Flexible {
     }
 
     /// The plant with a spring; `None` if that is too fast for the sample period.
-    pub(super) fn plant(&self, spring: Spring) -> Option<Plant> {
-        let (a, b) = self.joined(spring);
+    pub(super) fn plant(&self, joint: Joint<f64>) -> Option<Plant> {
+        let (a, b) = self.joined(joint);
         let after = |part: f64| flow(&a, part * self.h);
         let of = |integral: &Rows| -> Vec<f64> {
             integral.iter().map(|row| row.iter().zip(&b).map(|(f, b)| f * b).sum()).collect()
@@ -97,24 +87,24 @@ impl Flexible {
     }
 
     /// A and B with the spring: w d and d' behind the states, d the twist in units of the input and w its frequency.
-    fn joined(&self, spring: Spring) -> (Rows, Vec<f64>) {
-        let Spring { frequency, damping, inertia_ratio: r } = spring;
-        let omega = 2.0 * std::f64::consts::PI * frequency;
-        let pull = [omega, 2.0 * damping * omega];
-        // Effects of the input and of the spring on the measured side.
-        let (direct, share) = match self.measured {
-            Side::Motor => (1.0 + r, -r / (1.0 + r)),
-            Side::Load => (0.0, 1.0 / (1.0 + r)),
-        };
+    fn joined(&self, joint: Joint<f64>) -> (Rows, Vec<f64>) {
+        let spring = Spring::scaled(joint);
+        // A column each: the angle and its rate.
+        let units = [[1.0, 0.0], [0.0, 1.0]].map(|[angle, rate]| Twist { angle, rate });
+        let rest = Twist { angle: 0.0, rate: 0.0 };
+        let pull = units.map(|twist| spring.pull(twist));
+        let direct = spring.moved(self.measured, 1.0, 0.0);
+        let share = spring.moved(self.measured, 0.0, 1.0);
+        let [of_angle, of_rate] = units.map(|twist| spring.rates(twist, 0.0));
+        let driven = spring.rates(rest, spring.driven(1.0));
         let n = self.rates.len();
         let row = |row: &Vec<f64>| {
             let b = row[n];
             row[..n].iter().copied().chain(pull.map(|own| b * share * own)).collect()
         };
         let mut a: Rows = self.rates.iter().map(row).collect();
-        a.push([vec![0.0; n], vec![0.0, omega]].concat());
-        a.push([vec![0.0; n], pull.map(|own| -own).to_vec()].concat());
-        let b = self.rates.iter().map(|row| direct * row[n]).chain([0.0, 1.0 + r]).collect();
+        a.extend([0, 1].map(|i| [vec![0.0; n], vec![of_angle[i], of_rate[i]]].concat()));
+        let b = self.rates.iter().map(|row| direct * row[n]).chain(driven).collect();
         (a, b)
     }
 }

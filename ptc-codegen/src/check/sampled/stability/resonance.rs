@@ -7,10 +7,10 @@ use num_traits::ToPrimitive;
 use super::super::gain::Gain;
 use super::super::judge::Loop;
 use super::Stays;
-use super::plant::{Flexible, Plant, Spring};
+use super::plant::{Flexible, Plant};
 use crate::algebra::BigRational;
 use crate::diagnostic::{digits_down, digits_up};
-use crate::linear::Linear;
+use crate::linear::{Joint, Linear};
 use crate::request::Resonance;
 
 /// Step of the frequency, as a part of it, and of a turn in a sample.
@@ -75,8 +75,8 @@ impl Resonances {
     /// The plants with a resonance of a frequency, each with a part of the input gain.
     fn plants(&self, frequency: f64) -> impl Iterator<Item = Option<(Plant, f64)>> {
         self.corners.iter().map(move |&(damping, inertia_ratio, gain)| {
-            let spring = Spring { frequency, damping, inertia_ratio };
-            Some((self.flexible.plant(spring)?, gain))
+            let joint = Joint { frequency, damping, inertia_ratio };
+            Some((self.flexible.plant(joint)?, gain))
         })
     }
 
