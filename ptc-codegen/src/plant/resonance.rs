@@ -36,6 +36,10 @@ const SIDES: [&str; 2] = ["measured", "f"];
 /// Help text on legal values.
 const LEGAL: &str = "resonance = { frequency_hz = [30, 60], damping = 0.02, inertia_ratio = 3, measured = \"motor\", f = \"load\" }";
 
+/// Help text on a resonance of an axis.
+const AXIS_ALONE: &str = "check each axis as a design of its own, without `axes` and with its gains, limits, `g` and \
+     resonance; give the largest eps of these designs to the one of all axes";
+
 /// Puts the resonance of `[plant]` beside a chain, whose states are those of the measured side, or before the input of
 /// a linear plant.
 pub(super) fn put(plant: &mut Plant, given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) {
@@ -43,9 +47,13 @@ pub(super) fn put(plant: &mut Plant, given: &Given<'_>, spec: &Spec, found: &mut
     let wrong = |found: &mut Diagnostics, message: &str, help: &str| {
         found.push("conflict", format!("{TABLE}.{KEY}"), Some(*place), message, help);
     };
-    if spec.has_model() || spec.axes.is_some() {
-        let help = "with a model give the larger plant itself: `states`, `dynamics` and `outputs` under [plant]";
-        return wrong(found, "`resonance` beside a model, or several axes", help);
+    if spec.has_model() {
+        let help = "give the larger plant itself: `states`, `dynamics` and `outputs` under [plant]";
+        return wrong(found, "`resonance` beside a model", help);
+    }
+    if spec.axes.is_some() {
+        let message = "`resonance` beside several axes: it is joined to one chain, and an axis has no plant of its own";
+        return wrong(found, message, AXIS_ALONE);
     }
     if spec.n + TWIST.len() > MAX_ORDER {
         let message = format!("`resonance` beside a chain of order {}", spec.n);

@@ -160,3 +160,15 @@ fn open_eps_is_chosen_to_tolerate_the_resonance() {
     let own = stability(&fixed, None).expect("stable as a rigid one").resonance.expect("one");
     assert!(!own.exceeded().is_empty(), "{own:?}");
 }
+
+/// A resonance is joined to one chain: beside several axes the message says what to do, and that is legal.
+#[test]
+fn resonance_of_an_axis_needs_a_design_of_its_own() {
+    let spring = "damping = 0.05, inertia_ratio = 3, measured = \"motor\"";
+    let alone = design("time", "poles = [-4, -5]\neps = 0.02", spring);
+    let wrong = read_design(&entries(&format!("axes = 2\n{alone}"))).expect_err("several axes");
+    let [wrong] = &wrong[..] else { panic!("{wrong:?}") };
+    assert!(wrong.message.starts_with("`resonance` beside several axes: "), "{wrong:?}");
+    assert!(wrong.help.contains("check each axis as a design of its own"), "{wrong:?}");
+    assert!(read(&alone).1.resonance.is_some());
+}
