@@ -136,7 +136,9 @@ pub use error::Error;
 /// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
 /// | `u_step` | step of the actuator | a number >= 0 | |
 /// | `delay` | samples between a measurement and the input that follows from it | a number from 0 to 16; with clock = time an integer | |
-/// | `deadbeat` | samples to go at which deadbeat takes over; with `clock = samples` | an integer of at least the order of the loop | from the poles |
+/// | `deadbeat` | samples to go at which deadbeat takes over; with `clock = samples` | an integer of at least the order of the loop | |
+/// | `poles_end` | poles of the law that takes over towards the end; with `clock = samples` | `least-energy`, `least-energy(weight = W)` or a list of them | none, or as soft as the law |
+/// | `end_samples` | samples to go from which on these are the poles | an integer of at least the order of the loop | from the poles |
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
 /// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
 /// | `observer_poles` | poles of the observer in stretched time; with `clock = samples` | one for each state that is estimated | |

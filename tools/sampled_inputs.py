@@ -4,7 +4,9 @@
 
 needs mpmath. For each output the law is the input w of its sampled chain for which the flat output y,
 the combination of the chain that the input moves last, goes on as y(k+n) + sum c_j y(k+j) = 0 with
-c_j = (-1)^(n-j) pi[M, M-1, ..., M-j]/(M-j)^(n-j), or with c_j = 0 at the end; pi has the zeros -pole.
+c_j = (-1)^(n-j) pi[M, M-1, ..., M-j]/(M-j)^(n-j); pi has the zeros -pole. Where these are consecutive integers
+s + 1, ..., s + n, M is the samples to go and s, with n samples to go at least; towards the end of other poles such ones
+take their place.
 With a reference the chain is the tracking error, and r^(n) in the middle of the sample is added to w.
 The matrices and derivatives of the plants are written down by hand. Linear plants are sampled by the matrix
 exponential, and their chains are rows of the null space of what inputs reach earlier.
@@ -55,9 +57,22 @@ def divided(f, points):
     return table[0]
 
 
-def law(poles, left, h, x, ends):
-    """w of a chain with so many samples left; `ends` says whether it is deadbeat."""
+def ending(poles, left):
+    """The poles with so many samples left, and the M of their formula."""
+    n, exponents = len(poles), sorted(-mpf(pole) for pole in poles)
+    first = exponents[0]
+    if first >= n and first == int(first) and all(p == first + i for i, p in enumerate(exponents)):
+        return poles, max(left, n) + int(first) - 1
+    if left > max(int(mp.ceil(exponents[-1])) + n - 1, 2 * n):
+        return poles, left
+    s = max(n, int(mp.ceil(first))) - 1
+    return [-mpf(s + i) for i in range(1, n + 1)], max(left, n) + s
+
+
+def law(poles, left, h, x):
+    """w of a chain with so many samples left."""
     n = len(poles)
+    poles, left = ending(poles, left)
     phi, gamma = pair(n, h)
     c = flat(phi, gamma, h)
     x = matrix(x)
@@ -71,10 +86,9 @@ def law(poles, left, h, x, ends):
     # y(k+n) holds w, and no y before it does.
     sum_, row = mpf(0), c
     for j in range(n):
-        if not ends:
-            points = [mpf(left - i) for i in range(j + 1)]
-            coefficient = (-1) ** (n - j) * divided(pi, points) / ff(left - j, n - j)
-            sum_ += coefficient * (row * x)[0]
+        points = [mpf(left - i) for i in range(j + 1)]
+        coefficient = (-1) ** (n - j) * divided(pi, points) / ff(left - j, n - j)
+        sum_ += coefficient * (row * x)[0]
         row = row * phi
     moved = mpf(0)
     power = c
@@ -299,10 +313,10 @@ def main():
                 all_ = []
                 for own, chain, row in zip(poles, chains, r):
                     n = len(own)
-                    # Deadbeat takes over here.
-                    end = max(int(mp.ceil(max(-p for p in own))) + n - 1, 2 * n)
                     e = [x - mpf(r) for x, r in zip(chain, row)]
-                    all_.append(law(own, left, h, e, left <= end) + mpf(row[n]))
+                    # A plant that is known at the samples alone is to be at rest n samples early.
+                    spare = 0 if plant in LINEAR or plant is rails else n
+                    all_.append(law(own, left - spare, h, e) + mpf(row[n]))
                 return all_
 
             inputs = plant(h) if plant in LINEAR else plant

@@ -27,7 +27,8 @@ from mpmath import ceil, expm, factorial, gamma, lu_solve, matrix, mp, mpf, nstr
 
 mp.dps = 120
 ROOM = 4096  # bytes for a controller, whatever its fields
-LUCK = mpf("1e-28")  # what is claimed to be left at most
+LUCK = mpf("1e-28")  # below, digits depend on luck in rounding
+LEFT = mpf("1e-14")  # what is claimed to be left at most
 OFF = mpf("1e-13")  # what estimates are claimed to be off by at most
 
 
@@ -167,9 +168,7 @@ def table(command, _):
             left = worst_end(held[n], n, samples, time, parameters=(eps,))
             exact = Controller(command, *flags, "--clock", "samples", "--sample-time", ratio)
             rest = worst_end(exact, n, samples, lambda k: k)
-            # Below, digits depend on luck in rounding.
-            rest = f"{float(rest):.1e}" if rest > LUCK else f"< {float(LUCK):.0e}"
-            cells += [f"{float(left):.1e} (eps = {eps:.2g})", rest]
+            cells += [f"{float(left):.1e} (eps = {eps:.2g})", f"{float(rest):.1e}" if rest > LUCK else f"< {float(LUCK):.0e}"]
         print("|", " | ".join([ratio, *cells]), "|", flush=True)
 
 
@@ -227,7 +226,7 @@ def rest(command, gain):
     def loop(group, *arguments):
         left = run(command, rng, *arguments, gain=gain)
         found.setdefault(group, []).append(left)
-        if group in claimed and left > LUCK:
+        if group in claimed and left > LEFT:
             end_early(gain, group, left)
 
     for n, delay in ((n, delay) for n in range(1, 5) for delay in range(3)):
@@ -250,7 +249,7 @@ def rest(command, gain):
         loop("observer and force, N = 100000, two rounds", n, delay, 100000, 1, 0.3, 2)
     for group, left in sorted(found.items()):
         print(row(group, left))
-    return int(max(max(found[group]) for group in claimed) > LUCK)
+    return int(max(max(found[group]) for group in claimed) > LEFT)
 
 
 def observed(command, rng, n, delay, samples, measured, force, gain):
@@ -536,13 +535,16 @@ def gains(_, __):
                 cases = {}
                 for k in chosen:
                     left = samples - k
-                    law = max(2 * n, int(ceil(max(p))) + n - 1)
+                    own, now = p, mpf(left)
+                    if n == 1 and p[0] == int(p[0]):
+                        # One integer ends at rest by itself.
+                        now = max(left, n) + p[0] - 1
+                    elif left <= max(2 * n, int(ceil(max(p))) + n - 1):
+                        s = max(n, int(ceil(min(p)))) - 1
+                        own, now = [mpf(s + i) for i in range(1, n + 1)], mpf(max(left, n) + s)
                     x, u = zeros(n, n), zeros(1, n)
                     for i in range(n):
-                        if left > law:
-                            y = [falling(left - j, p[i]) / falling(left, p[i]) for j in range(n + 1)]
-                        else:
-                            y = [mpf(i == j) for j in range(n + 1)]
+                        y = [falling(now - j, own[i]) / falling(now, own[i]) for j in range(n + 1)]
                         state = lu_solve(flat, matrix(y[:n]))
                         u[i] = y[n] - (c * phi**n * state)[0]
                         for j in range(n):

@@ -7,7 +7,7 @@ itself, and where a gain or the times of the samples are uncertain, the worst ru
 import json
 import random
 import subprocess
-from math import ceil, comb, factorial
+from math import ceil, factorial
 
 import numpy as np
 
@@ -49,6 +49,17 @@ def draw_plant(source, n, h):
     A = [[float(f"{entry(i, j) * pace * units[i] / units[j]:.6g}") for j in range(n)] for i in range(n)]
     B = [float(f"{(source.uniform(0.5, 2) if i == n - 1 else source.choice([0, 0, 0.2])) * pace * units[i]:.6g}") for i in range(n)]
     return np.array(A), np.array(B)
+
+
+def rows_of(exponents):
+    """The rows of the law with these exponents, by Newton's divided differences of (t - p_1) ... (t - p_n)."""
+    n = len(exponents)
+    column = [np.prod([t - p for p in exponents]) for t in range(n)]
+    rows = []
+    for j in range(1, n + 1):
+        rows.append((-1) ** (n + j) * REAL(column[0].real))
+        column = [(after - before) / j for before, after in zip(column, column[1:])]
+    return rows
 
 
 def size_between(row, h):
@@ -94,7 +105,7 @@ class Design:
         self.gain = sorted([round(source.uniform(0.8, 1), 3), round(source.uniform(1, 1.25), 3)]) if source.random() < 0.35 else None
         self.jitter = f"{h * source.uniform(0.001, 0.1):.3g}" if source.random() < 0.25 else None
         loop = Loop(n, made, poles)
-        self.rows = self._in_samples(loop, poles, float(made.spellings[0].split("a=")[1].split(")")[0])) if self.samples_clock else \
+        self.rows = self._in_samples(poles, float(made.spellings[0].split("a=")[1].split(")")[0])) if self.samples_clock else \
             gains_at(loop, self.tau, [max(1 - k / N, float(self.eps) / self.tau) for k in range(N + 1)])
         self.lines = [f"n = {n}", made.spellings[0], f"poles = [{', '.join(pole_text(*p) for p in poles)}]",
                       f"sample_time = {period}", f"x0_max = [{', '.join(x0)}]", f"noise = [{', '.join(noise)}]",
@@ -111,8 +122,8 @@ class Design:
             self.tables += ["[plant]", 'f = "push"', f"push = {self.f}"]
             self.tables += ["[disturbance]", 'push = "any"'] if self.force == "any" else []
 
-    def _in_samples(self, loop, poles, a):
-        """u over x at samples 0..N of the law in falling powers, deadbeat at the end."""
+    def _in_samples(self, poles, a):
+        """u over x at samples 0..N of the law in falling powers, and of that of least energy at the end."""
         n, h, N = self.n, REAL(self.h), self.N
         phi, gamma = moved(self.plant, h)
         D = (phi - np.eye(n)) / h
@@ -128,15 +139,19 @@ class Design:
             c = c + np.linalg.solve((columns / scales).astype(float), left.astype(float)) / scales
         S = np.array([c @ power for power in powers[:n]])
         drift = c @ powers[n]
-        row = gains_at(loop, 1.0, [1.0])[0]
-        last = 0 if self.held else max(n, ceil(max(-float(re) / a for re, _ in poles)) + n - 1)
+        exponents = sorted((complex(-float(re) / a, float(im) / a) for re, im in poles), key=lambda p: p.real)
+        first = exponents[0].real
+        own = first >= n and abs(first - round(first)) < 1e-12 and all(
+            abs(p - (first + i)) < 1e-12 for i, p in enumerate(exponents))
+        last = 0 if own else max(2 * n, ceil(exponents[-1].real - 1e-12) + n - 1)
+        soft = max(n, ceil(first - 1e-12))
+        law, shift = rows_of(exponents), round(first) - 1 if own else 0
+        end = rows_of([soft + i for i in range(n)])
         rows = []
         for k in range(N + 1):
             M = max(N - k, self.held)
-            if M <= last:
-                over_z = [-comb(n, j) * self.h ** (j - n) for j in range(n)]
-            else:
-                over_z = [row[j] / np.prod([(M - i) * self.h for i in range(j, n)]) for j in range(n)]
+            row, now = (end, max(M, n) + soft - 1) if M <= last else (law, (max(M, n) if own else M) + shift)
+            over_z = [row[j] / np.prod([REAL(now - i) * h for i in range(j, n)]) for j in range(n)]
             rows.append(np.array(over_z) @ S - drift)
         return np.array(rows)
 

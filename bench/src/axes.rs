@@ -44,7 +44,7 @@ pub(crate) fn measure() -> Result<Vec<Step>> {
                 count,
                 gains: Vec::new(),
                 poles: Vec::new(),
-                greatest: Vec::new(),
+                exponents: Vec::new(),
                 limits: Vec::new(),
                 lower: Vec::new(),
                 input_gains: Vec::new(),

@@ -22,7 +22,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 60] = [
+pub static KEYS: [KeyInfo; 62] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -110,7 +110,7 @@ pub static KEYS: [KeyInfo; 60] = [
     KeyInfo {
         key: "poles",
         meaning: "poles of the loop in stretched time, in place of gains",
-        legal: "n numbers, complex ones in pairs; with axes also a list of them for each axis",
+        legal: "least-energy or least-energy(weight=W), or n numbers, complex ones in pairs; with axes also a list of them for each axis",
         example: "-4,-3+2i,-3-2i",
     },
     KeyInfo {
@@ -305,6 +305,18 @@ pub static KEYS: [KeyInfo; 60] = [
         meaning: "samples to go at which deadbeat takes over; with clock = samples",
         legal: "an integer of at least the order of the loop",
         example: "12",
+    },
+    KeyInfo {
+        key: "poles_end",
+        meaning: "poles of the law that takes over towards the end; with clock = samples",
+        legal: "least-energy, least-energy(weight=W) or its poles: consecutive multiples of -a, from the order of the loop on",
+        example: "least-energy(weight=1)",
+    },
+    KeyInfo {
+        key: "end_samples",
+        meaning: "samples to go from which on poles_end are the poles; with clock = samples",
+        legal: "an integer of at least the order of the loop",
+        example: "250",
     },
     KeyInfo {
         key: "measured",

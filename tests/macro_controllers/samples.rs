@@ -284,3 +284,28 @@ fn outputs_follow_references_of_their_own() {
     let off = [x[0] - 0.3 * 1.6_f64.sin(), x[2] - 2.0 * 2.0_f64.cos()];
     assert!(off[0].abs() < 2e-4 && off[1].abs() < 2e-3, "{off:?}");
 }
+
+ptc::ptc_controller!(
+    n = 2,
+    mu = exp(a = 1),
+    name = Softly,
+    clock = samples,
+    poles = least - energy(weight = 1),
+    poles_end = least - energy(weight = 2),
+    end_samples = 10,
+    tau = 0.4,
+    sample_time = 0.01,
+    eps = 0,
+    u_max = inf
+);
+
+/// Poles of least energy by name: -3, -4, and -4, -5 for the last 10 samples.
+#[test]
+fn poles_of_least_energy_have_a_name() {
+    let mut softly = Softly::new(SoftlyParams {}).expect("no parameter is left to run time");
+    softly.arm(0);
+    let u = |k| softly.step(k, &[1.0, 0.0]).expect("a control").u;
+    // -p q/((T + s h) (T + (s - 1) h)) with the exponents p and q, of which s is one less than the first.
+    assert!((u(0) / (-12.0 / (0.42 * 0.41)) - 1.0).abs() < 1e-14);
+    assert!((u(30) / (-20.0 / (0.13 * 0.12)) - 1.0).abs() < 1e-14);
+}

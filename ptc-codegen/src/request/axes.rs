@@ -2,7 +2,7 @@
 
 use std::iter::repeat_with;
 
-use super::{Clock, Feedback, Reference, Spec};
+use super::{Clock, Exponents, Feedback, Reference, Spec};
 use crate::algebra::{BigRational, integer};
 use crate::expression::Expression;
 use crate::model::{Coupled, Model, Output};
@@ -18,8 +18,8 @@ pub struct Axes {
     pub gains: Vec<Vec<Fixed>>,
     /// The poles of each, from which the gains were computed.
     pub poles: Vec<Vec<(BigRational, BigRational)>>,
-    /// Greatest exponent of each in samples, [`Sampled::greatest`](super::Sampled::greatest).
-    pub greatest: Vec<BigRational>,
+    /// The exponents of each in samples, [`Sampled::exponents`](super::Sampled::exponents).
+    pub exponents: Vec<Exponents>,
     /// Bound of |u| of each, or its upper limit beside `lower`.
     pub limits: Vec<Fixed>,
     /// Lower limit of u of each; empty where each is the opposite of its upper one.
@@ -127,8 +127,8 @@ impl Spec {
         let gain = spec.known_gain().unwrap_or_else(|| integer(1));
         let chains = self.decoupled().is_none();
         if let Clock::Samples(sampled) = &mut spec.clock {
-            let greatest = axes.greatest.get(index).cloned();
-            sampled.greatest = greatest.or(sampled.greatest.take());
+            let exponents = axes.exponents.get(index).cloned();
+            sampled.exponents = exponents.or(sampled.exponents.take());
             if chains {
                 (sampled.measured, sampled.gain) = (spec.n, gain);
             }

@@ -173,6 +173,10 @@ impl Spec {
         }
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
         words.extend(deadbeat.map(|count| word("--deadbeat", count)));
+        words.extend(sampled.end.iter().flat_map(|end| {
+            let poles = format!("--poles-end=\"{}\"", end.poles());
+            [poles, format!("--end-samples={}", end.samples)]
+        }));
         if sampled.linear.is_none() && sampled.measured < self.n {
             let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
             words.push(format!("--measured={}", names.join(",")));

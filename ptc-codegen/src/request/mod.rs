@@ -31,7 +31,7 @@ pub(crate) use read::derivatives;
 pub use read::{Entry, read};
 pub(crate) use read::{items, known, meant, state_name};
 pub use reference::Reference;
-pub use sampled::{Exact, Gate, Observer, Sampled};
+pub use sampled::{EndLaw, Exact, Exponents, Gate, Observer, Sampled};
 pub use spec::Spec;
 #[cfg(feature = "files")]
 pub(crate) use units::chain_unit;

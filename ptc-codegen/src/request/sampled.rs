@@ -27,8 +27,12 @@ pub struct Sampled {
     pub measured: usize,
     /// True if a constant that is added to u is estimated and cancelled.
     pub disturbance: bool,
-    /// The greatest exponent p = -Re(pole)/a of the controller; `None` if gains or a are open.
-    pub greatest: Option<BigRational>,
+    /// The exponents of the controller; `None` if gains or a are open.
+    pub exponents: Option<Exponents>,
+    /// True if the plant is known at its samples alone, and is to be at rest some samples early.
+    pub early: bool,
+    /// The law that takes over towards the end, where it is given or chosen.
+    pub end: Option<EndLaw>,
     /// The observer; `None` if every state is measured.
     pub observer: Option<Observer>,
     /// True if eps is 0 because it was left open.
@@ -47,6 +51,44 @@ pub struct Exact {
     pub coupled: Coupled,
 }
 
+/// The exponents p = -pole/a of a law with fixed gains.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Exponents {
+    /// The least real part; where no poles are given, the integer at or below it.
+    pub least: BigRational,
+    /// The greatest real part; where no poles are given, the integer at or above it.
+    pub greatest: BigRational,
+    /// True if they are consecutive integers.
+    pub consecutive: bool,
+}
+
+/// The least-energy law that takes over from another one towards the end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EndLaw {
+    /// Samples to go from which on it is the law.
+    pub samples: u32,
+    /// Its weight: u^2 counts 1/(M (M + 1) ... (M + weight - 1)) with M samples to go.
+    pub weight: u32,
+}
+
+impl EndLaw {
+    /// Greatest weight; with a greater one the gains leave the range of numbers.
+    pub const MAX_WEIGHT: u32 = 1000;
+
+    /// Its poles by name, as a design has them.
+    pub fn poles(&self) -> String {
+        match self.weight {
+            0 => "least-energy".to_owned(),
+            weight => format!("least-energy(weight={weight})"),
+        }
+    }
+
+    /// Samples that its formula counts beyond those to go, in a loop of `order`.
+    pub fn shift(&self, order: usize) -> u32 {
+        u32::try_from(order).unwrap_or(u32::MAX).saturating_add(self.weight).saturating_sub(1)
+    }
+}
+
 impl Sampled {
     /// Every parameter of the controller of `spec`, in the order in which it is emitted.
     pub(super) fn parameters(&self, spec: &Spec) -> Vec<Parameter> {
@@ -55,8 +97,8 @@ impl Sampled {
         all.extend(spec.u_min.then_some(UMin));
         all.push(A);
         all.extend((1..=spec.n + self.delay.inputs()).map(Gain));
-        // The exponents of known poles give it.
-        all.extend(self.greatest.is_none().then_some(Deadbeat));
+        // Known exponents need none, or give the end of their law.
+        all.extend(self.exponents.is_none().then_some(Deadbeat));
         all
     }
 

@@ -1,20 +1,117 @@
-//! Ends of the gains of a law and of an observer, in samples to go.
+//! Ends of a law and of the gains of an observer, in samples to go.
 
-use super::rows::deadbeat_from;
-use crate::algebra::{BigInt, BigRational};
+use num_traits::{ToPrimitive, Zero};
+
+use super::rows::{consecutive, deadbeat_from};
+use crate::algebra::{BigInt, BigRational, integer};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Observer, Spec};
+use crate::request::{EndLaw, Exponents, Observer, Spec};
 
 /// A part of its round at which the gains of an observer stay once it is through.
 pub(super) const HELD_PART: i64 = 8;
 
-/// Samples to go at which deadbeat takes over from the law of one loop; `None` where a gain or the rate is left to run
-/// time.
-pub(crate) fn deadbeat(spec: &Spec) -> Option<BigInt> {
-    let given = spec.fixed.get(&Parameter::Deadbeat).and_then(Fixed::number);
-    let greatest = spec.sampled()?.greatest.as_ref();
-    let follows = greatest.map(|greatest| deadbeat_from(spec.loop_order(), greatest));
-    given.map(BigRational::to_integer).or(follows)
+/// The way in which a law comes to rest at sample N.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Ending {
+    /// Samples that the formula of the law counts beyond those to go.
+    pub(crate) shift: u32,
+    /// Samples by which the law plans to be at rest early.
+    pub(crate) spare: u32,
+    pub(crate) terminal: Terminal,
+}
+
+/// The law of the last samples.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Terminal {
+    /// The law itself, whose exponents are consecutive integers: T^(p) with the shift vanishes at sample N.
+    Itself,
+    /// A law of least energy.
+    LeastEnergy(EndLaw),
+    /// Deadbeat from so many samples to go on; `None` where run time decides.
+    Deadbeat(Option<BigInt>),
+}
+
+impl Terminal {
+    /// Samples that the formula of its own law counts beyond those to go.
+    pub(super) fn shift(&self, order: usize) -> u32 {
+        match self {
+            Self::LeastEnergy(end) => end.shift(order),
+            Self::Itself | Self::Deadbeat(_) => 0,
+        }
+    }
+}
+
+impl Ending {
+    /// Returns the ending of the law of one loop.
+    pub(crate) fn of(spec: &Spec) -> Option<Self> {
+        let (order, sampled) = (spec.loop_order(), spec.sampled()?);
+        let given = spec.fixed.get(&Parameter::Deadbeat).and_then(Fixed::number);
+        let Some(exponents) = sampled.exponents.as_ref().filter(|_| given.is_none()) else {
+            let terminal = Terminal::Deadbeat(given.map(BigRational::to_integer));
+            return Some(Self { shift: 0, spare: 0, terminal });
+        };
+        let own = own_shift(order, exponents);
+        let terminal = match (sampled.end, own) {
+            (Some(end), _) => Terminal::LeastEnergy(end),
+            (None, Some(_)) => Terminal::Itself,
+            (None, None) => Terminal::LeastEnergy(softly(order, exponents)),
+        };
+        // What the plant does between samples is in proportion to u in the last ones: after a round of deadbeat little.
+        let spare = if sampled.early { u32::try_from(order).unwrap_or(0) } else { 0 };
+        Some(Self { shift: own.unwrap_or(0), spare, terminal })
+    }
+
+    /// Returns true if gains that are held at `left` samples to go are not those of deadbeat, which ends at rest.
+    pub(crate) fn is_held(&self, order: usize, left: &BigRational) -> bool {
+        match &self.terminal {
+            Terminal::Deadbeat(_) => *left > end_of_law(order),
+            Terminal::Itself | Terminal::LeastEnergy(_) => {
+                *left > BigRational::from_integer(order.into())
+            }
+        }
+    }
+
+    /// Returns the gains, for the rate 1, of the law with `left` samples to go, and the samples that its formula
+    /// counts, from the gains of its own poles.
+    pub(crate) fn at(
+        &self,
+        own: &[BigRational],
+        left: &BigRational,
+    ) -> (Vec<BigRational>, BigRational) {
+        let whole = |count: u32| integer(i64::from(count));
+        match &self.terminal {
+            Terminal::LeastEnergy(end) if *left <= whole(end.samples) => {
+                let shift = end.shift(own.len());
+                (consecutive(own.len(), shift), left + whole(shift))
+            }
+            _ => (own.to_vec(), left + whole(self.shift)),
+        }
+    }
+}
+
+/// Returns the end of a law of other exponents: as soft as the law itself, from where T^(p) of the greatest one would
+/// change its sign.
+fn softly(order: usize, exponents: &Exponents) -> EndLaw {
+    let count = |value: BigInt| value.to_u32().unwrap_or(u32::MAX);
+    let weight = exponents.least.ceil().to_integer() - BigInt::from(order);
+    EndLaw {
+        samples: count(deadbeat_from(order, &exponents.greatest)),
+        weight: count(weight.max(BigInt::zero())).min(EndLaw::MAX_WEIGHT),
+    }
+}
+
+/// Returns the shift with which a law ends at rest by its formula alone: exponents that are consecutive integers, the
+/// least of which is at least the order.
+fn own_shift(order: usize, exponents: &Exponents) -> Option<u32> {
+    let ends = exponents.consecutive && exponents.least >= BigRational::from_integer(order.into());
+    ends.then(|| exponents.least.to_integer() - BigInt::from(1)).and_then(|shift| shift.to_u32())
+}
+
+/// Samples to go at which the gains of a law are held, 0 without a hold; `None` where that is left to run time.
+pub(crate) fn held_samples(spec: &Spec) -> Option<BigRational> {
+    let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+    let eps = number(Parameter::Eps)?;
+    if eps.is_zero() { Some(eps.clone()) } else { Some(eps / number(Parameter::SampleTime)?) }
 }
 
 /// Samples to go below which the law of a loop of order `m` does not exist, so that held gains end in deadbeat.

@@ -15,6 +15,7 @@ mod controller;
 mod ends;
 mod estimates;
 mod feedback;
+mod formula;
 mod gate;
 mod inputs;
 mod model;
@@ -26,8 +27,9 @@ mod reference;
 mod rows;
 mod staged;
 mod start;
+mod terminal;
 
 pub use controller::controller;
-pub(crate) use ends::{deadbeat, end_of_law, is_noisy, observer_held};
+pub(crate) use ends::{Ending, Terminal, end_of_law, held_samples, is_noisy, observer_held};
 #[cfg(feature = "files")]
 pub use numbers::Numbers;

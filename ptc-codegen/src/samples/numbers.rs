@@ -2,7 +2,6 @@
 
 use num_traits::ToPrimitive;
 
-use super::ends::deadbeat;
 use super::rows::rows;
 use crate::algebra::BigRational;
 use crate::code::Expr;
@@ -10,15 +9,14 @@ use crate::linear::Pair;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
-/// u = sum_j row_j z_j h^(j-1)/((M-j+1)...(M-m+1)) less the drift of z, z = S x, with M samples to go.
+/// u = sum_j row_j z_j h^(j-1)/((M-j+1)...(M-m+1)) less the drift of z, z = S x, with M - s samples to go, s its
+/// shift.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers {
     /// S, row by row: of the states, then of the inputs under way, the latest first.
     pub s: Vec<Vec<f64>>,
     /// The rows of Theorem 1 for the mapping `exp`.
     pub rows: Vec<BigRational>,
-    /// Samples to go at which deadbeat takes over; `None` where the gains are held before.
-    pub deadbeat: Option<u64>,
 }
 
 impl Numbers {
@@ -44,12 +42,9 @@ impl Numbers {
         let gains: Option<Vec<_>> =
             (1..=order).map(|i| number(Parameter::Gain(i)).cloned().map(Expr::Number)).collect();
         let law = rows(&gains?, &Expr::Number(number(Parameter::A)?.clone()));
-        let held = number(Parameter::Eps).is_some_and(|eps| *eps != BigRational::default());
-        let deadbeat = deadbeat(spec).as_ref().and_then(ToPrimitive::to_u64);
         Some(Self {
             s: (0..order).map(row).collect::<Option<Vec<_>>>()?,
             rows: law.iter().filter_map(Expr::number).cloned().collect(),
-            deadbeat: deadbeat.filter(|_| !held),
         })
     }
 }

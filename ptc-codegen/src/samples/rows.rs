@@ -5,7 +5,8 @@
 
 use std::ops::{Div, Mul};
 
-use crate::algebra::{BigInt, BigRational, Kind, Monomial, Poly};
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::{BigInt, BigRational, Kind, Monomial, Poly, integer};
 use crate::code::Expr;
 use crate::family::Family;
 use crate::internal::fault;
@@ -38,6 +39,17 @@ pub(super) fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
         Expr::sum(row.terms().map(term))
     };
     rows.iter().map(row).collect()
+}
+
+/// The gains, for the rate 1, of the exponents `shift` + 1, ..., `shift` + `m`.
+pub(crate) fn consecutive(m: usize, shift: u32) -> Vec<BigRational> {
+    let exponents = (1..).take(m).map(|i| integer(i64::from(shift) + i));
+    let product = exponents.fold(Polynomial::one(), |product, exponent| {
+        product.times(&Polynomial::linear(&-exponent))
+    });
+    let mut gains = product.coefficients().to_vec();
+    gains.pop();
+    gains
 }
 
 /// Deadbeat, E^m y = 0, in place of row_j/((M-j+1)...(M-m+1)).

@@ -55,6 +55,9 @@ fn drawn(seed: u64) -> Vec<String> {
             lines.push(format!("observer_poles = [{}]", poles(&mut draws, n)));
         }
     }
+    if in_samples && draws.next() < 0.5 {
+        lines.push("deadbeat = 8".to_owned());
+    }
     let held = format!("{}", 0.02 * f64::from((draws.next() * 12.0) as u32));
     lines.push("[params]".to_owned());
     lines.push(format!("eps = {}", if in_samples { held } else { "0.1".to_owned() }));

@@ -117,14 +117,14 @@ fn limits_that_exclude_zero_are_undecided() {
 /// From a box on one side of 0 u is not symmetric, and each limit is held against what u reaches on its side.
 #[test]
 fn proof_checks_u_against_both_limits() {
-    // u = -2 x/(M h), M samples to go and at least 5, is largest at the start and never positive.
+    // u = -2 x/((M + 1) h), M samples to go and at least 5, is largest at the start, -2/0.51, and never positive.
     let running = "n = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-2]\nsample_time = 0.01\neps = 0.05\n\
                    tau = 0.5\n[verify]\nx1 = [0.5, 1]\n";
     // u = 60 s^2 - 80 s^3, s = T/tau, from x1 = 1 at rest: -20 at the start, 5 at s = 1/2.
     let continuous = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\ntau = 1\n[plant]\nf = 0\n[verify]\nx1 = [0.5, 1]\nx2 = 0\n";
     let objective = "[[objective]]\nbound = \"attractive\"\nerror = 1\n";
     for (design, within, beyond) in [
-        (running, [-4.001, 0.001], [[-3.999, 0.001], [-4.001, -0.03]]),
+        (running, [-3.922, 0.001], [[-3.921, 0.001], [-3.922, -0.04]]),
         (continuous, [-20.001, 5.001], [[-19.999, 5.001], [-20.001, 4.999]]),
     ] {
         let proved = |[low, high]: [f64; 2]| {

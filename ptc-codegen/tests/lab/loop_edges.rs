@@ -18,11 +18,12 @@ fn bound(test: &str, text: &str) -> f64 {
     part("total")
 }
 
-/// h g_k of a law of order 1 in samples, whose pole is -k: k/M of what is left, and at rest at the end.
+/// h g_k of a law of order 1 in samples, whose pole is the integer -k: k/(M + k - 1) of what is left, and at rest at
+/// the end.
 fn gain(k: f64, left: usize) -> f64 {
     #[allow(clippy::cast_precision_loss)]
     let left = left as f64;
-    k.min(left) / left
+    k / (left + k - 1.0)
 }
 
 /// A loop of order 1 from x_0 = 1: its pole, its samples, J/h, and what noise and f are at most.

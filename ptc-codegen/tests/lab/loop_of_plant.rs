@@ -194,14 +194,16 @@ fn samples_that_are_early_or_late_stay_within_the_bound() {
         let uncertain = format!("jitter = {jitter:?}\n{text}");
         let worst = report(&uncertain).worst.expect("a loop");
         for seed in 0..8 {
-            let until = worst.after.as_ref().map(|_| 1.5 * tau);
-            let around = Loop { jitter, seed, until, ..around.clone() };
-            let [last, later] = drawn(&text, &around);
+            let around = Loop { jitter, seed, ..around.clone() };
+            // A run that ends at the deadline ends in time; in a longer one that sample may be late.
+            let [last, _] = drawn(&text, &around);
             for (i, (x, bound)) in last.iter().zip(&worst.states).enumerate() {
                 assert!(*x <= bound.total() * (1.0 + 1e-9), "{text}x{} {x} {bound:?}", i + 1);
                 assert!(bound.jitter > 0.0, "{text}");
             }
             if let Some(held) = &worst.after {
+                let until = Some(1.5 * tau);
+                let [_, later] = drawn(&text, &Loop { until, ..around });
                 let within = later.iter().zip(&held.x).all(|(x, most)| *x <= most * (1.0 + 1e-9));
                 assert!(within, "{text}: {later:?} {held:?}");
             }

@@ -8,7 +8,7 @@ use std::path::Path;
 use support::{example, folder_with, run_in};
 
 /// Designs of each kind that leave something open, with the state of a run.
-const DESIGNS: [(&str, &str, &str); 6] = [
+const DESIGNS: [(&str, &str, &str); 7] = [
     (
         "time",
         "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nsample_time = 1e-2\nx0_max = [1, 0.5]\n\
@@ -25,6 +25,12 @@ const DESIGNS: [(&str, &str, &str); 6] = [
         "samples",
         "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -5]\nsample_time = 1e-2\nnoise = [1e-4, 1e-3]\n\
          x0_max = [1, 0.5]\n[params]\ntau = 1\nu_max = inf\n[verify]\nx1 = [-0.1, 0.1]\nx2 = 0\n",
+        "0.1,0",
+    ),
+    (
+        "end",
+        "n = 2\nmu = \"exp(a=7/5)\"\nclock = \"samples\"\npoles = [-3, -100]\nsample_time = 1e-2\neps = 0\n\
+         x0_max = [1, 0.5]\n[params]\ntau = 2\nu_max = inf\n[verify]\nx1 = [-0.1, 0.1]\nx2 = 0\n",
         "0.1,0",
     ),
     (
@@ -168,19 +174,20 @@ fn chosen_design_is_verified_as_written() {
 #[test]
 fn derived_values_of_a_design_are_listed() {
     let design = |eps: &str| {
-        let lines = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -5]\nmeasured = [\"x1\"]\n\
+        let lines = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\npoles = [-4, -6]\nmeasured = [\"x1\"]\n\
                      observer_poles = [-3, -4]\nsample_time = 1e-2\nsensor_step = [1e-5, 0]\n";
         format!("name = \"follows\"\n{lines}{eps}[params]\ntau = 0.5\n")
     };
-    let ends = ["deadbeat = 6", "observer_samples = 25"];
-    let held = "0.06 after its round";
-    // u changes its sign where T^(5) does in a chain of 2, 5 + 2 - 1 samples to go. Held gains end before, or where
-    // T^(2) = 0. The observer's round of 25 samples is held where deadbeat takes over, above an eighth of it.
+    let ends = ["poles_end = least-energy(weight=2)", "end_samples = 7", "observer_samples = 25"];
+    let all = [&["eps = 0"][..], &ends].concat();
+    let (gains, held) = ("[24, 10]", "0.06 after its round");
+    // u changes its sign where T^(6) does in a chain of 2, 6 + 2 - 1 samples to go. Gains that are held earlier never
+    // come to that. The observer's round of 25 samples is held where deadbeat takes over, above an eighth of it.
     for (eps, chosen, follows) in [
-        ("", ["eps = 0", ends[0], ends[1]].as_slice(), ["[20, 9]", "", held]),
-        ("eps = 0\n", &ends, ["[20, 9]", "", held]),
-        ("eps = 0.05\n", &ends[1..], ["[20, 9]", "not used", held]),
-        ("eps = 0.01\n", &ends[1..], ["[20, 9]", "1.5", held]),
+        ("", all.as_slice(), [gains, "", held]),
+        ("eps = 0\n", &ends, [gains, "", held]),
+        ("eps = 0.1\n", &ends[2..], [gains, "not used", held]),
+        ("eps = 0.01\n", &ends, [gains, "", held]),
     ] {
         let folder = folder_with("follows", "d.toml", design(eps));
         let (_, json, stderr) = run_in(&folder, &["check", "d.toml", "--format", "json"]);
@@ -191,7 +198,7 @@ fn derived_values_of_a_design_are_listed() {
             let [key, value] = ["key", "value"].map(|part| one[part].as_str().expect("a word"));
             assert!(format!("{key} = {value}").starts_with(wanted), "{eps}: {one}");
         }
-        let wanted = ["gains", "deadbeat", "observer_eps"].into_iter().zip(follows);
+        let wanted = ["gains", "end_samples", "observer_eps"].into_iter().zip(follows);
         let wanted: Vec<_> = wanted.filter(|(_, value)| !value.is_empty()).collect();
         let told = found["follows"].as_array().expect("a list").iter();
         let told: Vec<_> = told
@@ -200,8 +207,9 @@ fn derived_values_of_a_design_are_listed() {
             .collect();
         assert_eq!(told, wanted, "{eps}");
         let code = output(&folder, &["emit", "d.toml", "--lang", "c", "-o", "-"]);
-        assert_eq!(code.contains("Deadbeat."), follows[1] != "not used", "{eps}: {code}");
+        let ends = code.contains("The law of least energy to the end.");
+        assert_eq!(ends, follows[1] != "not used", "{eps}: {code}");
         let page = output(&folder, &["check", "d.toml"]);
-        assert!(page.contains("follows: gains = [20, 9]: those of the poles"), "{page}");
+        assert!(page.contains("follows: gains = [24, 10]: those of the poles"), "{page}");
     }
 }

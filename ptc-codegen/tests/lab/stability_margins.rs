@@ -34,11 +34,11 @@ fn deadbeat_margins_match_its_polynomial() {
     }
 }
 
-/// z^(d+1) - z^d + k is stable for k < 2 sin(pi/(2 (2 d + 1))), k = p/M.
+/// z^(d+1) - z^d + k is stable for k < 2 sin(pi/(2 (2 d + 1))), k = p/(M + p - 1).
 #[test]
 fn integrator_delay_margin_matches_its_polynomial() {
     for (pole, left) in [(3, 10), (3, 4), (2, 30), (5, 6)] {
-        let k = f64::from(pole) / f64::from(left);
+        let k = f64::from(pole) / f64::from(left + pole - 1);
         let least = |d: f64| 2.0 * (std::f64::consts::PI / (2.0 * (2.0 * d + 1.0))).sin();
         let wanted = (1..=16).take_while(|d| k < least(f64::from(*d))).count();
         let margins = found(&chain(&format!("-{pole}"), 0.01 * f64::from(left))).expect("stable");

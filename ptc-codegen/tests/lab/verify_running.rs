@@ -131,7 +131,7 @@ fn a_wish_in_samples_is_met() {
     let (exit, design, told) = run_in(&folder, &["design", "wish.toml"]);
     assert_eq!(exit, Some(0), "{design}{told}");
     assert!(design.contains("mu = \"exp(a=1)\""), "{design}");
-    let poles = design.lines().find(|line| line.starts_with("poles")).expect("poles");
+    let poles = design.lines().find(|line| line.starts_with("poles =")).expect("poles");
     assert_eq!(poles.split(',').count(), 3, "{poles}");
     assert!(design.contains("holds, proved by the worst case"), "{design}");
     assert!(design.contains("of the worst |x2| at the deadline"), "{design}");

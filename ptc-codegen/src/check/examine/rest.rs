@@ -1,9 +1,9 @@
 //! The check `growth` of a clock in samples: where the emitted loop ends.
 //!
-//! Its last samples are deadbeat, E^m y = 0 on the flat output: x = 0 at sample N from any state, whatever the poles
-//! are, and u is a sum of the states with bounded gains. With the gains held at M samples to go the loop is
-//! D^m y = sum_j row_j D^(j-1) y/((M-j+1)..(M-m+1)) from there on, D = E - 1: x ends near 0, and stays there if every
-//! root of D lies within 1 of -1. Poles decide what u does in the limit of short periods, and no more.
+//! The gains of its last m samples are those of deadbeat, E^m y = 0 on the flat output: x = 0 at sample N from any
+//! state, whatever the poles are, and u is a sum of the states with bounded gains. With the gains held at M samples to
+//! go, counted with the shift of the law, the loop is D^m y = sum_j row_j D^(j-1) y/((M-j+1)..(M-m+1)) from there on,
+//! D = E - 1: x ends near 0, and stays there if every root of D lies within 1 of -1. Poles decide what u does in the limit of short periods, and no more.
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
@@ -18,6 +18,7 @@ use crate::diagnostic::digits;
 use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Reference, Sampled, Spec};
+use crate::samples::{Ending, held_samples};
 use crate::syntax::constant::text;
 
 /// Judges the emitted loop of `spec` at sample N, for a design whose eps is set.
@@ -28,7 +29,7 @@ pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
         None => {
             let off = off(spec, own).map(|off| format!(", but for {off}")).unwrap_or_default();
             let rest = format!(
-                "at rest at {} from any state{off}: deadbeat ends the loop, whatever the poles, and |u| is bounded",
+                "at rest at {} from any state{off}, whatever the poles, and |u| is bounded",
                 last(spec)
             );
             (Verdict::Sound, rest, Vec::new())
@@ -103,19 +104,18 @@ struct Held {
 impl Held {
     /// `None` if the loop ends in deadbeat.
     fn of(spec: &Spec) -> Option<Self> {
-        let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
-        let eps = number(Parameter::Eps).filter(|eps| eps.is_positive())?;
-        let h = number(Parameter::SampleTime);
-        let left = eps / h?;
-        let order = spec.loop_order();
-        // With fewer samples to go than this the program takes the gains of deadbeat.
-        let half = BigRational::new(1.into(), 2.into());
-        if left <= BigRational::from_integer(order.into()) - half {
+        let left = held_samples(spec).filter(BigRational::is_positive)?;
+        let (ending, order) = (Ending::of(spec)?, spec.loop_order());
+        if !ending.is_held(order, &left) {
             return None;
         }
         let chain = Spec { n: order, ..spec.clone() };
-        let rate = number(Parameter::A);
-        let loop_of = fixed_gains(&chain).zip(rate).map(|(gains, a)| held(&gains, a, &left));
+        let rate = spec.fixed.get(&Parameter::A).and_then(Fixed::number);
+        let gains = fixed_gains(&chain).zip(rate).map(|(gains, a)| for_rate_one(gains, a));
+        let loop_of = gains.map(|gains| {
+            let (gains, now) = ending.at(&gains, &left);
+            held(&gains, &now)
+        });
         Some(Self { left, loop_of })
     }
 
@@ -152,16 +152,27 @@ impl Held {
     }
 }
 
-/// The characteristic polynomial of D = E - 1 in a loop of these gains held at `left` samples to go.
-fn held(gains: &[BigRational], a: &BigRational, left: &BigRational) -> Polynomial {
+/// The gains with the same exponents for the rate 1.
+fn for_rate_one(mut gains: Vec<BigRational>, a: &BigRational) -> Vec<BigRational> {
+    let mut power = BigRational::one();
+    for gain in gains.iter_mut().rev() {
+        power /= a;
+        *gain *= &power;
+    }
+    gains
+}
+
+/// The characteristic polynomial of D = E - 1 in a loop of these gains, for the rate 1, held where their formula
+/// counts `left` samples to go.
+fn held(gains: &[BigRational], left: &BigRational) -> Polynomial {
     let order = gains.len();
     let integer = |i: usize| BigRational::from_integer(i.into());
-    // pi(p) = (p - p_1)..(p - p_n), p_i = -lambda_i/a.
+    // pi(p) = (p - p_1)..(p - p_n), p_i = -lambda_i.
     let mut pi = Vec::new();
-    let mut power = BigRational::one();
+    let mut sign = BigRational::one();
     for gain in Polynomial::characteristic(gains).coefficients().iter().rev() {
-        pi.insert(0, gain * &power);
-        power = -power / a;
+        pi.insert(0, gain * &sign);
+        sign = -sign;
     }
     let pi = Polynomial::new(pi);
     // Newton's divided differences at 0, 1, ...: pi[0, .., j-1].
@@ -215,14 +226,14 @@ mod tests {
         let whole = |value: i64| BigRational::from_integer(value.into());
         // n = 1, pole -p: u = -p z/T, E = 1 - p/M.
         for (p, m, stable) in [(3, 1, false), (3, 2, true), (1, 1, true), (4, 2, false)] {
-            let found = held(&[whole(p)], &whole(1), &whole(m));
+            let found = held(&[whole(p)], &whole(m));
             let wanted = numbers(&[(p, m), (1, 1)]);
             assert_eq!(found.coefficients(), wanted);
             assert_eq!(is_within_one(&found), stable, "{p} {m}");
         }
         // n = 2, poles -p, -q with a rate a: D^2 y = -(p + q - 1) D y/(M - 1) - p q y/(M (M - 1)), p and q over a.
         for (p, q, a, m) in [(4, 5, 1, 10), (4, 6, 2, 3), (1, 9, 1, 40)] {
-            let found = held(&[whole(p * q), whole(p + q)], &whole(a), &whole(m));
+            let found = held(&for_rate_one(vec![whole(p * q), whole(p + q)], &whole(a)), &whole(m));
             let (p, q) = (p / a, q / a);
             assert_eq!(
                 found.coefficients(),

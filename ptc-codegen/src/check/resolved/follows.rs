@@ -3,12 +3,15 @@
 use num_traits::Zero;
 
 use super::Choice;
-use crate::algebra::BigRational;
+use crate::algebra::{BigRational, integer};
 use crate::diagnostic::counted;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Observer, Spec, What};
-use crate::samples;
+use crate::samples::{self, Ending, Terminal, held_samples};
 use crate::syntax::constant;
+
+/// The key of the samples to go from which on another law takes over.
+const END: &str = "end_samples";
 
 /// Values that no key of the design gives and no check chooses: other keys determine them.
 pub fn follows(spec: &Spec) -> Vec<Choice> {
@@ -16,7 +19,7 @@ pub fn follows(spec: &Spec) -> Vec<Choice> {
     if spec.what == What::Observer {
         return all;
     }
-    all.extend(deadbeat(spec));
+    all.extend(end(spec));
     all.extend(observer(spec));
     all
 }
@@ -42,31 +45,48 @@ fn gains(spec: &Spec) -> Option<Choice> {
     Some(Choice { key: "gains", value, reason: "those of the poles".to_owned() })
 }
 
-/// Returns the effective `deadbeat`, where the design has no single value of it.
-fn deadbeat(spec: &Spec) -> Option<Choice> {
+/// Returns the end of the law, where no single key of the design gives it.
+fn end(spec: &Spec) -> Option<Choice> {
     spec.sampled()?;
-    let eps = number(spec, Parameter::Eps)?;
-    let choice = |value: String, reason: &str| {
-        Some(Choice { key: Parameter::Deadbeat.key(), value, reason: reason.to_owned() })
-    };
-    if !eps.is_zero() {
-        let end = samples::end_of_law(spec.designs().iter().map(Spec::loop_order).max()?);
-        let reason = "the gains are held from eps on";
-        return match eps / number(spec, Parameter::SampleTime)? > end {
-            true => choice("not used".to_owned(), reason),
-            false => {
-                let reason =
-                    format!("{reason}, and below so few samples to go the law does not exist");
-                choice(constant::text(&end), &reason)
+    let left = held_samples(spec)?;
+    let choice =
+        |key, value: String, reason: &str| Some(Choice { key, value, reason: reason.to_owned() });
+    let designs = spec.designs();
+    let endings = designs.iter().map(Ending::of).collect::<Option<Vec<_>>>()?;
+    let held = "the gains are held from eps on";
+    match endings.first()?.terminal {
+        Terminal::Deadbeat(_) if !left.is_zero() => {
+            let end = samples::end_of_law(designs.iter().map(Spec::loop_order).max()?);
+            let key = Parameter::Deadbeat.key();
+            if left > end {
+                return choice(key, "not used".to_owned(), held);
             }
-        };
+            let reason = format!("{held}, and below so few samples to go the law does not exist");
+            choice(key, constant::text(&end), &reason)
+        }
+        Terminal::LeastEnergy(end) if designs.len() == 1 => {
+            let is_reached = left <= integer(end.samples.into());
+            if is_reached { None } else { choice(END, "not used".to_owned(), held) }
+        }
+        _ if designs.len() > 1 && spec.sampled()?.end.is_none() => ends_of_outputs(&endings),
+        _ => None,
     }
-    if spec.axes.is_none() || spec.fixed.contains_key(&Parameter::Deadbeat) {
+}
+
+/// Returns the samples to go at which the law of each output becomes one of least energy, 0 where it is one.
+fn ends_of_outputs(endings: &[Ending]) -> Option<Choice> {
+    let samples = endings.iter().map(|ending| match ending.terminal {
+        Terminal::Itself => Some(0),
+        Terminal::LeastEnergy(end) => Some(end.samples),
+        Terminal::Deadbeat(_) => None,
+    });
+    let samples = samples.collect::<Option<Vec<_>>>()?;
+    if samples.iter().all(|samples| *samples == 0) {
         return None;
     }
-    let lengths = spec.designs().iter().map(samples::deadbeat).collect::<Option<Vec<_>>>()?;
-    let lengths: Vec<_> = lengths.iter().map(ToString::to_string).collect();
-    choice(format!("[{}]", lengths.join(", ")), "samples to go, of each output, from its poles")
+    let all: Vec<_> = samples.iter().map(ToString::to_string).collect();
+    let reason = "samples to go of each output below which its law changes its sign; one of least energy takes its place".to_owned();
+    Some(Choice { key: END, value: format!("[{}]", all.join(", ")), reason })
 }
 
 /// Returns the samples to go from which the gains of an observer without its own eps stay.

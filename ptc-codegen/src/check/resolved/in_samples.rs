@@ -1,37 +1,45 @@
-//! The eps of a clock in samples, how long deadbeat lasts, and the round of the observer.
+//! The eps of a clock in samples, the end of the law, and the round of the observer.
 
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use super::{Resolved, is_disturbed};
+use crate::algebra::integer;
 use crate::check::examine::{open_in_samples, sampled_loop};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Clock, Spec, What};
-use crate::samples;
+use crate::request::{Clock, EndLaw, Spec, What};
+use crate::samples::{Ending, Terminal, held_samples};
 
 /// Meaning of an eps of 0.
-const DEADBEAT: &str = "the gains run to the last samples";
+const TO_THE_END: &str = "the gains run to the last samples";
 
 pub(super) fn resolve(spec: &Spec) -> Resolved {
     let mut resolved = with_eps(spec);
     if spec.what != What::Observer {
-        choose_deadbeat(&mut resolved);
+        choose_end(&mut resolved);
         choose_observer_samples(&mut resolved);
     }
     resolved
 }
 
-/// Fixes how long deadbeat lasts, where no gains are held before it and the exponents of the law are known.
-fn choose_deadbeat(resolved: &mut Resolved) {
-    let spec = &mut resolved.spec;
-    let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number);
-    let runs_to_the_end = eps.is_some_and(Zero::is_zero);
-    if !runs_to_the_end || spec.fixed.contains_key(&Parameter::Deadbeat) {
-        return;
-    }
-    let Some(count) = samples::deadbeat(spec).and_then(|count| count.to_i32()) else { return };
-    spec.fixed.insert(Parameter::Deadbeat, Fixed::from(count));
-    let reason = "samples to go below which the law of these poles changes its sign, two rounds of deadbeat at least";
-    resolved.note(Parameter::Deadbeat.key(), &count.to_string(), reason.to_owned());
+/// Fixes the end of a law that does not end at rest by itself, where no gains are held before it and its exponents are
+/// known.
+fn choose_end(resolved: &mut Resolved) {
+    let Some(chosen) = chosen_end(&resolved.spec) else { return };
+    let Clock::Samples(sampled) = &mut resolved.spec.clock else { return };
+    sampled.end = Some(chosen);
+    let reason = "these end at rest by themselves, as softly as those of the law";
+    resolved.note("poles_end", &chosen.poles(), reason.to_owned());
+    let reason = "samples to go below which the law of its own poles changes its sign";
+    resolved.note("end_samples", &chosen.samples.to_string(), reason.to_owned());
+}
+
+/// The end of the law that a design leaves open.
+fn chosen_end(spec: &Spec) -> Option<EndLaw> {
+    let sampled = spec.sampled().filter(|own| own.end.is_none())?;
+    let Terminal::LeastEnergy(end) = Ending::of(spec)?.terminal else { return None };
+    let left = held_samples(spec)?;
+    let is_reached = left <= integer(end.samples.into());
+    (is_reached && sampled.exponents.is_some()).then_some(end)
 }
 
 /// Fixes the round of the observer, where the samples to the deadline are known.
@@ -58,8 +66,8 @@ fn with_eps(spec: &Spec) -> Resolved {
     let best = (judged && is_disturbed(spec)).then(|| resolved.choose_best_eps(None));
     let reason = match best {
         Some(Ok(())) => return resolved,
-        Some(Err(why)) => format!("{DEADBEAT}; no other eps was compared: {why}"),
-        None => DEADBEAT.to_owned(),
+        Some(Err(why)) => format!("{TO_THE_END}; no other eps was compared: {why}"),
+        None => TO_THE_END.to_owned(),
     };
     resolved.choose_eps((Fixed::from(0), reason));
     if !is_of_several(spec) {

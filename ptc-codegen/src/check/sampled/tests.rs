@@ -100,10 +100,14 @@ fn noise_gains_of_sampled_controllers_match_the_reference() {
         let poles: Vec<_> = case["poles"].as_array().expect("poles").iter().collect();
         let poles: Vec<_> = poles.iter().map(|pole| pole.as_str().expect("a pole")).collect();
         let (order, period) = (n.to_string(), format!("{tau}/{samples}"));
+        // The reference ends in deadbeat, before T^(p) of the greatest exponent changes its sign.
+        let exponents = poles.iter().map(|pole| -pole.parse::<f64>().expect("a number"));
+        let deadbeat = (exponents.fold(0.0, f64::max).ceil() as usize + n - 1).max(2 * n);
         let keys = [
             ("n", order.as_str()),
             ("mu", "exp(a=1)"),
             ("clock", "samples"),
+            ("deadbeat", &deadbeat.to_string()),
             ("tau", tau),
             ("sample_time", &period),
             ("poles", &poles.join(",")),

@@ -33,8 +33,8 @@ pub static CONCEPTS: [Concept; 13] = [
         also: &[],
         lines: [
             "A law that brings a sampled plant of order n to rest in n samples, whatever its state.",
-            "With clock = samples it takes over for the last samples, so that the error at the deadline is 0.",
-            "`deadbeat` sets the number of samples to go at which it takes over; the poles give the default.",
+            "With clock = samples the law is deadbeat in its last n samples, so that the error at the deadline is 0.",
+            "`deadbeat` has it take over earlier; by default the law ends by its own formula, or by one of least energy.",
             "It has the largest gains of the run: noise and unmodelled dynamics are amplified most there.",
             "With an `eps` above 0 the gains are held before that point, and the loop ends without deadbeat.",
         ],

@@ -80,6 +80,20 @@ pub enum IllCoupled {
 }
 
 impl Coupled {
+    /// Returns true if drifts and decoupling matrix are constants, so that held inputs move each chain by the last rate
+    /// that it has at the sample.
+    pub fn is_constant(&self) -> bool {
+        let (matrix, vectors) = match &self.inverse {
+            Inverse::Adjugate { determinant, adjugate, .. } => {
+                (adjugate, std::slice::from_ref(determinant))
+            }
+            Inverse::Elimination { matrix, .. } => (matrix, &[][..]),
+            Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
+        };
+        let drifts = self.outputs.iter().map(|output| &output.drift);
+        !drifts.chain(matrix.iter().flatten()).chain(vectors).any(Expression::varies)
+    }
+
     /// The plant z' = `dynamics` with these outputs. `values` are those of the parameters that are
     /// fixed, which decide what is 0.
     ///

@@ -1,5 +1,6 @@
 //! Several axes: how many, and what each has of its own.
 
+use super::least_energy::is_least_energy;
 use super::reference::OF_AXES;
 use super::{Reader, count, items, shown};
 use crate::diagnostic::counted;
@@ -70,7 +71,7 @@ impl<'a> Reader<'a> {
             count: number,
             gains,
             poles: Vec::new(),
-            greatest: Vec::new(),
+            exponents: Vec::new(),
             limits: Vec::new(),
             lower: Vec::new(),
             input_gains: Vec::new(),
@@ -84,10 +85,10 @@ impl<'a> Reader<'a> {
                 self.gains(*n, row).into_iter().map(|(_, gain)| gain).collect::<Vec<_>>()
             });
             axes.gains = first.iter().cloned().chain(rest.collect::<Vec<_>>()).collect();
-        } else if let Some((_, rest)) = self.for_axes("poles", number).split_first() {
+        } else if let Some(rows) = self.poles_of_axes(number) {
             axes.gains.extend(first);
             axes.poles.push(spec.poles.clone());
-            for (row, n) in rest.iter().zip(&orders[1..]) {
+            for (row, n) in rows.into_iter().zip(orders).skip(1) {
                 let (poles, gains) = self.pole_gains("poles", *n, 0, row);
                 axes.gains.push(super::law::fixed(gains).into_values().collect());
                 axes.poles.push(poles);
@@ -109,6 +110,16 @@ impl<'a> Reader<'a> {
     }
 
     /// The limits of u of each axis: a bound of |u|, or a pair.
+    /// Returns the poles of each axis, where each has its own: a list, or their name, which means others for each order.
+    fn poles_of_axes(&mut self, number: usize) -> Option<Vec<&'a Node>> {
+        let named = self.keys.get("poles").copied().filter(|node| is_least_energy(node));
+        let rows = match named {
+            Some(node) => vec![node; number],
+            None => self.for_axes("poles", number).iter().collect(),
+        };
+        (!rows.is_empty()).then_some(rows)
+    }
+
     fn limits_of_axes(&mut self, axes: &mut Axes) {
         let all = self.for_axes("limits", axes.count);
         let pairs = all.iter().any(|item| matches!(item.value, Value::List(_)));

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::Zero;
 
+use super::least_energy::is_least_energy;
 use super::{FixedValues, Reader, items, shown};
 use crate::algebra::BigRational;
 use crate::diagnostic::counted;
@@ -182,6 +183,10 @@ impl<'a> Reader<'a> {
         node: &Node,
     ) -> (Vec<(BigRational, BigRational)>, Vec<BigRational>) {
         let nothing = (Vec::new(), Vec::new());
+        if key == "poles" && is_least_energy(node) {
+            let poles = n.and_then(|n| self.least_energy(key, n, node)).unwrap_or_default();
+            return self.gains_of_poles(key, node, poles);
+        }
         let items = items(node);
         if let Some(n) = n
             && items.len() != n
@@ -217,6 +222,16 @@ impl<'a> Reader<'a> {
         if poles.len() != items.len() {
             return nothing;
         }
+        self.gains_of_poles(key, node, poles)
+    }
+
+    /// Poles with their gains; none of either where a complex one has no conjugate.
+    fn gains_of_poles(
+        &mut self,
+        key: &'static str,
+        node: &Node,
+        poles: Vec<(BigRational, BigRational)>,
+    ) -> (Vec<(BigRational, BigRational)>, Vec<BigRational>) {
         let of = |(re, im): &(BigRational, BigRational)| Pole { re: re.clone(), im: im.clone() };
         match gains(&poles.iter().map(of).collect::<Vec<_>>()) {
             Ok(gains) => (poles, gains),
@@ -227,7 +242,7 @@ impl<'a> Reader<'a> {
                     wrong.to_string(),
                     "complex poles come in pairs: -1+2i, -1-2i".to_owned(),
                 );
-                nothing
+                (Vec::new(), Vec::new())
             }
         }
     }

@@ -4,6 +4,7 @@ mod alone;
 mod axes;
 mod entries;
 mod law;
+mod least_energy;
 mod linear;
 mod mapping;
 mod model;
@@ -24,6 +25,7 @@ pub(crate) use values::items;
 use std::collections::BTreeMap;
 
 use super::{MAX_ORDER, Spec};
+use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, counted, near_miss};
 use crate::keys::KeyInfo;
 use crate::parameter::{Fixed, Parameter, is_reserved, reason};
@@ -65,12 +67,14 @@ struct Reader<'a> {
     /// Values of the user-defined parameters, with their places.
     params: BTreeMap<&'a str, (Place, &'a Node)>,
     mapping_is_read: bool,
+    /// The rate a of the mapping `exp`, where it has a number.
+    rate: Option<BigRational>,
 }
 
 impl<'a> Reader<'a> {
     fn new(entries: &'a [Entry]) -> Self {
         let (found, keys, params) = (Diagnostics::default(), BTreeMap::new(), BTreeMap::new());
-        let mut reader = Self { found, keys, params, mapping_is_read: false };
+        let mut reader = Self { found, keys, params, mapping_is_read: false, rate: None };
         entries.iter().for_each(|entry| reader.admit(entry, entries));
         reader
     }

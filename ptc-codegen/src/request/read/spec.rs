@@ -5,12 +5,13 @@ use std::collections::BTreeMap;
 use super::super::{After, Clock, Feedback, Guard, MAX_ORDER, Spec, What};
 use super::model::Read;
 use super::{Reader, parameters};
+use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::family::Family;
 use crate::linear::Delay;
 use crate::mapping::TimeMapping;
 use crate::model::Coupled;
-use crate::parameter::Precision;
+use crate::parameter::{Fixed, Parameter, Precision};
 
 impl<'a> Reader<'a> {
     pub(super) fn spec(&mut self) -> Option<Spec> {
@@ -32,6 +33,7 @@ impl<'a> Reader<'a> {
         let axes = axes.or(orders.map(|orders| orders.into_iter().map(Some).collect()));
         let mapping = self.time_mapping(highest.unwrap_or(order));
         self.mapping_is_read = mapping.is_some();
+        self.rate = mapping.as_ref().and_then(|(mapping, fixed)| rate_of_exp(mapping, fixed));
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
         let known = parameters::known(own);
         let name = self.name();
@@ -167,6 +169,13 @@ impl<'a> Reader<'a> {
             self.wrong("what", place, message, help.to_owned());
         }
     }
+}
+
+/// The rate a of the mapping `exp`, where it has a number.
+fn rate_of_exp(mapping: &TimeMapping, fixed: &[(Parameter, Fixed)]) -> Option<BigRational> {
+    let is_exp = matches!(mapping, TimeMapping::Family { family: Family::Exp, .. });
+    let rate = fixed.iter().find(|(parameter, _)| is_exp && *parameter == Parameter::A);
+    rate.and_then(|(_, value)| value.number().cloned())
 }
 
 /// Stands in for a mapping that could not be read while the rest of the spec is.

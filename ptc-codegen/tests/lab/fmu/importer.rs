@@ -89,5 +89,5 @@ fn either_order_of_calls_comes_to_rest() {
     let told = String::from_utf8_lossy(&output.stdout);
     let left: Vec<f64> = told.split_whitespace().map(|x| x.parse().expect("a number")).collect();
     assert_eq!(left.len(), 2, "{told}");
-    assert!(left.iter().all(|left| *left < 1e-20), "{told}");
+    assert!(left.iter().all(|left| *left < 1e-18), "{told}");
 }

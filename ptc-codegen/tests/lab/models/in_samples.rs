@@ -56,7 +56,8 @@ fn u_is_what_the_chain_wants_less_f_over_g() {
         let slope = 1.0 + q * q / 2.0;
         let f = q * w * w - slope * k * q.powi(3);
         let g = slope * (2.0 + q.sin());
-        let (wanted, _) = step(&chain, &[], tick, &[q + q.powi(3) / 6.0, slope * w]);
+        // The law of a model plans to be at rest two samples early.
+        let (wanted, _) = step(&chain, &[], tick + 2, &[q + q.powi(3) / 6.0, slope * w]);
         let (u, status) = step(&spring, &[f64::INFINITY, k], tick, &[q, w]);
         let exact = (wanted - f) / g;
         most = most.max((u - exact).abs() / ((wanted.abs() + f.abs()) / g));
@@ -92,8 +93,8 @@ fn the_emitted_c_ends_within_the_order_of_the_period() {
         let text = SPRING.replace("sample_time = 0.02", &format!("sample_time = {h:?}"));
         let name = format!("models_in_samples_{}", (h * 1000.0) as u32);
         let end = in_c::run(&name, &spec(&text), &plant(h)).remove(0);
-        // Above rounding, so that the ratios below say something, and below a thirtieth of the start.
-        assert!(end.iter().all(|x| x.abs() > 1e-13 && x.abs() < 0.03), "{end:?}");
+        // Above rounding, so that the ratios below say something, and below a twentieth of the start.
+        assert!(end.iter().all(|x| x.abs() > 1e-13 && x.abs() < 0.05), "{end:?}");
         if let Some(before) = before {
             for (i, (x, before)) in (1..).zip(end.iter().zip(&before)) {
                 assert!(x.abs() < before.abs() * 0.5_f64.powi(4 - i), "x{i}: {before:e} {x:e}");

@@ -6,7 +6,13 @@ use super::{GAIN, code};
 
 #[test]
 fn parameters_at_run_time_act_as_fixed_ones() {
-    let fixed = [("tau", "0.25"), ("sample_time", "1/1024"), ("poles", "-4,-5,-6"), ("n", "3")];
+    let fixed = [
+        ("tau", "0.25"),
+        ("sample_time", "1/1024"),
+        ("poles", "-4,-5,-6"),
+        ("n", "3"),
+        ("deadbeat", "8"),
+    ];
     let known = code(&fixed);
     let open = code(&[("n", "3"), ("mu", "exp")]);
     let parameters: [(&str, &[f64]); 4] =

@@ -3,6 +3,7 @@
 
 mod calls;
 mod followed;
+mod least_energy;
 mod reference;
 mod refusals;
 mod rest;

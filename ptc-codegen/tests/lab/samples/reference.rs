@@ -35,6 +35,12 @@ fn times(case: &Value) -> (String, String) {
     (tau, period)
 }
 
+/// The deadbeat end of the reference: two rounds at least, and before T^(p) of the greatest exponent changes its sign.
+fn deadbeat(n: usize, poles: &Value) -> String {
+    let greatest = list(poles).iter().map(|pole| -number(pole)).fold(0.0, f64::max);
+    (greatest.ceil() as usize + n - 1).max(2 * n).to_string()
+}
+
 #[test]
 fn gains_are_those_of_the_reference() {
     let reference: Value = serde_json::from_str(REFERENCE).expect("JSON");
@@ -49,6 +55,7 @@ fn gains_are_those_of_the_reference() {
                 ("sample_time", &period),
                 ("poles", &poles),
                 ("eps", text(&case["eps"])),
+                ("deadbeat", &deadbeat(n, &case["poles"])),
                 ("precision", precision),
             ]);
             let mut controller = Instance::new(&code, &[]).expect("legal parameters");

@@ -8,12 +8,12 @@ use ptc_codegen::code::{Code, Instance, Status};
 
 use super::code;
 
-/// Accepted residue at rest, relative to the largest state on the way: each of two rounds of deadbeat leaves some
-/// rounding errors of the state that it found.
-const REST: f64 = 1e-28;
+/// Accepted residue at rest, relative to the largest state on the way: the last gains leave some
+/// rounding errors of the state that they find.
+const REST: f64 = 4e-15;
 
 /// The same with an observer.
-const OBSERVED: f64 = 1e-20;
+const OBSERVED: f64 = 1e-14;
 
 /// The loop of a program with the exact chain.
 pub(super) struct Chain {

@@ -80,7 +80,7 @@ fn comes_to_rest_with_all_states() {
                 let mut plant = Plant::new(&a, &b[0], &c, &number(h), delay, &number("0"));
                 run(&code, &mut plant, samples);
                 assert!(
-                    plant.left() <= 1e-24,
+                    plant.left() <= 1e-13,
                     "{name}, d = {delay}, N = {samples}: {}",
                     plant.left()
                 );

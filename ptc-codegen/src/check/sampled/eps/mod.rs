@@ -24,6 +24,7 @@ use crate::check::list;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
+use crate::samples::Ending;
 use crate::syntax::constant;
 
 /// Points at which eps is tried first, on a logarithmic scale, beside the first one.
@@ -111,9 +112,9 @@ impl<'a> Trial<'a> {
         self.chain.closed(&Gains { errors: vec![0.0; values.len()], values })
     }
 
-    /// The samples to go of the shortest hold: with fewer a law in samples does not exist.
+    /// The samples to go of the shortest hold: with fewer the gains of a law in samples are those without a hold.
     fn least(&self) -> usize {
-        if self.closed.spec.sampled().is_some() { self.closed.spec.loop_order() } else { 1 }
+        if self.closed.spec.sampled().is_some() { self.closed.spec.loop_order() + 1 } else { 1 }
     }
 
     /// From the shortest hold to 0.9 of tau, in `steps` steps; none for a tau that is shorter.
@@ -168,7 +169,11 @@ impl<'a> Trial<'a> {
             Law::Samples { free } => {
                 let to_go = (eps / self.h).round().to_usize()?;
                 // Without a hold, deadbeat takes over at another sample, so that every sample is evaluated.
-                let first = if to_go == 0 { 0 } else { self.closed.samples.checked_sub(to_go)? };
+                let early = Ending::of(self.closed.spec).map_or(0, |ending| ending.spare as usize);
+                let first = match to_go {
+                    0 => 0,
+                    _ => self.closed.samples.checked_sub(to_go)?.saturating_sub(early),
+                };
                 self.program(eps, first)?.after(chain, free.as_ref()?, first)
             }
         };

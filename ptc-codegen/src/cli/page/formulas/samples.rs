@@ -5,7 +5,7 @@ use crate::emit::sampled_law;
 use crate::samples::Numbers;
 
 use super::group::Group;
-use crate::cli::mathml::{self, Math, equal, name, number, product, sub, words};
+use crate::cli::mathml::{self, equal, name, number, product, sub};
 use crate::cli::page::design::short;
 
 pub(super) fn law(report: &Report) -> Group {
@@ -19,14 +19,8 @@ pub(super) fn law(report: &Report) -> Group {
     let mut formulas = vec![equal(name("z"), product(s, name("x")))];
     let row = |(j, row)| equal(sub(name("row"), number(j)), number(row));
     formulas.extend((1..).zip(&numbers.rows).map(row));
-    formulas.extend(numbers.deadbeat.map(deadbeat));
     if spec.loop_order() > spec.n {
         told.push_str(" Behind the states x holds the inputs under way, the latest first.");
     }
     Group { title: "Law in samples", told, formulas }
-}
-
-/// Writes the number of samples from which deadbeat takes over.
-fn deadbeat(from: u64) -> Math {
-    mathml::row([words("deadbeat with "), mathml::relation(name("M"), "\u{2264}", number(from))])
 }

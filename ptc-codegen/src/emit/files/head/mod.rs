@@ -2,6 +2,7 @@
 
 mod axes;
 pub mod coupled;
+mod end;
 mod followed;
 mod formulas;
 mod observed;

@@ -1,7 +1,7 @@
 //! The head of the files of a controller in samples.
 
 use super::time::version;
-use super::{Language, axes, coupled, followed, observed, plant, precision, time};
+use super::{Language, axes, coupled, end, followed, observed, plant, precision, time};
 use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
@@ -110,8 +110,8 @@ fn plant_line(spec: &Spec, sampled: &Sampled) -> String {
 /// Describes the goal of the plant, the law and, with a reference, the tracking error.
 fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     let plant = match (spec.sampled_exactly(), &spec.coupled) {
-        (Some(exact), _) => sampled_exactly(exact),
-        (None, Some(coupled)) => of_outputs(coupled),
+        (Some(exact), _) => sampled_exactly(spec, exact),
+        (None, Some(coupled)) => of_outputs(spec, coupled),
         (None, None) => of_chain(spec, sampled).to_vec(),
     };
     [plant, followed::lines(spec, sampled)].concat()
@@ -119,6 +119,7 @@ fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
 
 fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
     let (n, order) = (spec.n, spec.loop_order());
+    let [to_go, end] = end::of_loop(spec, order);
     if spec.model_in_samples().is_some() {
         let last = n - 1;
         return [
@@ -127,18 +128,18 @@ fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
                 n + 2
             ),
             format!(
-                "Law: with M samples to go and z = S x, w h^{n} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{last})), and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over."
+                "Law: with {to_go} and z = S x, w h^{n} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{last})), and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. {end}"
             ),
         ];
     }
     let goal = "Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
     let law = match &sampled.linear {
         Some(_) => format!(
-            "Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.",
+            "Law: with {to_go} and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. {end}",
             order - 1
         ),
         None => format!(
-            "Law: with M samples to go and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.",
+            "Law: with {to_go} and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. {end}",
             order - 1
         ),
     };
@@ -146,20 +147,20 @@ fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
 }
 
 /// The same of a plant with several inputs.
-fn of_outputs(coupled: &Coupled) -> Vec<String> {
+fn of_outputs(spec: &Spec, coupled: &Coupled) -> Vec<String> {
     let mut lines = vec![
         "Goal: every output with its derivatives is 0 at sample N after the start, from any state, as long as no u is clipped and the plant is the model. The plant is known at the samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order n.".to_owned(),
-        "Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. v_i is law_i in step.".to_owned(),
+        format!("Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp. v_i is law_i in step. {}", end::of_outputs(spec)),
     ];
     lines.extend(coupled::law(coupled));
     lines
 }
 
 /// The same of one that is linear.
-fn sampled_exactly(exact: &Exact) -> Vec<String> {
+fn sampled_exactly(spec: &Spec, exact: &Exact) -> Vec<String> {
     let mut lines = vec![
         "Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as no u is clipped and nothing else acts on the plant.".to_owned(),
-        "Law of each output, of order n, in its chain xi as it is sampled, which is the output with its derivatives up to O(h), and which held inputs move exactly: with M samples to go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of output i is xj_i in step, and v_i is law_i.".to_owned(),
+        format!("Law of each output, of order n, in its chain xi as it is sampled, which is the output with its derivatives up to O(h), and which held inputs move exactly: with M - s samples to go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is law_i. {}", end::of_outputs(spec)),
     ];
     lines.extend(coupled::sampled(exact));
     lines

@@ -1,5 +1,6 @@
 //! A plant with several inputs and outputs.
 
+use super::super::least_energy::is_least_energy;
 use super::super::{Reader, items};
 use crate::diagnostic::counted;
 use crate::expression::{Expression, Variable};
@@ -216,7 +217,7 @@ impl Reader<'_> {
         let own = |node: &Node| items(node).iter().all(|i| matches!(i.value, Value::List(_)));
         let given = ["poles", "gains"].iter().find_map(|key| Some((*key, *self.keys.get(key)?)));
         match given {
-            Some((_, node)) if own(node) => {}
+            Some((_, node)) if own(node) || is_least_energy(node) => {}
             Some((key, node)) => {
                 let message =
                     format!("one list of {key} for outputs of the orders {}", all.join(", "));

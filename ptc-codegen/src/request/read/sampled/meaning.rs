@@ -6,11 +6,13 @@ use crate::parameter::Parameter;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 13] = [
+const OWN: [&str; 15] = [
     "A",
     "B",
     "C",
     "deadbeat",
+    "poles_end",
+    "end_samples",
     "measured",
     "disturbance",
     "observer_poles",

@@ -1,5 +1,6 @@
 //! The clock in samples, and its keys.
 
+mod end;
 mod exponent;
 mod following;
 mod gate;
@@ -18,7 +19,7 @@ use crate::expression::{Expression, Node};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, MAX_ORDER, Sampled, Spec, What};
 use crate::syntax::{Value, constant};
-use exponent::greatest_of_all;
+use exponent::exponents_of_all;
 
 /// Most samples of delay that a controller keeps.
 const MAX_KEPT: usize = 4;
@@ -83,15 +84,22 @@ impl Reader<'_> {
             }
         };
         let follows = linear.as_ref().and_then(|(plant, _)| self.following(spec, plant));
+        if linear.is_some() {
+            self.least_energy_of_states();
+        }
+        let exponents = a.as_ref().and_then(|a| exponents_of_all(spec, delay, a));
+        let exact = self.exact(spec);
         let mut sampled = Sampled {
             delay: late,
             follows,
             linear: linear.map(|(plant, _)| plant),
-            exact: self.exact(spec),
+            early: exact.is_none() && varies(spec),
+            exact,
             gain,
             measured,
             disturbance,
-            greatest: a.as_ref().and_then(|a| greatest_of_all(spec, delay, a)),
+            end: self.end_law(spec, delay, a.as_ref().zip(exponents.as_ref())),
+            exponents,
             observer: self.observer(spec, estimates, &blocks, a.as_ref()),
             leaves_eps: !self.keys.contains_key("eps"),
         };
@@ -259,6 +267,15 @@ impl Reader<'_> {
                 self.wrong("deadbeat", Some(node.place), message, help);
             }
         }
+    }
+}
+
+/// Returns true if f or g of a model is another one between samples than at the last of them.
+fn varies(spec: &Spec) -> bool {
+    match (&spec.coupled, &spec.model) {
+        (Some(coupled), _) => !coupled.is_constant(),
+        (None, Some(_)) => spec.drift.iter().chain(&spec.input_gain).any(Expression::varies),
+        (None, None) => false,
     }
 }
 

@@ -90,7 +90,7 @@ fn references_of_chains_apart_have_the_bits_of_a_controller_each() {
 fn parameters_at_run_time_follow_as_fixed_ones() {
     let known = ("reference", "t^2, 3*t");
     for reference in [known, ("reference", "input")] {
-        let further = [("poles", "-3,-4"), reference];
+        let further = [("poles", "-3,-4"), ("deadbeat", "5"), reference];
         let fixed =
             [decoupled(&[&TIME[..], &further].concat()), axes(&[&TIME[..], &further].concat())];
         let open = [("mu", "exp"), reference];
@@ -217,9 +217,9 @@ fn the_tracking_error_falls_with_the_period() {
         ),
         (
             &tank,
-            "poles = [[-4], [-3, -4]]\nreference = [\"0.3*t\", \"2*sin(0.3*t + 1)\"]",
+            "poles = [[-4], [-3, -4]]\nreference = [\"0.3*t\", \"2*sin(0.3*t + 2)\"]",
             4,
-            [0.125, 0.0625, 0.03125],
+            [0.0625, 0.03125, 0.015625],
             &[0.3, 10.0, 5.0],
             &[2, 3, 2],
         ),
@@ -227,7 +227,7 @@ fn the_tracking_error_falls_with_the_period() {
             &arm,
             "poles = [-3, -4]\nreference = [\"0.5*sin(t)\", \"cos(1.5*t)\"]",
             1,
-            [0.1, 0.05, 0.025],
+            [0.05, 0.025, 0.0125],
             &[1.0, -0.5, 0.0, 0.0],
             &[3, 2, 3, 2],
         ),

@@ -36,7 +36,12 @@ fn inputs_that_do_not_decouple_are_refused_at_run_time() {
 
 #[test]
 fn parameters_at_run_time_act_as_fixed_ones() {
-    let fixed = decoupled(&[("tau", "0.5"), ("sample_time", "1/128"), ("poles", "-3,-4")]);
+    let fixed = decoupled(&[
+        ("tau", "0.5"),
+        ("sample_time", "1/128"),
+        ("poles", "-3,-4"),
+        ("deadbeat", "5"),
+    ]);
     let open = decoupled(&[("mu", "exp")]);
     let mut fixed = Instance::new(&fixed, &[]).expect("legal parameters");
     let mut open = Instance::new(&open, &AT_RUN_TIME).expect("legal parameters");
