@@ -35,15 +35,14 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_438A8AD7_HPP
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_438A8AD7_HPP
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_5E3832EF_HPP
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_5E3832EF_HPP
 
 #include <array>
 #include <cfloat>

@@ -112,19 +112,16 @@ ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
             const double x1 = base + (l1 * miss);
             const double x2 = p2 + (l2 * miss);
             const double d = p3 + (l3 * miss);
+            const uint32_t left = (elapsed < 800U) ? (800U - elapsed) : 0U;
+            const double m0 = ((double)left < 20.0) ? 20.0 : (double)left;
             double v;
-            if (elapsed < 792U) {
-                /* The exact law in samples. */
-                const double m0 = (double)(800U - elapsed);
-                const double z1 = ((-180000000.0) * x1) + (90000.0 * x2);
-                const double z2 = (-90000.0) * x2;
-                const double z3 = (-12.0) * (self->u1 + d);
-                const double s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-                v = (s4 + (self->u1 + d)) - d;
-            } else {
-                /* Deadbeat. */
-                v = ((((-1500000.0) * x1) - (3750.0 * x2)) - (2.0 * (self->u1 + d))) - d;
-            }
+
+            /* The exact law in samples. */
+            const double z1 = ((-90000000.0) * x1) + (45000.0 * x2);
+            const double z2 = (-54000.0) * x2;
+            const double z3 = (-9.0) * (self->u1 + d);
+            const double s4 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0;
+            v = (s4 + (self->u1 + d)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
@@ -144,10 +141,10 @@ ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
                 *u = u_now;
                 if ((6.0 < v) || (v < -6.0)) {
                     status = PTC_SATURATED;
-                } else if (elapsed < 800U) {
-                    status = PTC_OK;
-                } else {
+                } else if ((double)left <= 20.0) {
                     status = PTC_HOLD;
+                } else {
+                    status = PTC_OK;
                 }
             }
         }

@@ -2,26 +2,26 @@
  * Prescribed-time controller stage: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0 --u-max=6 --poles=-4,-5,-6 --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
- * Version 0.1.0, design b7caa2d9b180.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0.02 --u-max=6 --poles=least-energy --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+ * Version 0.1.0, design 844c50f7cf1e.
  *
  * Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 2 samples to go and z = S x, u h^3 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 20 samples to go stay.
  *
  * Parameters:
  *   samples = 800 [samples], fixed: samples N from the start to rest
  *   h = 1e-3 [s], fixed: sample period
- *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   eps = 0.02 [s], fixed: time-to-go at which the gains are held
  *   u_max = 6 [unit of u], fixed: bound of |u|
  *   a = 1 [1/s], fixed: rate of stretched time
- *   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
- *   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
- *   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_1 = 60 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 47 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 12 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
  *
  * k counts samples and may wrap; arm again within 2^32 - N samples.
  * From sample N on the last gains are held (status HOLD).
@@ -37,15 +37,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 800 from any state, but for what the held observer
- *       leaves of its error: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *   growth: sound: near rest at sample 800, not at rest: the gains are held from 20 samples
+ *       to go, and |u| is bounded; so does what the held observer leaves of its error.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_459CB60F_H
-#define STAGE_459CB60F_H
+#ifndef STAGE_013D5F4D_H
+#define STAGE_013D5F4D_H
 
 #include <stdint.h>
 
@@ -117,7 +117,7 @@ ptc_status stage_arm(stage *self, uint32_t k);
     requires u == \null || \valid(u);
     requires self == \null || stage_set(self);
     assigns *self, *u;
-    ensures \result == PTC_SATURATED || \result == PTC_OK || \result == PTC_HOLD || \result == PTC_E_INPUT || \result == PTC_E_RANGE;
+    ensures \result == PTC_SATURATED || \result == PTC_HOLD || \result == PTC_OK || \result == PTC_E_INPUT || \result == PTC_E_RANGE;
     ensures \result >= 0 ==> stage_set(self);
  */
 ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u);

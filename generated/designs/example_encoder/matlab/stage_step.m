@@ -55,18 +55,15 @@ l3 = 36000000.0 * r0 * r1 * r2;
 x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);
-if elapsed < uint32(792)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(800)) - double(elapsed), 4294967296)));
-    z1 = ((-180000000.0) * x1) + (90000.0 * x2);
-    z2 = (-90000.0) * x2;
-    z3 = (-12.0) * (self.u1 + d);
-    s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-    v = (s4 + (self.u1 + d)) - d;
-else
-    % Deadbeat.
-    v = ((((-1500000.0) * x1) - (3750.0 * x2)) - (2.0 * (self.u1 + d))) - d;
-end
+left = uint32(800) - elapsed;
+m0 = pick(double(left) < 20.0, 20.0, double(left));
+
+% The exact law in samples.
+z1 = ((-90000000.0) * x1) + (45000.0 * x2);
+z2 = (-54000.0) * x2;
+z3 = (-9.0) * (self.u1 + d);
+s4 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0;
+v = (s4 + (self.u1 + d)) - d;
 if ~isfinite(v)
     status = int32(-3);
     return;
@@ -87,12 +84,12 @@ self.seen = uint32(1);
 if (6.0 < v) || (v < -6.0)
     u = u_now;
     status = int32(2);
-elseif elapsed < uint32(800)
-    u = u_now;
-    status = int32(0);
-else
+elseif double(left) <= 20.0
     u = u_now;
     status = int32(1);
+else
+    u = u_now;
+    status = int32(0);
 end
 end
 

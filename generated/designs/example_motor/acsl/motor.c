@@ -148,9 +148,9 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
             const double z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
             const double s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
             const double z4 = s10 - (16.0 * (self->u1 + d));
-            const double s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+            const double s11 = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0);
             const double s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-            const double s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self->u1 + d)));
+            const double s13 = ((s11 + z4) / m0) + (s12 + (1.468571649497805 * (self->u1 + d)));
             v = s13 - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)

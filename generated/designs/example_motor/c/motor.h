@@ -9,9 +9,9 @@
  *       sample to sample, one sample late, y = C x.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
- *       z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for the
- *       mapping exp. Close to the end deadbeat takes over.
+ * Law: with M - 3 samples to go and z = S x, the differences of a flat output, u = sum of
+ *       row_j z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for
+ *       the mapping exp. The gains of 20 samples to go stay.
  *
  * Parameters:
  *   samples = 400 [samples], fixed: samples N from the start to rest
@@ -45,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef MOTOR_BC53FFB7_H
-#define MOTOR_BC53FFB7_H
+#ifndef MOTOR_D9002758_H
+#define MOTOR_D9002758_H
 
 #include <stdint.h>
 

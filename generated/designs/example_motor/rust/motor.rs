@@ -9,9 +9,9 @@
 //!       sample to sample, one sample late, y = C x.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 //!       sample period, as long as u is not clipped and nothing else acts on the plant.
-//! Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
-//!       z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for the
-//!       mapping exp. Close to the end deadbeat takes over.
+//! Law: with M - 3 samples to go and z = S x, the differences of a flat output, u = sum of
+//!       row_j z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for
+//!       the mapping exp. The gains of 20 samples to go stay.
 //!
 //! Parameters:
 //!   samples = 400 [samples], fixed: samples N from the start to rest
@@ -272,9 +272,9 @@ impl Motor {
         let z3 = (0.10681268759856057 * x2) - (320.4380627956817 * x3);
         let s10 = (0.4798607068523099 * x2) + (19.61787944307025 * x3);
         let z4 = s10 - (16.0 * (self.u1 + d));
-        let s11 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+        let s11 = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0);
         let s12 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-        let s13 = (s11 / (m0 - 3.0)) + (s12 + (1.468571649497805 * (self.u1 + d)));
+        let s13 = ((s11 + z4) / m0) + (s12 + (1.468571649497805 * (self.u1 + d)));
         v = s13 - d;
         if !(v.is_finite()
             && x1_on.is_finite()

@@ -31,8 +31,7 @@ Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEE
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-      poles, and |u| is bounded.
+  growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
   sampling: not checked: the law is exact in samples, at any period.
   deadline: not checked: the law is exact in samples, at any period.
   loop: not checked: `samples` is left to run time.

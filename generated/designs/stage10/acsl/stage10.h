@@ -9,8 +9,8 @@
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
  * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ *       the rows are those of Theorem 1 for the mapping exp. Close to the end, with 20
+ *       samples to go deadbeat takes over.
  *
  * Parameters:
  *   samples [samples]: samples N from the start to rest
@@ -34,15 +34,14 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE10_E258CFD5_H
-#define STAGE10_E258CFD5_H
+#ifndef STAGE10_EB2F4FD8_H
+#define STAGE10_EB2F4FD8_H
 
 #include <stdint.h>
 

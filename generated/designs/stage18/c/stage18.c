@@ -78,16 +78,12 @@ ptc_status stage18_step(const stage18 *self, uint32_t k, const double x[2], doub
             const double v3 = 2.0 + v1;
             const double x2 = x[1] * v3 * 0.5;
             double w;
-            if (elapsed < 25U) {
-                /* The exact law in samples. */
-                const double m0 = (double)(30U - elapsed);
-                const double z1 = ((-120000.0) * x1) + (600.0 * x2);
-                const double z2 = (-600.0) * x2;
-                w = ((z1 / m0) + z2) / (m0 - 1.0);
-            } else {
-                /* Deadbeat. */
-                w = ((-10000.0) * x1) - (150.0 * x2);
-            }
+
+            /* The exact law in samples. */
+            const double m0 = (elapsed < 26U) ? ((double)(30U - elapsed)) : 4.0;
+            const double z1 = ((-120000.0) * x1) + (600.0 * x2);
+            const double z2 = (-600.0) * x2;
+            w = ((z1 / m0) + z2) / (m0 - 1.0);
             const double s1 = (-((self->p_k * v2) + (3.0 * x[1]))) * v3;
             const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
             if (PTC_FINITE_F64(v)) {

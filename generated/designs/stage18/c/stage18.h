@@ -2,8 +2,8 @@
  * Prescribed-time controller stage18: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage18 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
- * Version 0.1.0, design bc22993a3ea4.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage18 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
+ * Version 0.1.0, design 995bd6c0a918.
  *
  * Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
  *       sample to sample.
@@ -11,8 +11,9 @@
  *       from any state, as long as u is not clipped and the plant is the model. f and g are
  *       known at the samples alone, which leaves an error of order h^(4-i) in x_i.
  * Law: with M samples to go and z = S x, w h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1)),
- *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. Close to the
- *       end deadbeat takes over.
+ *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. The gains of
+ *       2 samples to go stay: they are deadbeat. Rest is planned 2 samples early, and the
+ *       last gains bring down what f and g did between samples.
  *
  * Parameters:
  *   samples = 30 [samples], fixed: samples N from the start to rest
@@ -36,15 +37,15 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample 30 from any state, but for what f + g u does between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   loop: not checked: `k` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_6963A114_H
-#define STAGE18_6963A114_H
+#ifndef STAGE18_99F296E1_H
+#define STAGE18_99F296E1_H
 
 #include <stdint.h>
 

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage18: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage18 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
- * Version 0.1.0, design bc22993a3ea4.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage18 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
+ * Version 0.1.0, design 995bd6c0a918.
  *
  * Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
  *       sample to sample.
@@ -11,8 +11,9 @@
  *       from any state, as long as u is not clipped and the plant is the model. f and g are
  *       known at the samples alone, which leaves an error of order h^(4-i) in x_i.
  * Law: with M samples to go and z = S x, w h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1)),
- *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. Close to the
- *       end deadbeat takes over.
+ *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. The gains of
+ *       2 samples to go stay: they are deadbeat. Rest is planned 2 samples early, and the
+ *       last gains bring down what f and g did between samples.
  *
  * Parameters:
  *   samples = 30 [samples], fixed: samples N from the start to rest
@@ -35,15 +36,15 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample 30 from any state, but for what f + g u does between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   loop: not checked: `k` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_01C38F27_HPP
-#define STAGE18_01C38F27_HPP
+#ifndef STAGE18_E9628930_HPP
+#define STAGE18_E9628930_HPP
 
 #include <array>
 #include <cfloat>
@@ -147,16 +148,12 @@ public:
         const double v3 = 2.0 + v1;
         const double x2 = x[1] * v3 * 0.5;
         double w{};
-        if (elapsed < 25U) {
-            // The exact law in samples.
-            const double m0 = static_cast<double>(30U - elapsed);
-            const double z1 = ((-120000.0) * x1) + (600.0 * x2);
-            const double z2 = (-600.0) * x2;
-            w = ((z1 / m0) + z2) / (m0 - 1.0);
-        } else {
-            // Deadbeat.
-            w = ((-10000.0) * x1) - (150.0 * x2);
-        }
+
+        // The exact law in samples.
+        const double m0 = (elapsed < 26U) ? (static_cast<double>(30U - elapsed)) : 4.0;
+        const double z1 = ((-120000.0) * x1) + (600.0 * x2);
+        const double z2 = (-600.0) * x2;
+        w = ((z1 / m0) + z2) / (m0 - 1.0);
         const double s1 = (-((p_k_ * v2) + (3.0 * x[1]))) * v3;
         const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
         if (finite(v)) {

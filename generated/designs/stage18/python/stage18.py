@@ -2,8 +2,8 @@
 Prescribed-time controller stage18: order n = 2, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage18 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
-Version 0.1.0, design bc22993a3ea4.
+  ptc-codegen emit --lang python --n 2 --mu "exp(a=1)" --name stage18 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01
+Version 0.1.0, design 995bd6c0a918.
 
 Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
       sample to sample.
@@ -11,8 +11,9 @@ Goal: the output and its derivatives up to order 1, x, are 0 at sample N after t
       from any state, as long as u is not clipped and the plant is the model. f and g are
       known at the samples alone, which leaves an error of order h^(4-i) in x_i.
 Law: with M samples to go and z = S x, w h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1)),
-      and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. Close to the
-      end deadbeat takes over.
+      and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. The gains of
+      2 samples to go stay: they are deadbeat. Rest is planned 2 samples early, and the
+      last gains bring down what f and g did between samples.
 
 Parameters:
   samples = 30 [samples], fixed: samples N from the start to rest
@@ -35,7 +36,7 @@ Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEE
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
   growth: sound: at rest at sample 30 from any state, but for what f + g u does between
-      samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+      samples, whatever the poles, and |u| is bounded.
   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
   loop: not checked: `k` is left to run time.
@@ -143,15 +144,12 @@ class Stage18:
             x1 = x[0] + (v2 * 0.16666666666666666)
             v3 = 2.0 + v1
             x2 = x[1] * v3 * 0.5
-            if elapsed < 25:
-                # The exact law in samples.
-                m0 = _R((30 - elapsed) & _WRAP)
-                z1 = ((-120000.0) * x1) + (600.0 * x2)
-                z2 = (-600.0) * x2
-                w = ((z1 / m0) + z2) / (m0 - 1.0)
-            else:
-                # Deadbeat.
-                w = ((-10000.0) * x1) - (150.0 * x2)
+
+            # The exact law in samples.
+            m0 = _R((30 - elapsed) & _WRAP) if elapsed < 26 else _R(4.0)
+            z1 = ((-120000.0) * x1) + (600.0 * x2)
+            z2 = (-600.0) * x2
+            w = ((z1 / m0) + z2) / (m0 - 1.0)
             s1 = (-((self._p_k * v2) + (3.0 * x[1]))) * v3
             v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0
             if np.isfinite(v):

@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage18, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage18 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01 --selftest
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage18 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --sample-time=0.01 --selftest
  * Version 0.1.0.
  *
  * 3 sets of parameters with 51 calls, 8 sets that init must refuse. The expected values were

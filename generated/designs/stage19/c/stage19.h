@@ -35,15 +35,15 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what f + g u does between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_AFC3BDE6_H
-#define STAGE19_AFC3BDE6_H
+#ifndef STAGE19_89ACC1ED_H
+#define STAGE19_89ACC1ED_H
 
 #include <stdint.h>
 

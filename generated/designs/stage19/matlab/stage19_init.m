@@ -47,7 +47,7 @@ function self = stage19_init(params) %#codegen
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
 %   growth: sound: at rest at sample N from any state, but for what f + g u does between
-%       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+%       samples, whatever the poles, and |u| is bounded.
 %   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
 %   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
 %   loop: not checked: `samples` is left to run time.

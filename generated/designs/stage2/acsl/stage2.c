@@ -62,18 +62,13 @@ ptc_status stage2_step(const stage2 *self, uint32_t k, const double x[3], double
     const double x2 = x[1];
     const double x3 = x[2];
     double v;
-    if (elapsed < 12U) {
-        /* The exact law in samples. */
-        const double m0 = (double)(20U - elapsed);
-        const double z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-        const double z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-        const double z3 = (-12000.0) * x3;
-        v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-    } else {
-        /* Deadbeat. */
-        const double s1 = ((-1000000000.0) * x1) - (2000000.0 * x2);
-        v = s1 - (1833.3333333333333 * x3);
-    }
+
+    /* The exact law in samples. */
+    const double m0 = (elapsed < 17U) ? ((double)(23U - elapsed)) : 6.0;
+    const double z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
+    const double z2 = ((-60000000.0) * x2) + (30000.0 * x3);
+    const double z3 = (-12000.0) * x3;
+    v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
     *u = v;
     if (PTC_FINITE_F64(v)) {
         if (!(elapsed < 20U)) {

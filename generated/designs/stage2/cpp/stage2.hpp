@@ -2,15 +2,15 @@
  * Prescribed-time controller stage2: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
- * Version 0.1.0, design b83ed869d4cf.
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+ * Version 0.1.0, design 75680df23c07.
  *
  * Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 3 samples to go and z = S x, u h^3 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 3 samples to go stay: they are deadbeat.
  *
  * Parameters:
  *   samples = 20 [samples], fixed: samples N from the start to rest
@@ -31,15 +31,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 20 from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 20 from any state, whatever the poles, and |u| is
+ *       bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_9D7C5F58_HPP
-#define STAGE2_9D7C5F58_HPP
+#ifndef STAGE2_0955D6DB_HPP
+#define STAGE2_0955D6DB_HPP
 
 #include <array>
 #include <cfloat>
@@ -127,18 +127,13 @@ public:
         const double x2 = x[1];
         const double x3 = x[2];
         double v{};
-        if (elapsed < 12U) {
-            // The exact law in samples.
-            const double m0 = static_cast<double>(20U - elapsed);
-            const double z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-            const double z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-            const double z3 = (-12000.0) * x3;
-            v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-        } else {
-            // Deadbeat.
-            const double s1 = ((-1000000000.0) * x1) - (2000000.0 * x2);
-            v = s1 - (1833.3333333333333 * x3);
-        }
+
+        // The exact law in samples.
+        const double m0 = (elapsed < 17U) ? (static_cast<double>(23U - elapsed)) : 6.0;
+        const double z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
+        const double z2 = ((-60000000.0) * x2) + (30000.0 * x3);
+        const double z3 = (-12000.0) * x3;
+        v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
         if (finite(v)) {
             if (elapsed < 20U) {
                 return {v, Status::Ok};

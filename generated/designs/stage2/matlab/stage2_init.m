@@ -8,15 +8,15 @@ function self = stage2_init(~) %#codegen
 % Prescribed-time controller stage2: order n = 3, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
-% Version 0.1.0, design b83ed869d4cf.
+%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+% Version 0.1.0, design 75680df23c07.
 %
 % Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 %       sample period, as long as u is not clipped and nothing else acts on the plant.
-% Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
-%       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
-%       over.
+% Law: with M - 3 samples to go and z = S x, u h^3 = sum of row_j z_j
+%       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+%       gains of 3 samples to go stay: they are deadbeat.
 %
 % Parameters:
 %   samples = 20 [samples], fixed: samples N from the start to rest
@@ -37,8 +37,8 @@ function self = stage2_init(~) %#codegen
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
-%   growth: sound: at rest at sample 20 from any state: deadbeat ends the loop, whatever the
-%       poles, and |u| is bounded.
+%   growth: sound: at rest at sample 20 from any state, whatever the poles, and |u| is
+%       bounded.
 %   sampling: not checked: the law is exact in samples, at any period.
 %   deadline: not checked: the law is exact in samples, at any period.
 %   loop: not checked: `x0_max` is not given.

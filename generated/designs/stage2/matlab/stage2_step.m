@@ -24,18 +24,13 @@ elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 x1 = x(1);
 x2 = x(2);
 x3 = x(3);
-if elapsed < uint32(12)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(20)) - double(elapsed), 4294967296)));
-    z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-    z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-    z3 = (-12000.0) * x3;
-    v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-else
-    % Deadbeat.
-    s1 = ((-1000000000.0) * x1) - (2000000.0 * x2);
-    v = s1 - (1833.3333333333333 * x3);
-end
+
+% The exact law in samples.
+m0 = pick(elapsed < uint32(17), double(uint32(mod(double(uint32(23)) - double(elapsed), 4294967296))), 6.0);
+z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
+z2 = ((-60000000.0) * x2) + (30000.0 * x3);
+z3 = (-12000.0) * x3;
+v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
 if isfinite(v)
     if elapsed < uint32(20)
         u = v;
@@ -46,5 +41,13 @@ if isfinite(v)
     end
 else
     status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

@@ -2,15 +2,15 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
-//! Version 0.1.0, design b83ed869d4cf.
+//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3
+//! Version 0.1.0, design 75680df23c07.
 //!
 //! Plant: x1' = x2, ..., x3' = u; u held from sample to sample.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 //!       sample period, as long as u is not clipped and nothing else acts on the plant.
-//! Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
-//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
-//!       over.
+//! Law: with M - 3 samples to go and z = S x, u h^3 = sum of row_j z_j
+//!       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+//!       gains of 3 samples to go stay: they are deadbeat.
 //!
 //! Parameters:
 //!   samples = 20 [samples], fixed: samples N from the start to rest
@@ -31,8 +31,8 @@
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
-//!   growth: sound: at rest at sample 20 from any state: deadbeat ends the loop, whatever the
-//!       poles, and |u| is bounded.
+//!   growth: sound: at rest at sample 20 from any state, whatever the poles, and |u| is
+//!       bounded.
 //!   sampling: not checked: the law is exact in samples, at any period.
 //!   deadline: not checked: the law is exact in samples, at any period.
 //!   loop: not checked: `x0_max` is not given.
@@ -152,18 +152,17 @@ impl Stage2 {
         let x2 = x[1];
         let x3 = x[2];
         let v: f64;
-        if elapsed < 12 {
-            // The exact law in samples.
-            let m0 = 20_u32.wrapping_sub(elapsed) as f64;
-            let z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-            let z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-            let z3 = (-12000.0) * x3;
-            v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+
+        // The exact law in samples.
+        let m0 = if elapsed < 17 {
+            23_u32.wrapping_sub(elapsed) as f64
         } else {
-            // Deadbeat.
-            let s1 = ((-1000000000.0) * x1) - (2000000.0 * x2);
-            v = s1 - (1833.3333333333333 * x3);
-        }
+            6.0
+        };
+        let z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
+        let z2 = ((-60000000.0) * x2) + (30000.0 * x3);
+        let z3 = (-12000.0) * x3;
+        v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
         let status = if v.is_finite() {
             if elapsed < 20 {
                 Status::Ok

@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage2, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage2 --clock samples --deadbeat=8 --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3 --selftest
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage2 --clock samples --guard none --tau=0.02 --eps=0 --u-max=inf --poles=-4,-5,-6 --sample-time=1e-3 --selftest
  * Version 0.1.0.
  *
  * 2 sets of parameters with 37 calls, 0 sets that init must refuse. The expected values were

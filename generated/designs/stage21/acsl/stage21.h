@@ -47,15 +47,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state, but for what r does between samples:
- *       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, but for what r does between samples,
+ *       whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE21_A2AF2BBB_H
-#define STAGE21_A2AF2BBB_H
+#ifndef STAGE21_6C90C673_H
+#define STAGE21_6C90C673_H
 
 #include <stdint.h>
 

@@ -91,16 +91,12 @@ ptc_status stage22_step(
             const double e1 = x1 - r[0];
             const double e2 = x2 - r[1];
             double w;
-            if (elapsed < 25U) {
-                /* The exact law in samples. */
-                const double m0 = (double)(30U - elapsed);
-                const double z1 = ((-120000.0) * e1) + (600.0 * e2);
-                const double z2 = (-600.0) * e2;
-                w = (((z1 / m0) + z2) / (m0 - 1.0)) + r[2];
-            } else {
-                /* Deadbeat. */
-                w = (((-10000.0) * e1) - (150.0 * e2)) + r[2];
-            }
+
+            /* The exact law in samples. */
+            const double m0 = (elapsed < 26U) ? ((double)(30U - elapsed)) : 4.0;
+            const double z1 = ((-120000.0) * e1) + (600.0 * e2);
+            const double z2 = (-600.0) * e2;
+            w = (((z1 / m0) + z2) / (m0 - 1.0)) + r[2];
             const double s1 = (-((self->p_k * v2) + (3.0 * x[1]))) * v3;
             const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
             if (PTC_FINITE_F64(v)) {

@@ -2,8 +2,8 @@
  * Prescribed-time controller stage22: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage22 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
- * Version 0.1.0, design 2d310baefd9f.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage22 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
+ * Version 0.1.0, design 1531839ead9d.
  *
  * Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
  *       sample to sample.
@@ -11,8 +11,9 @@
  *       from any state, as long as u is not clipped and the plant is the model. f and g are
  *       known at the samples alone, which leaves an error of order h^(4-i) in x_i.
  * Law: with M samples to go and z = S x, w h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1)),
- *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. Close to the
- *       end deadbeat takes over.
+ *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. The gains of
+ *       2 samples to go stay: they are deadbeat. Rest is planned 2 samples early, and the
+ *       last gains bring down what f and g did between samples.
  * With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = (w + rho -
  *       f)/g. At sample N e is 0 where r^(n) is constant over each sample; else an error of
  *       order h^(4-i) is left in e_i.
@@ -42,15 +43,15 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample 30 from any state, but for what f + g u and r do between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   loop: not checked: `k` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE22_1523C1D5_H
-#define STAGE22_1523C1D5_H
+#ifndef STAGE22_514FB3D4_H
+#define STAGE22_514FB3D4_H
 
 #include <stdint.h>
 

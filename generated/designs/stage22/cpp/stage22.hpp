@@ -2,8 +2,8 @@
  * Prescribed-time controller stage22: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage22 --clock samples --deadbeat=5 --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
- * Version 0.1.0, design 2d310baefd9f.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage22 --clock samples --tau=0.3 --eps=0 --poles=-3,-4 --states="q, w" --input=F --output="q + q^3/6" --dynamics="w, F/(2 + q^2) - k*q^3 - 3*w" --reference input --sample-time=0.01
+ * Version 0.1.0, design 1531839ead9d.
  *
  * Plant: the input F: q' = w, w' = F/(2 + q^2) - k*q^3 - 3*w, output q + q^3/6; u held from
  *       sample to sample.
@@ -11,8 +11,9 @@
  *       from any state, as long as u is not clipped and the plant is the model. f and g are
  *       known at the samples alone, which leaves an error of order h^(4-i) in x_i.
  * Law: with M samples to go and z = S x, w h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1)),
- *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. Close to the
- *       end deadbeat takes over.
+ *       and u = (w - f)/g; the rows are those of Theorem 1 for the mapping exp. The gains of
+ *       2 samples to go stay: they are deadbeat. Rest is planned 2 samples early, and the
+ *       last gains bring down what f and g did between samples.
  * With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = (w + rho -
  *       f)/g. At sample N e is 0 where r^(n) is constant over each sample; else an error of
  *       order h^(4-i) is left in e_i.
@@ -41,15 +42,15 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample 30 from any state, but for what f + g u and r do between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   deadline: not checked: `loop` bounds what the period leaves of a model that is not linear.
  *   loop: not checked: `k` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE22_31B008BE_HPP
-#define STAGE22_31B008BE_HPP
+#ifndef STAGE22_F085F7A9_HPP
+#define STAGE22_F085F7A9_HPP
 
 #include <array>
 #include <cfloat>
@@ -157,16 +158,12 @@ public:
         const double e1 = x1 - r[0];
         const double e2 = x2 - r[1];
         double w{};
-        if (elapsed < 25U) {
-            // The exact law in samples.
-            const double m0 = static_cast<double>(30U - elapsed);
-            const double z1 = ((-120000.0) * e1) + (600.0 * e2);
-            const double z2 = (-600.0) * e2;
-            w = (((z1 / m0) + z2) / (m0 - 1.0)) + r[2];
-        } else {
-            // Deadbeat.
-            w = (((-10000.0) * e1) - (150.0 * e2)) + r[2];
-        }
+
+        // The exact law in samples.
+        const double m0 = (elapsed < 26U) ? (static_cast<double>(30U - elapsed)) : 4.0;
+        const double z1 = ((-120000.0) * e1) + (600.0 * e2);
+        const double z2 = (-600.0) * e2;
+        w = (((z1 / m0) + z2) / (m0 - 1.0)) + r[2];
         const double s1 = (-((p_k_ * v2) + (3.0 * x[1]))) * v3;
         const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
         if (finite(v)) {

@@ -37,16 +37,12 @@ x2 = x(2) * v3 * 0.5;
 % The tracking error.
 e1 = x1 - r(1);
 e2 = x2 - r(2);
-if elapsed < uint32(25)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1 = ((-120000.0) * e1) + (600.0 * e2);
-    z2 = (-600.0) * e2;
-    w = (((z1 / m0) + z2) / (m0 - 1.0)) + r(3);
-else
-    % Deadbeat.
-    w = (((-10000.0) * e1) - (150.0 * e2)) + r(3);
-end
+
+% The exact law in samples.
+m0 = pick(elapsed < uint32(26), double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296))), 4.0);
+z1 = ((-120000.0) * e1) + (600.0 * e2);
+z2 = (-600.0) * e2;
+w = (((z1 / m0) + z2) / (m0 - 1.0)) + r(3);
 s1 = (-((self.p_k * v2) + (3.0 * x(2)))) * v3;
 v = (w - ((s1 + (x(2) * (2.0 * x(1) * x(2)))) * 0.5)) * 2.0;
 if isfinite(v)
@@ -65,5 +61,13 @@ if isfinite(v)
     end
 else
     status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

@@ -152,9 +152,9 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
             const double e2 = x2 - r[1];
             const double e3 = x3 - ((0.1 * r[1]) + (0.1 * r[2]));
             double v;
-            if (elapsed < 40U) {
+            if (elapsed < 46U) {
                 /* The exact law in samples. */
-                const double m0 = (double)(50U - elapsed);
+                const double m0 = (double)(53U - elapsed);
                 const double s6 = ((-1072951.6050632286) * e1) + (11224.193450693596 * e2);
                 const double z1 = s6 - (404.795716419329 * e3);
                 const double z2 = ((-6164.422229232715) * e2) + (332.70200299979865 * e3);

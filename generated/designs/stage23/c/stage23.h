@@ -2,16 +2,16 @@
  * Prescribed-time controller stage23: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --deadbeat=10 --observer-poles=-4,-5,-6 --observer-samples=25 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
- * Version 0.1.0, design a2326bb2d6bc.
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage23 --clock samples --A="[[0,1,0],[0,-1,10],[0,-2,-50]]" --B="[0,0,100]" --C="[[1,0,0]]" --output="[1,0,0]" --observer-poles=-4,-5,-6 --observer-samples=25 --tau=0.5 --eps=0 --poles=-4,-5,-6,-7 --reference input --sample-time=0.01 --delay=1
+ * Version 0.1.0, design da426a349de3.
  *
  * Plant: x' = A x + B u of --A and --B above; u held from sample to sample, one sample late,
  *       y = C x.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
- *       z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for the
- *       mapping exp. Close to the end deadbeat takes over.
+ * Law: with M - 3 samples to go and z = S x, the differences of a flat output, u = sum of
+ *       row_j z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for
+ *       the mapping exp. The gains of 4 samples to go stay: they are deadbeat.
  * With the reference r with its derivatives r[0]..r[2] at tick k, x - x_r is in place of x
  *       above, and u = w + u_r, where the inputs under way count less the u_r of their own
  *       samples: with them the output y = x1 is r, and stays so. At sample N x = x_r where
@@ -49,15 +49,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 50 from any state, but for what r does between samples:
- *       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 50 from any state, but for what r does between samples,
+ *       whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_EF0026A9_H
-#define STAGE23_EF0026A9_H
+#ifndef STAGE23_C285D67C_H
+#define STAGE23_C285D67C_H
 
 #include <stdint.h>
 

@@ -79,9 +79,9 @@ u_r = (0.07 * r(2)) + (0.05205 * r(3)) + (0.0017731666666666666 * r(4));
 e1 = x1 - r(1);
 e2 = x2 - r(2);
 e3 = x3 - ((0.1 * r(2)) + (0.1 * r(3)));
-if elapsed < uint32(40)
+if elapsed < uint32(46)
     % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(50)) - double(elapsed), 4294967296)));
+    m0 = double(uint32(mod(double(uint32(53)) - double(elapsed), 4294967296)));
     s6 = ((-1072951.6050632286) * e1) + (11224.193450693596 * e2);
     z1 = s6 - (404.795716419329 * e3);
     z2 = ((-6164.422229232715) * e2) + (332.70200299979865 * e3);

@@ -96,9 +96,9 @@ ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float
             const float e1 = x1 - x_r1;
             const float e2 = x2 - x_r2;
             float v;
-            if (elapsed < 24U) {
+            if (elapsed < 28U) {
                 /* The exact law in samples. */
-                const float m0 = (float)(30U - elapsed);
+                const float m0 = (float)(33U - elapsed);
                 const float z1 = ((-137042.42f) * e1) + (69031.28f * e2);
                 const float z2 = (1353.4108f * e1) - (1082.7286f * e2);
                 const float s4 = ((-5.658292f) * e1) + (4.3266335f * e2);

@@ -12,15 +12,15 @@ function self = stage24_init(params) %#codegen
 % Prescribed-time controller stage24: order n = 2, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --deadbeat=6 --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
-% Version 0.1.0, design 406c238cf2d6.
+%   ptc-codegen emit --lang matlab --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01
+% Version 0.1.0, design 50bc8ccf34e5.
 %
 % Plant: x' = A x + B u of --A and --B above; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 %       sample period, as long as u is not clipped and nothing else acts on the plant.
-% Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j
-%       z_j/((M-j+1)...(M-1)) less the drift of z; the rows are those of Theorem 1 for the
-%       mapping exp. Close to the end deadbeat takes over.
+% Law: with M - 3 samples to go and z = S x, the differences of a flat output, u = sum of
+%       row_j z_j/((M-j+1)...(M-1)) less the drift of z; the rows are those of Theorem 1 for
+%       the mapping exp. The gains of 2 samples to go stay: they are deadbeat.
 % With the reference r = size*dt^2/(1 + t^2), x - x_r is in place of x above, and u = w +
 %       u_r: with them the output y = -2*x1 + x2 is r, and stays so. At sample N x = x_r
 %       where u_r is constant over each sample; else an error of order h^(4-i) is left in
@@ -53,8 +53,8 @@ function self = stage24_init(params) %#codegen
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
-%   growth: sound: at rest at sample 30 from any state, but for what r does between samples:
-%       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+%   growth: sound: at rest at sample 30 from any state, but for what r does between samples,
+%       whatever the poles, and |u| is bounded.
 %   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
 %   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
 %   loop: not checked: `size` is left to run time.

@@ -46,9 +46,9 @@ s3 = (-single(0.3333333432674408)) * ((self.c_r4 * (s2 - (v_r8 * v_r7))) / (v_r8
 u_r0 = ((single(0.3333333432674408) * ((self.p_size * v_r7) / v_r8)) - s1) + s3;
 e1 = x1 - x_r1;
 e2 = x2 - x_r2;
-if elapsed < uint32(24)
+if elapsed < uint32(28)
     % The exact law in samples.
-    m0 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    m0 = single(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296)));
     z1 = ((-single(137042.421875)) * e1) + (single(69031.28125) * e2);
     z2 = (single(1353.4107666015625) * e1) - (single(1082.7286376953125) * e2);
     s4 = ((-single(5.658291816711426)) * e1) + (single(4.326633453369141) * e2);

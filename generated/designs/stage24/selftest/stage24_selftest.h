@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage24, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --deadbeat=6 --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01 --selftest
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage24 --clock samples --A="[[-1,1],[3,-2]]" --B="[1,2]" --output="[-2,1]" --precision f32 --tau=0.3 --eps=0 --poles=-4,-5 --reference="size*dt^2/(1 + t^2)" --sample-time=0.01 --selftest
  * Version 0.1.0.
  *
  * 3 sets of parameters with 51 calls, 10 sets that init must refuse. The expected values were

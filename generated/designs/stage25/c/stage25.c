@@ -76,24 +76,36 @@ ptc_status stage25_step(
             const double v2 = 1.0 + x1_1;
             const double x2_2 = v1 * v2;
             const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-            const double m0 = ((double)left < 4.0) ? 4.0 : (double)left;
+            const double s1 = ((double)left) - 1.0;
+            const double m0_1 = (s1 < 4.0) ? 4.0 : s1;
             double law_1;
 
             /* The exact law in samples. */
             const double z1_1 = (-400.0) * x1_1;
-            law_1 = z1_1 / m0;
+            law_1 = z1_1 / (m0_1 + 3.0);
+            const double s2 = ((double)left) - 2.0;
+            const double m0_2 = (s2 < 4.0) ? 4.0 : s2;
             double law_2;
-            const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-            const double z2_2 = (-650.0) * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            if (6.0 < m0_2) {
+                /* The exact law in samples. */
+                const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+                const double z2_2 = (-650.0) * x2_2;
+                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            } else {
+                /* The law of least energy to the end. */
+                const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
+                const double y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2);
+                const double y2_2 = (-600.0) * x2_2;
+                law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0);
+            }
 
             /* The inputs that give all of them. */
             const double v3 = (-x1_1) * 0.1;
             const double v4 = law_1 - v3;
             const double v5 = 1.0 / (((v2 < 0.0) || (v2 > 0.0)) ? v2 : (double)NAN);
             const double control1 = v2 * v4 * v5;
-            const double s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
-            const double control2 = s1 * v5;
+            const double s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+            const double control2 = s3 * v5;
             if (4.0 < (double)left) {
                 status = PTC_OK;
             } else {

@@ -11,9 +11,13 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 2, -2. Output 1: The gains of 4 samples to go stay. Rest is
+ *       planned 1 sample early, and the last gains bring down what f and g did between
+ *       samples. Output 2: From 6 samples to go on these are M - 2 and the exponents 3, 4,
+ *       those of least energy. The gains of 4 samples to go stay. Rest is planned 2 samples
+ *       early, and the last gains bring down what f and g did between samples.
  * Output 1, of order n = 1:
  *   x_1 = h
  *   f_1 = -h/10
@@ -56,8 +60,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE25_C9BB1895_H
-#define STAGE25_C9BB1895_H
+#ifndef STAGE25_81A3DAAE_H
+#define STAGE25_81A3DAAE_H
 
 #include <stdint.h>
 

@@ -11,9 +11,13 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 2, -2. Output 1: The gains of 4 samples to go stay. Rest is
+ *       planned 1 sample early, and the last gains bring down what f and g did between
+ *       samples. Output 2: From 6 samples to go on these are M - 2 and the exponents 3, 4,
+ *       those of least energy. The gains of 4 samples to go stay. Rest is planned 2 samples
+ *       early, and the last gains bring down what f and g did between samples.
  * Output 1, of order n = 1:
  *   x_1 = h
  *   f_1 = -h/10
@@ -55,8 +59,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE25_A61D47E9_HPP
-#define STAGE25_A61D47E9_HPP
+#ifndef STAGE25_2264D91F_HPP
+#define STAGE25_2264D91F_HPP
 
 #include <array>
 #include <cfloat>
@@ -165,24 +169,36 @@ public:
         const double v2 = 1.0 + x1_1;
         const double x2_2 = v1 * v2;
         const std::uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-        const double m0 = (static_cast<double>(left) < 4.0) ? 4.0 : static_cast<double>(left);
+        const double s1 = static_cast<double>(left) - 1.0;
+        const double m0_1 = (s1 < 4.0) ? 4.0 : s1;
         double law_1{};
 
         // The exact law in samples.
         const double z1_1 = (-400.0) * x1_1;
-        law_1 = z1_1 / m0;
+        law_1 = z1_1 / (m0_1 + 3.0);
+        const double s2 = static_cast<double>(left) - 2.0;
+        const double m0_2 = (s2 < 4.0) ? 4.0 : s2;
         double law_2{};
-        const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-        const double z2_2 = (-650.0) * x2_2;
-        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+        if (6.0 < m0_2) {
+            // The exact law in samples.
+            const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+            const double z2_2 = (-650.0) * x2_2;
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+        } else {
+            // The law of least energy to the end.
+            const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
+            const double y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2);
+            const double y2_2 = (-600.0) * x2_2;
+            law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0);
+        }
 
         // The inputs that give all of them.
         const double v3 = (-x1_1) * 0.1;
         const double v4 = law_1 - v3;
         const double v5 = ((v2 < 0.0) || (v2 > 0.0)) ? (1.0 / v2) : std::numeric_limits<double>::quiet_NaN();
         const double control1 = v2 * v4 * v5;
-        const double s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
-        const double control2 = s1 * v5;
+        const double s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+        const double control2 = s3 * v5;
         if (4.0 < static_cast<double>(left)) {
             all.status = Status::Ok;
         } else {

@@ -36,22 +36,34 @@ v1 = x(2) - x1_2;
 v2 = 1.0 + x1_1;
 x2_2 = v1 * v2;
 left = uint32(30) - elapsed;
-m0 = pick(double(left) < 4.0, 4.0, double(left));
+s1 = double(left) - 1.0;
+m0_1 = pick(s1 < 4.0, 4.0, s1);
 
 % The exact law in samples.
 z1_1 = (-400.0) * x1_1;
-law_1 = z1_1 / m0;
-z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-z2_2 = (-650.0) * x2_2;
-law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+law_1 = z1_1 / (m0_1 + 3.0);
+s2 = double(left) - 2.0;
+m0_2 = pick(s2 < 4.0, 4.0, s2);
+if 6.0 < m0_2
+    % The exact law in samples.
+    z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+    z2_2 = (-650.0) * x2_2;
+    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+else
+    % The law of least energy to the end.
+    m1_2 = pick(m0_2 < 2.0, 2.0, m0_2);
+    y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2);
+    y2_2 = (-600.0) * x2_2;
+    law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0);
+end
 
 % The inputs that give all of them.
 v3 = (-x1_1) * 0.1;
 v4 = law_1 - v3;
 v5 = pick((v2 < 0.0) || (v2 > 0.0), 1.0 / v2, double(NaN));
 control1 = v2 * v4 * v5;
-s1 = ((-v1) * v4) + (law_2 - (((((-x(2)) * v2) - x2_2) * v2) + (v1 * v3)));
-control2 = s1 * v5;
+s3 = ((-v1) * v4) + (law_2 - (((((-x(2)) * v2) - x2_2) * v2) + (v1 * v3)));
+control2 = s3 * v5;
 if 4.0 < double(left)
     status = int32(0);
 else

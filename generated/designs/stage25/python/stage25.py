@@ -11,9 +11,13 @@ Goal: every output with its derivatives is 0 at sample N after the start, from a
       as long as no u is clipped and the plant is the model. The plant is known at the
       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
       n.
-Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-      h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-      Close to the end deadbeat takes over. v_i is law_i in step.
+Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+      z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+      v_i is law_i in step. s = 2, -2. Output 1: The gains of 4 samples to go stay. Rest is
+      planned 1 sample early, and the last gains bring down what f and g did between
+      samples. Output 2: From 6 samples to go on these are M - 2 and the exponents 3, 4,
+      those of least energy. The gains of 4 samples to go stay. Rest is planned 2 samples
+      early, and the last gains bring down what f and g did between samples.
 Output 1, of order n = 1:
   x_1 = h
   f_1 = -h/10
@@ -160,22 +164,33 @@ class Stage25:
             v2 = 1.0 + x1_1
             x2_2 = v1 * v2
             left = max(30 - elapsed, 0)
-            m0 = max(_R(left), _R(4.0))
+            s1 = _R(left) - 1.0
+            m0_1 = max(s1, _R(4.0))
 
             # The exact law in samples.
             z1_1 = (-400.0) * x1_1
-            law_1 = z1_1 / m0
-            z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2)
-            z2_2 = (-650.0) * x2_2
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
+            law_1 = z1_1 / (m0_1 + 3.0)
+            s2 = _R(left) - 2.0
+            m0_2 = max(s2, _R(4.0))
+            if 6.0 < m0_2:
+                # The exact law in samples.
+                z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2)
+                z2_2 = (-650.0) * x2_2
+                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)
+            else:
+                # The law of least energy to the end.
+                m1_2 = max(m0_2, _R(2.0))
+                y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2)
+                y2_2 = (-600.0) * x2_2
+                law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)
 
             # The inputs that give all of them.
             v3 = (-x1_1) * 0.1
             v4 = law_1 - v3
             v5 = np.where((v2 < 0.0) | (v2 > 0.0), 1.0 / v2, _R(np.nan))
             control1 = v2 * v4 * v5
-            s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)))
-            control2 = s1 * v5
+            s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)))
+            control2 = s3 * v5
             if 4.0 < _R(left):
                 status = Status.OK
             else:

@@ -11,9 +11,13 @@
 //!       as long as no u is clipped and the plant is the model. The plant is known at the
 //!       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
 //!       n.
-//! Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-//!       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-//!       Close to the end deadbeat takes over. v_i is law_i in step.
+//! Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+//!       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+//!       v_i is law_i in step. s = 2, -2. Output 1: The gains of 4 samples to go stay. Rest is
+//!       planned 1 sample early, and the last gains bring down what f and g did between
+//!       samples. Output 2: From 6 samples to go on these are M - 2 and the exponents 3, 4,
+//!       those of least energy. The gains of 4 samples to go stay. Rest is planned 2 samples
+//!       early, and the last gains bring down what f and g did between samples.
 //! Output 1, of order n = 1:
 //!   x_1 = h
 //!   f_1 = -h/10
@@ -195,20 +199,28 @@ impl Stage25 {
         let v2 = 1.0 + x1_1;
         let x2_2 = v1 * v2;
         let left = 30_u32.saturating_sub(elapsed);
-        let m0 = if (left as f64) < 4.0 {
-            4.0
-        } else {
-            left as f64
-        };
+        let s1 = (left as f64) - 1.0;
+        let m0_1 = if s1 < 4.0 { 4.0 } else { s1 };
         let law_1: f64;
 
         // The exact law in samples.
         let z1_1 = (-400.0) * x1_1;
-        law_1 = z1_1 / m0;
+        law_1 = z1_1 / (m0_1 + 3.0);
+        let s2 = (left as f64) - 2.0;
+        let m0_2 = if s2 < 4.0 { 4.0 } else { s2 };
         let law_2: f64;
-        let z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-        let z2_2 = (-650.0) * x2_2;
-        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+        if 6.0 < m0_2 {
+            // The exact law in samples.
+            let z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
+            let z2_2 = (-650.0) * x2_2;
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+        } else {
+            // The law of least energy to the end.
+            let m1_2 = if m0_2 < 2.0 { 2.0 } else { m0_2 };
+            let y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2);
+            let y2_2 = (-600.0) * x2_2;
+            law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0);
+        }
 
         // The inputs that give all of them.
         let v3 = (-x1_1) * 0.1;
@@ -219,8 +231,8 @@ impl Stage25 {
             f64::NAN
         };
         let control1 = v2 * v4 * v5;
-        let s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
-        let control2 = s1 * v5;
+        let s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+        let control2 = s3 * v5;
         if 4.0 < (left as f64) {
             status = Ok(Status::Ok);
         } else {

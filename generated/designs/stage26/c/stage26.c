@@ -112,20 +112,26 @@ ptc_status stage26_step(
     const float x1_2 = x[1];
     const float x2_2 = x[3];
     const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
-    const float m0 = (float)left;
+    const float m0_1 = (float)left;
     float law_1;
+    const float m0_2 = (float)left;
     float law_2;
-    if (self->deadbeat_1 < m0) {
+    if (self->deadbeat_1 < m0_1) {
         /* The exact law in samples. */
         const float z1_1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
         const float z2_1 = self->w2_2_1 * x2_1;
-        law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0f);
-        const float z1_2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
-        const float z2_2 = self->w2_2_1 * x2_2;
-        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0f);
+        law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f);
     } else {
         /* Deadbeat. */
         law_1 = (self->b_1_1 * x1_1) + (self->b_2_1 * x2_1);
+    }
+    if (self->deadbeat_1 < m0_2) {
+        /* The exact law in samples. */
+        const float z1_2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
+        const float z2_2 = self->w2_2_1 * x2_2;
+        law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f);
+    } else {
+        /* Deadbeat. */
         law_2 = (self->b_1_1 * x1_2) + (self->b_2_1 * x2_2);
     }
 

@@ -11,9 +11,10 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 0, 0. Output 1: Close to the end deadbeat takes over.
+ *       Output 2: Close to the end deadbeat takes over.
  * Output 1, of order n = 2:
  *   x_1 = q1
  *   x_2 = w1
@@ -46,7 +47,7 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what f + g u does between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -55,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE26_243544D4_HPP
-#define STAGE26_243544D4_HPP
+#ifndef STAGE26_3EC356E6_HPP
+#define STAGE26_3EC356E6_HPP
 
 #include <array>
 #include <cfloat>
@@ -213,20 +214,26 @@ public:
         const float x1_2 = x[1];
         const float x2_2 = x[3];
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const float m0 = static_cast<float>(left);
+        const float m0_1 = static_cast<float>(left);
         float law_1{};
+        const float m0_2 = static_cast<float>(left);
         float law_2{};
-        if (deadbeat_1_ < m0) {
+        if (deadbeat_1_ < m0_1) {
             // The exact law in samples.
             const float z1_1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
             const float z2_1 = w2_2_1_ * x2_1;
-            law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0f);
-            const float z1_2 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
-            const float z2_2 = w2_2_1_ * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0f);
+            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f);
         } else {
             // Deadbeat.
             law_1 = (b_1_1_ * x1_1) + (b_2_1_ * x2_1);
+        }
+        if (deadbeat_1_ < m0_2) {
+            // The exact law in samples.
+            const float z1_2 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
+            const float z2_2 = w2_2_1_ * x2_2;
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f);
+        } else {
+            // Deadbeat.
             law_2 = (b_1_1_ * x1_2) + (b_2_1_ * x2_2);
         }
 

@@ -31,18 +31,24 @@ x2_1 = x(3);
 x1_2 = x(2);
 x2_2 = x(4);
 left = self.samples - elapsed;
-m0 = single(left);
-if self.deadbeat_1 < m0
+m0_1 = single(left);
+m0_2 = single(left);
+if self.deadbeat_1 < m0_1
     % The exact law in samples.
     z1_1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
     z2_1 = self.w2_2_1 * x2_1;
-    law_1 = ((z1_1 / m0) + z2_1) / (m0 - single(1.0));
-    z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
-    z2_2 = self.w2_2_1 * x2_2;
-    law_2 = ((z1_2 / m0) + z2_2) / (m0 - single(1.0));
+    law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - single(1.0));
 else
     % Deadbeat.
     law_1 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
+end
+if self.deadbeat_1 < m0_2
+    % The exact law in samples.
+    z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
+    z2_2 = self.w2_2_1 * x2_2;
+    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - single(1.0));
+else
+    % Deadbeat.
     law_2 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
 end
 

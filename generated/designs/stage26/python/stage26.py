@@ -11,9 +11,10 @@ Goal: every output with its derivatives is 0 at sample N after the start, from a
       as long as no u is clipped and the plant is the model. The plant is known at the
       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
       n.
-Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-      h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-      Close to the end deadbeat takes over. v_i is law_i in step.
+Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+      z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+      v_i is law_i in step. s = 0, 0. Output 1: Close to the end deadbeat takes over.
+      Output 2: Close to the end deadbeat takes over.
 Output 1, of order n = 2:
   x_1 = q1
   x_2 = w1
@@ -46,7 +47,7 @@ Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEE
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
   growth: sound: at rest at sample N from any state, but for what f + g u does between
-      samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+      samples, whatever the poles, and |u| is bounded.
   sampling: not checked: `loop` bounds what the period leaves of a plant with several
       inputs.
   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -227,18 +228,23 @@ class Stage26:
             x1_2 = x[1]
             x2_2 = x[3]
             left = max(self._samples - elapsed, 0)
-            m0 = _R(left)
-            if self._deadbeat_1 < m0:
+            m0_1 = _R(left)
+            m0_2 = _R(left)
+            if self._deadbeat_1 < m0_1:
                 # The exact law in samples.
                 z1_1 = (self._w1_1_1 * x1_1) + (self._w1_2_1 * x2_1)
                 z2_1 = self._w2_2_1 * x2_1
-                law_1 = ((z1_1 / m0) + z2_1) / (m0 - _R(1.0))
-                z1_2 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
-                z2_2 = self._w2_2_1 * x2_2
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - _R(1.0))
+                law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - _R(1.0))
             else:
                 # Deadbeat.
                 law_1 = (self._b_1_1 * x1_1) + (self._b_2_1 * x2_1)
+            if self._deadbeat_1 < m0_2:
+                # The exact law in samples.
+                z1_2 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
+                z2_2 = self._w2_2_1 * x2_2
+                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - _R(1.0))
+            else:
+                # Deadbeat.
                 law_2 = (self._b_1_1 * x1_2) + (self._b_2_1 * x2_2)
 
             # The inputs that give all of them.

@@ -11,9 +11,10 @@
 //!       as long as no u is clipped and the plant is the model. The plant is known at the
 //!       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
 //!       n.
-//! Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-//!       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-//!       Close to the end deadbeat takes over. v_i is law_i in step.
+//! Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+//!       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+//!       v_i is law_i in step. s = 0, 0. Output 1: Close to the end deadbeat takes over.
+//!       Output 2: Close to the end deadbeat takes over.
 //! Output 1, of order n = 2:
 //!   x_1 = q1
 //!   x_2 = w1
@@ -46,7 +47,7 @@
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
 //!   growth: sound: at rest at sample N from any state, but for what f + g u does between
-//!       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+//!       samples, whatever the poles, and |u| is bounded.
 //!   sampling: not checked: `loop` bounds what the period leaves of a plant with several
 //!       inputs.
 //!   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -272,20 +273,26 @@ impl Stage26 {
         let x1_2 = x[1];
         let x2_2 = x[3];
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = left as f32;
+        let m0_1 = left as f32;
         let law_1: f32;
+        let m0_2 = left as f32;
         let law_2: f32;
-        if self.deadbeat_1 < m0 {
+        if self.deadbeat_1 < m0_1 {
             // The exact law in samples.
             let z1_1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
             let z2_1 = self.w2_2_1 * x2_1;
-            law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
-            let z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
-            let z2_2 = self.w2_2_1 * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
         } else {
             // Deadbeat.
             law_1 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
+        }
+        if self.deadbeat_1 < m0_2 {
+            // The exact law in samples.
+            let z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
+            let z2_2 = self.w2_2_1 * x2_2;
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+        } else {
+            // Deadbeat.
             law_2 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
         }
 

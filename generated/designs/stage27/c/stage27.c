@@ -41,24 +41,26 @@ ptc_status stage27_init(stage27 *self, const stage27_params *params)
         if ((1U < params->samples) && (1e-150 <= params->h) && (params->h <= 1e150)) {
             const uint32_t samples = params->samples;
             const double w1_1_1 = (-5.0) * (1.0 / params->h);
-            const double b_1_1 = -(1.0 / params->h);
             const double w1_1_2 = (-18.75) * (1.0 / (params->h * params->h));
             const double w1_2_2 = 9.375 * (1.0 / params->h);
             const double w2_2_2 = (-7.75) * (1.0 / params->h);
-            const double b_1_2 = -(1.0 / (params->h * params->h));
-            const double b_2_2 = (-1.5) * (1.0 / params->h);
+            const double q1_1_2 = (-20.0) * (1.0 / (params->h * params->h));
+            const double q1_2_2 = 10.0 * (1.0 / params->h);
+            const double q2_2_2 = (-8.0) * (1.0 / params->h);
             const double w1_1_3 = (-6.25) * (1.0 / params->h);
+            const double q1_1_3 = (-7.0) * (1.0 / params->h);
             const double w1_1_4 = (-23.4375) * (1.0 / (params->h * params->h));
             const double w1_2_4 = 11.71875 * (1.0 / params->h);
             const double w2_2_4 = (-9.625) * (1.0 / params->h);
             if (PTC_FINITE_F64(w1_1_1)
-                && PTC_FINITE_F64(b_1_1)
                 && PTC_FINITE_F64(w1_1_2)
                 && PTC_FINITE_F64(w1_2_2)
                 && PTC_FINITE_F64(w2_2_2)
-                && PTC_FINITE_F64(b_1_2)
-                && PTC_FINITE_F64(b_2_2)
+                && PTC_FINITE_F64(q1_1_2)
+                && PTC_FINITE_F64(q1_2_2)
+                && PTC_FINITE_F64(q2_2_2)
                 && PTC_FINITE_F64(w1_1_3)
+                && PTC_FINITE_F64(q1_1_3)
                 && PTC_FINITE_F64(w1_1_4)
                 && PTC_FINITE_F64(w1_2_4)
                 && PTC_FINITE_F64(w2_2_4)
@@ -67,13 +69,14 @@ ptc_status stage27_init(stage27 *self, const stage27_params *params)
                 self->start = 0U;
                 self->samples = samples;
                 self->w1_1_1 = w1_1_1;
-                self->b_1_1 = b_1_1;
                 self->w1_1_2 = w1_1_2;
                 self->w1_2_2 = w1_2_2;
                 self->w2_2_2 = w2_2_2;
-                self->b_1_2 = b_1_2;
-                self->b_2_2 = b_2_2;
+                self->q1_1_2 = q1_1_2;
+                self->q1_2_2 = q1_2_2;
+                self->q2_2_2 = q2_2_2;
                 self->w1_1_3 = w1_1_3;
+                self->q1_1_3 = q1_1_3;
                 self->w1_1_4 = w1_1_4;
                 self->w1_2_4 = w1_2_4;
                 self->w2_2_4 = w2_2_4;
@@ -167,44 +170,52 @@ ptc_status stage27_step(
             const double x1_4 = x[4];
             const double x2_4 = x[5];
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
-            const double m0 = (double)left;
+            const double s1 = ((double)left) - 1.0;
+            const double m0_1 = (s1 < 1.0) ? 1.0 : s1;
             double law_1;
+
+            /* The exact law in samples. */
+            const double z1_1 = self->w1_1_1 * x1_1;
+            law_1 = z1_1 / (m0_1 + 4.0);
+            const double m0_2 = ((double)left) - 2.0;
             double law_2;
+            const double m0_3 = ((double)left) - 1.0;
             double law_3;
+            const double m0_4 = ((double)left) - 2.0;
             double law_4;
-            if (5.0 < m0) {
-                /* The exact law in samples. */
-                const double z1_1 = self->w1_1_1 * x1_1;
-                law_1 = z1_1 / m0;
-            } else {
-                /* Deadbeat. */
-                law_1 = self->b_1_1 * x1_1;
-            }
-            if (6.0 < m0) {
+            if (6.0 < m0_2) {
                 /* The exact law in samples. */
                 const double z1_2 = (self->w1_1_2 * x1_2) + (self->w1_2_2 * x2_2);
                 const double z2_2 = self->w2_2_2 * x2_2;
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
             } else {
-                /* Deadbeat. */
-                law_2 = (self->b_1_2 * x1_2) + (self->b_2_2 * x2_2);
+                /* The law of least energy to the end. */
+                const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
+                const double y1_2 = (self->q1_1_2 * x1_2) + (self->q1_2_2 * x2_2);
+                const double y2_2 = self->q2_2_2 * x2_2;
+                law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
             }
-            if (7.0 < m0) {
+            if (7.0 < m0_3) {
                 /* The exact law in samples. */
                 const double z1_3 = self->w1_1_3 * x1_3;
-                law_3 = z1_3 / m0;
+                law_3 = z1_3 / m0_3;
             } else {
-                /* Deadbeat. */
-                law_3 = self->b_1_1 * x1_3;
+                /* The law of least energy to the end. */
+                const double m1_3 = (m0_3 < 1.0) ? 1.0 : m0_3;
+                const double y1_3 = self->q1_1_3 * x1_3;
+                law_3 = y1_3 / (m1_3 + 6.0);
             }
-            if (9.0 < m0) {
+            if (9.0 < m0_4) {
                 /* The exact law in samples. */
                 const double z1_4 = (self->w1_1_4 * x1_4) + (self->w1_2_4 * x2_4);
                 const double z2_4 = self->w2_2_4 * x2_4;
-                law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0);
+                law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
             } else {
-                /* Deadbeat. */
-                law_4 = (self->b_1_2 * x1_4) + (self->b_2_2 * x2_4);
+                /* The law of least energy to the end. */
+                const double m1_4 = (m0_4 < 2.0) ? 2.0 : m0_4;
+                const double y1_4 = (self->q1_1_2 * x1_4) + (self->q1_2_2 * x2_4);
+                const double y2_4 = self->q2_2_2 * x2_4;
+                law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
             }
 
             /* The inputs that give all of them. */

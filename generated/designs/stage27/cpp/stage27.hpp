@@ -12,9 +12,20 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 3, -2, -1, -2. Output 1: The gains of 1 sample to go stay:
+ *       they are deadbeat. Rest is planned 1 sample early, and the last gains bring down what
+ *       f and g did between samples. Output 2: From 6 samples to go on these are M - 3 and
+ *       the exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they
+ *       are deadbeat. Rest is planned 2 samples early, and the last gains bring down what f
+ *       and g did between samples. Output 3: From 7 samples to go on these are M - 6 and the
+ *       exponents 7, those of least energy. The gains of 1 sample to go stay: they are
+ *       deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+ *       did between samples. Output 4: From 9 samples to go on these are M - 3 and the
+ *       exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they are
+ *       deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+ *       did between samples.
  * Output 1, of order n = 1:
  *   x_1 = a
  *   f_1 = -a*c
@@ -55,7 +66,7 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what f + g u does between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -65,8 +76,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_1A95E5F3_HPP
-#define STAGE27_1A95E5F3_HPP
+#ifndef STAGE27_81A36F21_HPP
+#define STAGE27_81A36F21_HPP
 
 #include <array>
 #include <cfloat>
@@ -154,24 +165,26 @@ public:
         }
         const std::uint32_t samples = params.samples;
         const double w1_1_1 = (-5.0) * (1.0 / params.h);
-        const double b_1_1 = -(1.0 / params.h);
         const double w1_1_2 = (-18.75) * (1.0 / (params.h * params.h));
         const double w1_2_2 = 9.375 * (1.0 / params.h);
         const double w2_2_2 = (-7.75) * (1.0 / params.h);
-        const double b_1_2 = -(1.0 / (params.h * params.h));
-        const double b_2_2 = (-1.5) * (1.0 / params.h);
+        const double q1_1_2 = (-20.0) * (1.0 / (params.h * params.h));
+        const double q1_2_2 = 10.0 * (1.0 / params.h);
+        const double q2_2_2 = (-8.0) * (1.0 / params.h);
         const double w1_1_3 = (-6.25) * (1.0 / params.h);
+        const double q1_1_3 = (-7.0) * (1.0 / params.h);
         const double w1_1_4 = (-23.4375) * (1.0 / (params.h * params.h));
         const double w1_2_4 = 11.71875 * (1.0 / params.h);
         const double w2_2_4 = (-9.625) * (1.0 / params.h);
         if (!(finite(w1_1_1)
-                && finite(b_1_1)
                 && finite(w1_1_2)
                 && finite(w1_2_2)
                 && finite(w2_2_2)
-                && finite(b_1_2)
-                && finite(b_2_2)
+                && finite(q1_1_2)
+                && finite(q1_2_2)
+                && finite(q2_2_2)
                 && finite(w1_1_3)
+                && finite(q1_1_3)
                 && finite(w1_1_4)
                 && finite(w1_2_4)
                 && finite(w2_2_4)
@@ -182,13 +195,14 @@ public:
         start_ = 0U;
         samples_ = samples;
         w1_1_1_ = w1_1_1;
-        b_1_1_ = b_1_1;
         w1_1_2_ = w1_1_2;
         w1_2_2_ = w1_2_2;
         w2_2_2_ = w2_2_2;
-        b_1_2_ = b_1_2;
-        b_2_2_ = b_2_2;
+        q1_1_2_ = q1_1_2;
+        q1_2_2_ = q1_2_2;
+        q2_2_2_ = q2_2_2;
         w1_1_3_ = w1_1_3;
+        q1_1_3_ = q1_1_3;
         w1_1_4_ = w1_1_4;
         w1_2_4_ = w1_2_4;
         w2_2_4_ = w2_2_4;
@@ -225,44 +239,52 @@ public:
         const double x1_4 = x[4];
         const double x2_4 = x[5];
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const double m0 = static_cast<double>(left);
+        const double s1 = static_cast<double>(left) - 1.0;
+        const double m0_1 = (s1 < 1.0) ? 1.0 : s1;
         double law_1{};
+
+        // The exact law in samples.
+        const double z1_1 = w1_1_1_ * x1_1;
+        law_1 = z1_1 / (m0_1 + 4.0);
+        const double m0_2 = static_cast<double>(left) - 2.0;
         double law_2{};
+        const double m0_3 = static_cast<double>(left) - 1.0;
         double law_3{};
+        const double m0_4 = static_cast<double>(left) - 2.0;
         double law_4{};
-        if (5.0 < m0) {
-            // The exact law in samples.
-            const double z1_1 = w1_1_1_ * x1_1;
-            law_1 = z1_1 / m0;
-        } else {
-            // Deadbeat.
-            law_1 = b_1_1_ * x1_1;
-        }
-        if (6.0 < m0) {
+        if (6.0 < m0_2) {
             // The exact law in samples.
             const double z1_2 = (w1_1_2_ * x1_2) + (w1_2_2_ * x2_2);
             const double z2_2 = w2_2_2_ * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
         } else {
-            // Deadbeat.
-            law_2 = (b_1_2_ * x1_2) + (b_2_2_ * x2_2);
+            // The law of least energy to the end.
+            const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
+            const double y1_2 = (q1_1_2_ * x1_2) + (q1_2_2_ * x2_2);
+            const double y2_2 = q2_2_2_ * x2_2;
+            law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
         }
-        if (7.0 < m0) {
+        if (7.0 < m0_3) {
             // The exact law in samples.
             const double z1_3 = w1_1_3_ * x1_3;
-            law_3 = z1_3 / m0;
+            law_3 = z1_3 / m0_3;
         } else {
-            // Deadbeat.
-            law_3 = b_1_1_ * x1_3;
+            // The law of least energy to the end.
+            const double m1_3 = (m0_3 < 1.0) ? 1.0 : m0_3;
+            const double y1_3 = q1_1_3_ * x1_3;
+            law_3 = y1_3 / (m1_3 + 6.0);
         }
-        if (9.0 < m0) {
+        if (9.0 < m0_4) {
             // The exact law in samples.
             const double z1_4 = (w1_1_4_ * x1_4) + (w1_2_4_ * x2_4);
             const double z2_4 = w2_2_4_ * x2_4;
-            law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0);
+            law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
         } else {
-            // Deadbeat.
-            law_4 = (b_1_2_ * x1_4) + (b_2_2_ * x2_4);
+            // The law of least energy to the end.
+            const double m1_4 = (m0_4 < 2.0) ? 2.0 : m0_4;
+            const double y1_4 = (q1_1_2_ * x1_4) + (q1_2_2_ * x2_4);
+            const double y2_4 = q2_2_2_ * x2_4;
+            law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
         }
 
         // The inputs that give all of them.
@@ -400,13 +422,14 @@ private:
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     double w1_1_1_{}; // weight of a state in the law
-    double b_1_1_{}; // weight of a state in the law
     double w1_1_2_{}; // weight of a state in the law
     double w1_2_2_{}; // weight of a state in the law
     double w2_2_2_{}; // weight of a state in the law
-    double b_1_2_{}; // weight of a state in the law
-    double b_2_2_{}; // weight of a state in the law
+    double q1_1_2_{}; // weight of a state in the law
+    double q1_2_2_{}; // weight of a state in the law
+    double q2_2_2_{}; // weight of a state in the law
     double w1_1_3_{}; // weight of a state in the law
+    double q1_1_3_{}; // weight of a state in the law
     double w1_1_4_{}; // weight of a state in the law
     double w1_2_4_{}; // weight of a state in the law
     double w2_2_4_{}; // weight of a state in the law

@@ -22,9 +22,20 @@ function self = stage27_init(params) %#codegen
 %       as long as no u is clipped and the plant is the model. The plant is known at the
 %       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
 %       n.
-% Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-%       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-%       Close to the end deadbeat takes over. v_i is law_i in step.
+% Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+%       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+%       v_i is law_i in step. s = 3, -2, -1, -2. Output 1: The gains of 1 sample to go stay:
+%       they are deadbeat. Rest is planned 1 sample early, and the last gains bring down what
+%       f and g did between samples. Output 2: From 6 samples to go on these are M - 3 and
+%       the exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they
+%       are deadbeat. Rest is planned 2 samples early, and the last gains bring down what f
+%       and g did between samples. Output 3: From 7 samples to go on these are M - 6 and the
+%       exponents 7, those of least energy. The gains of 1 sample to go stay: they are
+%       deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+%       did between samples. Output 4: From 9 samples to go on these are M - 3 and the
+%       exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they are
+%       deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+%       did between samples.
 % Output 1, of order n = 1:
 %   x_1 = a
 %   f_1 = -a*c
@@ -65,7 +76,7 @@ function self = stage27_init(params) %#codegen
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
 %   growth: sound: at rest at sample N from any state, but for what f + g u does between
-%       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+%       samples, whatever the poles, and |u| is bounded.
 %   sampling: not checked: `loop` bounds what the period leaves of a plant with several
 %       inputs.
 %   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -88,24 +99,26 @@ if ~((1e-150 <= given.h) && (given.h <= 1e150))
 end
 samples = given.samples;
 w1_1_1 = (-5.0) * (1.0 / given.h);
-b_1_1 = -(1.0 / given.h);
 w1_1_2 = (-18.75) * (1.0 / (given.h * given.h));
 w1_2_2 = 9.375 * (1.0 / given.h);
 w2_2_2 = (-7.75) * (1.0 / given.h);
-b_1_2 = -(1.0 / (given.h * given.h));
-b_2_2 = (-1.5) * (1.0 / given.h);
+q1_1_2 = (-20.0) * (1.0 / (given.h * given.h));
+q1_2_2 = 10.0 * (1.0 / given.h);
+q2_2_2 = (-8.0) * (1.0 / given.h);
 w1_1_3 = (-6.25) * (1.0 / given.h);
+q1_1_3 = (-7.0) * (1.0 / given.h);
 w1_1_4 = (-23.4375) * (1.0 / (given.h * given.h));
 w1_2_4 = 11.71875 * (1.0 / given.h);
 w2_2_4 = (-9.625) * (1.0 / given.h);
 if ~(isfinite(w1_1_1) ...
-    && isfinite(b_1_1) ...
     && isfinite(w1_1_2) ...
     && isfinite(w1_2_2) ...
     && isfinite(w2_2_2) ...
-    && isfinite(b_1_2) ...
-    && isfinite(b_2_2) ...
+    && isfinite(q1_1_2) ...
+    && isfinite(q1_2_2) ...
+    && isfinite(q2_2_2) ...
     && isfinite(w1_1_3) ...
+    && isfinite(q1_1_3) ...
     && isfinite(w1_1_4) ...
     && isfinite(w1_2_4) ...
     && isfinite(w2_2_4) ...
@@ -116,13 +129,14 @@ end
 self.start = uint32(0);
 self.samples = samples;
 self.w1_1_1 = w1_1_1;
-self.b_1_1 = b_1_1;
 self.w1_1_2 = w1_1_2;
 self.w1_2_2 = w1_2_2;
 self.w2_2_2 = w2_2_2;
-self.b_1_2 = b_1_2;
-self.b_2_2 = b_2_2;
+self.q1_1_2 = q1_1_2;
+self.q1_2_2 = q1_2_2;
+self.q2_2_2 = q2_2_2;
 self.w1_1_3 = w1_1_3;
+self.q1_1_3 = q1_1_3;
 self.w1_1_4 = w1_1_4;
 self.w1_2_4 = w1_2_4;
 self.w2_2_4 = w2_2_4;

@@ -42,40 +42,48 @@ x1_3 = x(4);
 x1_4 = x(5);
 x2_4 = x(6);
 left = self.samples - elapsed;
-m0 = double(left);
-if 5.0 < m0
-    % The exact law in samples.
-    z1_1 = self.w1_1_1 * x1_1;
-    law_1 = z1_1 / m0;
-else
-    % Deadbeat.
-    law_1 = self.b_1_1 * x1_1;
-end
-if 6.0 < m0
+s1 = double(left) - 1.0;
+m0_1 = pick(s1 < 1.0, 1.0, s1);
+
+% The exact law in samples.
+z1_1 = self.w1_1_1 * x1_1;
+law_1 = z1_1 / (m0_1 + 4.0);
+m0_2 = double(left) - 2.0;
+m0_3 = double(left) - 1.0;
+m0_4 = double(left) - 2.0;
+if 6.0 < m0_2
     % The exact law in samples.
     z1_2 = (self.w1_1_2 * x1_2) + (self.w1_2_2 * x2_2);
     z2_2 = self.w2_2_2 * x2_2;
-    law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
 else
-    % Deadbeat.
-    law_2 = (self.b_1_2 * x1_2) + (self.b_2_2 * x2_2);
+    % The law of least energy to the end.
+    m1_2 = pick(m0_2 < 2.0, 2.0, m0_2);
+    y1_2 = (self.q1_1_2 * x1_2) + (self.q1_2_2 * x2_2);
+    y2_2 = self.q2_2_2 * x2_2;
+    law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
 end
-if 7.0 < m0
+if 7.0 < m0_3
     % The exact law in samples.
     z1_3 = self.w1_1_3 * x1_3;
-    law_3 = z1_3 / m0;
+    law_3 = z1_3 / m0_3;
 else
-    % Deadbeat.
-    law_3 = self.b_1_1 * x1_3;
+    % The law of least energy to the end.
+    m1_3 = pick(m0_3 < 1.0, 1.0, m0_3);
+    y1_3 = self.q1_1_3 * x1_3;
+    law_3 = y1_3 / (m1_3 + 6.0);
 end
-if 9.0 < m0
+if 9.0 < m0_4
     % The exact law in samples.
     z1_4 = (self.w1_1_4 * x1_4) + (self.w1_2_4 * x2_4);
     z2_4 = self.w2_2_4 * x2_4;
-    law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0);
+    law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
 else
-    % Deadbeat.
-    law_4 = (self.b_1_2 * x1_4) + (self.b_2_2 * x2_4);
+    % The law of least energy to the end.
+    m1_4 = pick(m0_4 < 2.0, 2.0, m0_4);
+    y1_4 = (self.q1_1_2 * x1_4) + (self.q1_2_2 * x2_4);
+    y2_4 = self.q2_2_2 * x2_4;
+    law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
 end
 
 % The inputs that give all of them.

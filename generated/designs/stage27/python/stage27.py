@@ -12,9 +12,20 @@ Goal: every output with its derivatives is 0 at sample N after the start, from a
       as long as no u is clipped and the plant is the model. The plant is known at the
       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
       n.
-Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-      h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-      Close to the end deadbeat takes over. v_i is law_i in step.
+Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+      z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+      v_i is law_i in step. s = 3, -2, -1, -2. Output 1: The gains of 1 sample to go stay:
+      they are deadbeat. Rest is planned 1 sample early, and the last gains bring down what
+      f and g did between samples. Output 2: From 6 samples to go on these are M - 3 and
+      the exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they
+      are deadbeat. Rest is planned 2 samples early, and the last gains bring down what f
+      and g did between samples. Output 3: From 7 samples to go on these are M - 6 and the
+      exponents 7, those of least energy. The gains of 1 sample to go stay: they are
+      deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+      did between samples. Output 4: From 9 samples to go on these are M - 3 and the
+      exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they are
+      deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+      did between samples.
 Output 1, of order n = 1:
   x_1 = a
   f_1 = -a*c
@@ -55,7 +66,7 @@ Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEE
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
   growth: sound: at rest at sample N from any state, but for what f + g u does between
-      samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+      samples, whatever the poles, and |u| is bounded.
   sampling: not checked: `loop` bounds what the period leaves of a plant with several
       inputs.
   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -189,25 +200,27 @@ class Stage27:
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
             samples = given_samples
             w1_1_1 = (-5.0) * (1.0 / given_h)
-            b_1_1 = -(1.0 / given_h)
             w1_1_2 = (-18.75) * (1.0 / (given_h * given_h))
             w1_2_2 = 9.375 * (1.0 / given_h)
             w2_2_2 = (-7.75) * (1.0 / given_h)
-            b_1_2 = -(1.0 / (given_h * given_h))
-            b_2_2 = (-1.5) * (1.0 / given_h)
+            q1_1_2 = (-20.0) * (1.0 / (given_h * given_h))
+            q1_2_2 = 10.0 * (1.0 / given_h)
+            q2_2_2 = (-8.0) * (1.0 / given_h)
             w1_1_3 = (-6.25) * (1.0 / given_h)
+            q1_1_3 = (-7.0) * (1.0 / given_h)
             w1_1_4 = (-23.4375) * (1.0 / (given_h * given_h))
             w1_2_4 = 11.71875 * (1.0 / given_h)
             w2_2_4 = (-9.625) * (1.0 / given_h)
             if not (
                 np.isfinite(w1_1_1)
-                and np.isfinite(b_1_1)
                 and np.isfinite(w1_1_2)
                 and np.isfinite(w1_2_2)
                 and np.isfinite(w2_2_2)
-                and np.isfinite(b_1_2)
-                and np.isfinite(b_2_2)
+                and np.isfinite(q1_1_2)
+                and np.isfinite(q1_2_2)
+                and np.isfinite(q2_2_2)
                 and np.isfinite(w1_1_3)
+                and np.isfinite(q1_1_3)
                 and np.isfinite(w1_1_4)
                 and np.isfinite(w1_2_4)
                 and np.isfinite(w2_2_4)
@@ -218,13 +231,14 @@ class Stage27:
             self._start = 0
             self._samples = samples
             self._w1_1_1 = w1_1_1
-            self._b_1_1 = b_1_1
             self._w1_1_2 = w1_1_2
             self._w1_2_2 = w1_2_2
             self._w2_2_2 = w2_2_2
-            self._b_1_2 = b_1_2
-            self._b_2_2 = b_2_2
+            self._q1_1_2 = q1_1_2
+            self._q1_2_2 = q1_2_2
+            self._q2_2_2 = q2_2_2
             self._w1_1_3 = w1_1_3
+            self._q1_1_3 = q1_1_3
             self._w1_1_4 = w1_1_4
             self._w1_2_4 = w1_2_4
             self._w2_2_4 = w2_2_4
@@ -269,37 +283,46 @@ class Stage27:
             x1_4 = x[4]
             x2_4 = x[5]
             left = max(self._samples - elapsed, 0)
-            m0 = _R(left)
-            if 5.0 < m0:
-                # The exact law in samples.
-                z1_1 = self._w1_1_1 * x1_1
-                law_1 = z1_1 / m0
-            else:
-                # Deadbeat.
-                law_1 = self._b_1_1 * x1_1
-            if 6.0 < m0:
+            s1 = _R(left) - 1.0
+            m0_1 = max(s1, _R(1.0))
+
+            # The exact law in samples.
+            z1_1 = self._w1_1_1 * x1_1
+            law_1 = z1_1 / (m0_1 + 4.0)
+            m0_2 = _R(left) - 2.0
+            m0_3 = _R(left) - 1.0
+            m0_4 = _R(left) - 2.0
+            if 6.0 < m0_2:
                 # The exact law in samples.
                 z1_2 = (self._w1_1_2 * x1_2) + (self._w1_2_2 * x2_2)
                 z2_2 = self._w2_2_2 * x2_2
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0)
+                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)
             else:
-                # Deadbeat.
-                law_2 = (self._b_1_2 * x1_2) + (self._b_2_2 * x2_2)
-            if 7.0 < m0:
+                # The law of least energy to the end.
+                m1_2 = max(m0_2, _R(2.0))
+                y1_2 = (self._q1_1_2 * x1_2) + (self._q1_2_2 * x2_2)
+                y2_2 = self._q2_2_2 * x2_2
+                law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0)
+            if 7.0 < m0_3:
                 # The exact law in samples.
                 z1_3 = self._w1_1_3 * x1_3
-                law_3 = z1_3 / m0
+                law_3 = z1_3 / m0_3
             else:
-                # Deadbeat.
-                law_3 = self._b_1_1 * x1_3
-            if 9.0 < m0:
+                # The law of least energy to the end.
+                m1_3 = max(m0_3, _R(1.0))
+                y1_3 = self._q1_1_3 * x1_3
+                law_3 = y1_3 / (m1_3 + 6.0)
+            if 9.0 < m0_4:
                 # The exact law in samples.
                 z1_4 = (self._w1_1_4 * x1_4) + (self._w1_2_4 * x2_4)
                 z2_4 = self._w2_2_4 * x2_4
-                law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0)
+                law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0)
             else:
-                # Deadbeat.
-                law_4 = (self._b_1_2 * x1_4) + (self._b_2_2 * x2_4)
+                # The law of least energy to the end.
+                m1_4 = max(m0_4, _R(2.0))
+                y1_4 = (self._q1_1_2 * x1_4) + (self._q1_2_2 * x2_4)
+                y2_4 = self._q2_2_2 * x2_4
+                law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0)
 
             # The inputs that give all of them.
             v1 = _eliminate([law_1 - ((-x1_1) * x1_3), law_2 - ((-x1_2) * x2_4), law_3 - (-(x1_3 * x1_3)), law_4 - x1_1], [2.0 + (x1_2 * x1_2), 1.0, 0.0, 0.0, 0.0, 3.0 + x1_1, x1_4, 0.0, 0.0, 0.0, 1.0, x1_1, x1_3, 0.0, 0.0, 2.0 - x1_2])

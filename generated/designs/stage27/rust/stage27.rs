@@ -12,9 +12,20 @@
 //!       as long as no u is clipped and the plant is the model. The plant is known at the
 //!       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
 //!       n.
-//! Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-//!       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-//!       Close to the end deadbeat takes over. v_i is law_i in step.
+//! Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+//!       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+//!       v_i is law_i in step. s = 3, -2, -1, -2. Output 1: The gains of 1 sample to go stay:
+//!       they are deadbeat. Rest is planned 1 sample early, and the last gains bring down what
+//!       f and g did between samples. Output 2: From 6 samples to go on these are M - 3 and
+//!       the exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they
+//!       are deadbeat. Rest is planned 2 samples early, and the last gains bring down what f
+//!       and g did between samples. Output 3: From 7 samples to go on these are M - 6 and the
+//!       exponents 7, those of least energy. The gains of 1 sample to go stay: they are
+//!       deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+//!       did between samples. Output 4: From 9 samples to go on these are M - 3 and the
+//!       exponents 4, 5, those of least energy. The gains of 2 samples to go stay: they are
+//!       deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+//!       did between samples.
 //! Output 1, of order n = 1:
 //!   x_1 = a
 //!   f_1 = -a*c
@@ -55,7 +66,7 @@
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
 //!   growth: sound: at rest at sample N from any state, but for what f + g u does between
-//!       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+//!       samples, whatever the poles, and |u| is bounded.
 //!   sampling: not checked: `loop` bounds what the period leaves of a plant with several
 //!       inputs.
 //!   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -165,19 +176,21 @@ pub struct Stage27 {
     /// weight of a state in the law.
     w1_1_1: f64,
     /// weight of a state in the law.
-    b_1_1: f64,
-    /// weight of a state in the law.
     w1_1_2: f64,
     /// weight of a state in the law.
     w1_2_2: f64,
     /// weight of a state in the law.
     w2_2_2: f64,
     /// weight of a state in the law.
-    b_1_2: f64,
+    q1_1_2: f64,
     /// weight of a state in the law.
-    b_2_2: f64,
+    q1_2_2: f64,
+    /// weight of a state in the law.
+    q2_2_2: f64,
     /// weight of a state in the law.
     w1_1_3: f64,
+    /// weight of a state in the law.
+    q1_1_3: f64,
     /// weight of a state in the law.
     w1_1_4: f64,
     /// weight of a state in the law.
@@ -205,24 +218,26 @@ impl Stage27 {
         }
         let samples = params.samples;
         let w1_1_1 = (-5.0) * (1.0 / params.h);
-        let b_1_1 = -(1.0 / params.h);
         let w1_1_2 = (-18.75) * (1.0 / (params.h * params.h));
         let w1_2_2 = 9.375 * (1.0 / params.h);
         let w2_2_2 = (-7.75) * (1.0 / params.h);
-        let b_1_2 = -(1.0 / (params.h * params.h));
-        let b_2_2 = (-1.5) * (1.0 / params.h);
+        let q1_1_2 = (-20.0) * (1.0 / (params.h * params.h));
+        let q1_2_2 = 10.0 * (1.0 / params.h);
+        let q2_2_2 = (-8.0) * (1.0 / params.h);
         let w1_1_3 = (-6.25) * (1.0 / params.h);
+        let q1_1_3 = (-7.0) * (1.0 / params.h);
         let w1_1_4 = (-23.4375) * (1.0 / (params.h * params.h));
         let w1_2_4 = 11.71875 * (1.0 / params.h);
         let w2_2_4 = (-9.625) * (1.0 / params.h);
         if !(w1_1_1.is_finite()
-            && b_1_1.is_finite()
             && w1_1_2.is_finite()
             && w1_2_2.is_finite()
             && w2_2_2.is_finite()
-            && b_1_2.is_finite()
-            && b_2_2.is_finite()
+            && q1_1_2.is_finite()
+            && q1_2_2.is_finite()
+            && q2_2_2.is_finite()
             && w1_1_3.is_finite()
+            && q1_1_3.is_finite()
             && w1_1_4.is_finite()
             && w1_2_4.is_finite()
             && w2_2_4.is_finite()
@@ -235,13 +250,14 @@ impl Stage27 {
             start: 0,
             samples,
             w1_1_1,
-            b_1_1,
             w1_1_2,
             w1_2_2,
             w2_2_2,
-            b_1_2,
-            b_2_2,
+            q1_1_2,
+            q1_2_2,
+            q2_2_2,
             w1_1_3,
+            q1_1_3,
             w1_1_4,
             w1_2_4,
             w2_2_4,
@@ -286,44 +302,52 @@ impl Stage27 {
         let x1_4 = x[4];
         let x2_4 = x[5];
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = left as f64;
+        let s1 = (left as f64) - 1.0;
+        let m0_1 = if s1 < 1.0 { 1.0 } else { s1 };
         let law_1: f64;
+
+        // The exact law in samples.
+        let z1_1 = self.w1_1_1 * x1_1;
+        law_1 = z1_1 / (m0_1 + 4.0);
+        let m0_2 = (left as f64) - 2.0;
         let law_2: f64;
+        let m0_3 = (left as f64) - 1.0;
         let law_3: f64;
+        let m0_4 = (left as f64) - 2.0;
         let law_4: f64;
-        if 5.0 < m0 {
-            // The exact law in samples.
-            let z1_1 = self.w1_1_1 * x1_1;
-            law_1 = z1_1 / m0;
-        } else {
-            // Deadbeat.
-            law_1 = self.b_1_1 * x1_1;
-        }
-        if 6.0 < m0 {
+        if 6.0 < m0_2 {
             // The exact law in samples.
             let z1_2 = (self.w1_1_2 * x1_2) + (self.w1_2_2 * x2_2);
             let z2_2 = self.w2_2_2 * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
         } else {
-            // Deadbeat.
-            law_2 = (self.b_1_2 * x1_2) + (self.b_2_2 * x2_2);
+            // The law of least energy to the end.
+            let m1_2 = if m0_2 < 2.0 { 2.0 } else { m0_2 };
+            let y1_2 = (self.q1_1_2 * x1_2) + (self.q1_2_2 * x2_2);
+            let y2_2 = self.q2_2_2 * x2_2;
+            law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
         }
-        if 7.0 < m0 {
+        if 7.0 < m0_3 {
             // The exact law in samples.
             let z1_3 = self.w1_1_3 * x1_3;
-            law_3 = z1_3 / m0;
+            law_3 = z1_3 / m0_3;
         } else {
-            // Deadbeat.
-            law_3 = self.b_1_1 * x1_3;
+            // The law of least energy to the end.
+            let m1_3 = if m0_3 < 1.0 { 1.0 } else { m0_3 };
+            let y1_3 = self.q1_1_3 * x1_3;
+            law_3 = y1_3 / (m1_3 + 6.0);
         }
-        if 9.0 < m0 {
+        if 9.0 < m0_4 {
             // The exact law in samples.
             let z1_4 = (self.w1_1_4 * x1_4) + (self.w1_2_4 * x2_4);
             let z2_4 = self.w2_2_4 * x2_4;
-            law_4 = ((z1_4 / m0) + z2_4) / (m0 - 1.0);
+            law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
         } else {
-            // Deadbeat.
-            law_4 = (self.b_1_2 * x1_4) + (self.b_2_2 * x2_4);
+            // The law of least energy to the end.
+            let m1_4 = if m0_4 < 2.0 { 2.0 } else { m0_4 };
+            let y1_4 = (self.q1_1_2 * x1_4) + (self.q1_2_2 * x2_4);
+            let y2_4 = self.q2_2_2 * x2_4;
+            law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
         }
 
         // The inputs that give all of them.

@@ -99,18 +99,24 @@ ptc_status stage28_step(
             const double x1_1 = x[0];
             const double x1_2 = x[1];
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
-            const double m0 = (double)left;
+            const double m0_1 = (double)left;
             double law_1;
+            const double m0_2 = (double)left;
             double law_2;
-            if (9.0 < m0) {
+            if (9.0 < m0_1) {
                 /* The exact law in samples. */
                 const double z1_1 = self->w1_1_1 * x1_1;
-                law_1 = z1_1 / m0;
-                const double z1_2 = self->w1_1_2 * x1_2;
-                law_2 = z1_2 / m0;
+                law_1 = z1_1 / m0_1;
             } else {
                 /* Deadbeat. */
                 law_1 = self->b_1_1 * x1_1;
+            }
+            if (9.0 < m0_2) {
+                /* The exact law in samples. */
+                const double z1_2 = self->w1_1_2 * x1_2;
+                law_2 = z1_2 / m0_2;
+            } else {
+                /* Deadbeat. */
                 law_2 = self->b_1_1 * x1_2;
             }
 

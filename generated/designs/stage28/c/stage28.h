@@ -11,9 +11,11 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 0, 0. Output 1: Close to the end, with 9 samples to go
+ *       deadbeat takes over. Output 2: Close to the end, with 9 samples to go deadbeat takes
+ *       over.
  * Output 1, of order n = 1:
  *   x_1 = a
  * Output 2, of order n = 1:
@@ -47,7 +49,7 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what f + g u does between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -56,8 +58,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_61B57F65_H
-#define STAGE28_61B57F65_H
+#ifndef STAGE28_3E062376_H
+#define STAGE28_3E062376_H
 
 #include <stdint.h>
 

@@ -11,9 +11,11 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 0, 0. Output 1: Close to the end, with 9 samples to go
+ *       deadbeat takes over. Output 2: Close to the end, with 9 samples to go deadbeat takes
+ *       over.
  * Output 1, of order n = 1:
  *   x_1 = a
  * Output 2, of order n = 1:
@@ -46,7 +48,7 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what f + g u does between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -55,8 +57,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_8F4CAEC3_HPP
-#define STAGE28_8F4CAEC3_HPP
+#ifndef STAGE28_C128089B_HPP
+#define STAGE28_C128089B_HPP
 
 #include <array>
 #include <cfloat>
@@ -195,18 +197,24 @@ public:
         const double x1_1 = x[0];
         const double x1_2 = x[1];
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const double m0 = static_cast<double>(left);
+        const double m0_1 = static_cast<double>(left);
         double law_1{};
+        const double m0_2 = static_cast<double>(left);
         double law_2{};
-        if (9.0 < m0) {
+        if (9.0 < m0_1) {
             // The exact law in samples.
             const double z1_1 = w1_1_1_ * x1_1;
-            law_1 = z1_1 / m0;
-            const double z1_2 = w1_1_2_ * x1_2;
-            law_2 = z1_2 / m0;
+            law_1 = z1_1 / m0_1;
         } else {
             // Deadbeat.
             law_1 = b_1_1_ * x1_1;
+        }
+        if (9.0 < m0_2) {
+            // The exact law in samples.
+            const double z1_2 = w1_1_2_ * x1_2;
+            law_2 = z1_2 / m0_2;
+        } else {
+            // Deadbeat.
             law_2 = b_1_1_ * x1_2;
         }
 

@@ -33,16 +33,22 @@ elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 x1_1 = x(1);
 x1_2 = x(2);
 left = self.samples - elapsed;
-m0 = double(left);
-if 9.0 < m0
+m0_1 = double(left);
+m0_2 = double(left);
+if 9.0 < m0_1
     % The exact law in samples.
     z1_1 = self.w1_1_1 * x1_1;
-    law_1 = z1_1 / m0;
-    z1_2 = self.w1_1_2 * x1_2;
-    law_2 = z1_2 / m0;
+    law_1 = z1_1 / m0_1;
 else
     % Deadbeat.
     law_1 = self.b_1_1 * x1_1;
+end
+if 9.0 < m0_2
+    % The exact law in samples.
+    z1_2 = self.w1_1_2 * x1_2;
+    law_2 = z1_2 / m0_2;
+else
+    % Deadbeat.
     law_2 = self.b_1_1 * x1_2;
 end
 

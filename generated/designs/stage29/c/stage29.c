@@ -80,37 +80,39 @@ ptc_status stage29_step(
             const double x1_3 = x[2][0];
             const double x2_3 = x[2][1];
             double law_1;
+
+            /* The exact law in samples. */
+            const double m0_1 = (elapsed < 28U) ? ((double)(33U - elapsed)) : 5.0;
+            const double z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
+            const double z2_1 = (-1600.0) * x2_1;
+            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
             double law_2;
             double law_3;
-            if (elapsed < 24U) {
-                /* The exact law in samples. */
-                const double m0 = (double)(30U - elapsed);
-                const double z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
-                const double z2_1 = (-1600.0) * x2_1;
-                law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
-            } else {
-                /* Deadbeat. */
-                law_1 = ((-20000.0) * x1_1) - (300.0 * x2_1);
-            }
             if (elapsed < 26U) {
                 /* The exact law in samples. */
-                const double m0 = (double)(30U - elapsed);
+                const double m0_2 = (double)(30U - elapsed);
                 const double z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
                 const double z2_2 = (-250.0) * x2_2;
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
             } else {
-                /* Deadbeat. */
-                law_2 = ((-5000.0) * x1_2) - (75.0 * x2_2);
+                /* The law of least energy to the end. */
+                const double m1_2 = (elapsed < 28U) ? ((double)(32U - elapsed)) : 4.0;
+                const double y1_2 = ((-60000.0) * x1_2) + (300.0 * x2_2);
+                const double y2_2 = (-300.0) * x2_2;
+                law_2 = ((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0);
             }
             if (elapsed < 21U) {
                 /* The exact law in samples. */
-                const double m0 = (double)(30U - elapsed);
+                const double m0_3 = (double)(30U - elapsed);
                 const double z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
                 const double z2_3 = 1250.0 * x2_3;
-                law_3 = ((z1_3 / m0) + z2_3) / (m0 - 1.0);
+                law_3 = ((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0);
             } else {
-                /* Deadbeat. */
-                law_3 = (10000.0 * x1_3) + (150.0 * x2_3);
+                /* The law of least energy to the end. */
+                const double m1_3 = (elapsed < 28U) ? ((double)(35U - elapsed)) : 7.0;
+                const double y1_3 = (420000.0 * x1_3) - (2100.0 * x2_3);
+                const double y2_3 = 1200.0 * x2_3;
+                law_3 = ((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0);
             }
             if (elapsed < 30U) {
                 status = PTC_OK;

@@ -9,8 +9,9 @@
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
  * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ *       the rows are those of Theorem 1 for the mapping exp. From 9 samples to go on these
+ *       are M - 2 and the exponents 3, 4, those of least energy. The gains of 2 samples to go
+ *       stay: they are deadbeat.
  * Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
  *       on time once.
  *   axis 1: k = 20, 9; u_max = 1; g = 1/2
@@ -34,15 +35,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 30 from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 30 from any state, whatever the poles, and |u| is
+ *       bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE29_12700CE7_H
-#define STAGE29_12700CE7_H
+#ifndef STAGE29_1C7AE927_H
+#define STAGE29_1C7AE927_H
 
 #include <stdint.h>
 

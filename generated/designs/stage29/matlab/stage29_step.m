@@ -39,35 +39,37 @@ x1_2 = x(2, 1);
 x2_2 = x(2, 2);
 x1_3 = x(3, 1);
 x2_3 = x(3, 2);
-if elapsed < uint32(24)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
-    z2_1 = (-1600.0) * x2_1;
-    law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
-else
-    % Deadbeat.
-    law_1 = ((-20000.0) * x1_1) - (300.0 * x2_1);
-end
+
+% The exact law in samples.
+m0_1 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296))), 5.0);
+z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
+z2_1 = (-1600.0) * x2_1;
+law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
 if elapsed < uint32(26)
     % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    m0_2 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
     z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
     z2_2 = (-250.0) * x2_2;
-    law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
 else
-    % Deadbeat.
-    law_2 = ((-5000.0) * x1_2) - (75.0 * x2_2);
+    % The law of least energy to the end.
+    m1_2 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(32)) - double(elapsed), 4294967296))), 4.0);
+    y1_2 = ((-60000.0) * x1_2) + (300.0 * x2_2);
+    y2_2 = (-300.0) * x2_2;
+    law_2 = ((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0);
 end
 if elapsed < uint32(21)
     % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    m0_3 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
     z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
     z2_3 = 1250.0 * x2_3;
-    law_3 = ((z1_3 / m0) + z2_3) / (m0 - 1.0);
+    law_3 = ((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0);
 else
-    % Deadbeat.
-    law_3 = (10000.0 * x1_3) + (150.0 * x2_3);
+    % The law of least energy to the end.
+    m1_3 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(35)) - double(elapsed), 4294967296))), 7.0);
+    y1_3 = (420000.0 * x1_3) - (2100.0 * x2_3);
+    y2_3 = 1200.0 * x2_3;
+    law_3 = ((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0);
 end
 if elapsed < uint32(30)
     status = int32(0);
@@ -128,5 +130,13 @@ else
         axes(3) = int32(-3);
     end
     status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

@@ -128,18 +128,14 @@ ptc_status stage3_step(stage3 *self, uint32_t k, const double y[1], double *u)
             const double x2 = p2 + (l2 * miss);
             const double d = p3 + (l3 * miss);
             double v;
-            if (elapsed < 32U) {
-                /* The exact law in samples. */
-                const double m0 = (double)(40U - elapsed);
-                const double z1 = ((-120000000.0) * x1) + (60000.0 * x2);
-                const double z2 = (-60000.0) * x2;
-                const double z3 = (-12.0) * (self->u1 + d);
-                const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-                v = (s2 + (self->u1 + d)) - d;
-            } else {
-                /* Deadbeat. */
-                v = ((((-1000000.0) * x1) - (2500.0 * x2)) - (2.0 * (self->u1 + d))) - d;
-            }
+
+            /* The exact law in samples. */
+            const double m0 = (elapsed < 37U) ? ((double)(43U - elapsed)) : 6.0;
+            const double z1 = ((-120000000.0) * x1) + (60000.0 * x2);
+            const double z2 = (-60000.0) * x2;
+            const double z3 = (-12.0) * (self->u1 + d);
+            const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+            v = (s2 + (self->u1 + d)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;

@@ -2,16 +2,16 @@
  * Prescribed-time controller stage3: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage3 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
- * Version 0.1.0, design 8d50629685b7.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage3 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1
+ * Version 0.1.0, design f20e905317e3.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 3 samples to go and z = S x, u h^3 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 3 samples to go stay: they are deadbeat.
  *
  * Parameters:
  *   samples = 40 [samples], fixed: samples N from the start to rest
@@ -36,15 +36,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 40 from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 40 from any state, whatever the poles, and |u| is
+ *       bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE3_B7D54F4B_HPP
-#define STAGE3_B7D54F4B_HPP
+#ifndef STAGE3_1D11E275_HPP
+#define STAGE3_1D11E275_HPP
 
 #include <array>
 #include <cfloat>
@@ -198,18 +198,14 @@ public:
         const double x2 = p2 + (l2 * miss);
         const double d = p3 + (l3 * miss);
         double v{};
-        if (elapsed < 32U) {
-            // The exact law in samples.
-            const double m0 = static_cast<double>(40U - elapsed);
-            const double z1 = ((-120000000.0) * x1) + (60000.0 * x2);
-            const double z2 = (-60000.0) * x2;
-            const double z3 = (-12.0) * (u1_ + d);
-            const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-            v = (s2 + (u1_ + d)) - d;
-        } else {
-            // Deadbeat.
-            v = ((((-1000000.0) * x1) - (2500.0 * x2)) - (2.0 * (u1_ + d))) - d;
-        }
+
+        // The exact law in samples.
+        const double m0 = (elapsed < 37U) ? (static_cast<double>(43U - elapsed)) : 6.0;
+        const double z1 = ((-120000000.0) * x1) + (60000.0 * x2);
+        const double z2 = (-60000.0) * x2;
+        const double z3 = (-12.0) * (u1_ + d);
+        const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        v = (s2 + (u1_ + d)) - d;
         if (!finite(v)) {
             return {0.0, Status::Range};
         }

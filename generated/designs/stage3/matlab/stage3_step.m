@@ -67,18 +67,14 @@ end
 x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);
-if elapsed < uint32(32)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(40)) - double(elapsed), 4294967296)));
-    z1 = ((-120000000.0) * x1) + (60000.0 * x2);
-    z2 = (-60000.0) * x2;
-    z3 = (-12.0) * (self.u1 + d);
-    s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-    v = (s2 + (self.u1 + d)) - d;
-else
-    % Deadbeat.
-    v = ((((-1000000.0) * x1) - (2500.0 * x2)) - (2.0 * (self.u1 + d))) - d;
-end
+
+% The exact law in samples.
+m0 = pick(elapsed < uint32(37), double(uint32(mod(double(uint32(43)) - double(elapsed), 4294967296))), 6.0);
+z1 = ((-120000000.0) * x1) + (60000.0 * x2);
+z2 = (-60000.0) * x2;
+z3 = (-12.0) * (self.u1 + d);
+s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+v = (s2 + (self.u1 + d)) - d;
 if ~isfinite(v)
     status = int32(-3);
     return;
@@ -105,5 +101,13 @@ elseif elapsed < uint32(40)
 else
     u = u_now;
     status = int32(1);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage3, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage3 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1 --selftest
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage3 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --tau=0.04 --eps=0 --poles=-4,-5,-6 --sample-time=1e-3 --delay=1 --selftest
  * Version 0.1.0.
  *
  * 4 sets of parameters with 49 calls, 5 sets that init must refuse. The expected values were

@@ -136,25 +136,31 @@ ptc_status stage30_step(
             const float x2_2 = x[1][1];
             const float x3_2 = x[1][2];
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
-            const float m0 = ((float)left < self->hold) ? self->hold : (float)left;
+            const float m0_1 = ((float)left < self->hold) ? self->hold : (float)left;
             float law_1;
+            const float m0_2 = ((float)left < self->hold) ? self->hold : (float)left;
             float law_2;
-            if (2.5f < m0) {
+            if (2.5f < m0_1) {
                 /* The exact law in samples. */
                 const float s1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
                 const float z1_1 = s1 + (self->w1_3_1 * x3_1);
                 const float z2_1 = (self->w2_2_1 * x2_1) + (self->w2_3_1 * x3_1);
                 const float z3_1 = self->w3_3_1 * x3_1;
-                law_1 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0f)) + z3_1) / (m0 - 2.0f);
-                const float s2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
-                const float z1_2 = s2 + (self->w1_3_1 * x3_2);
-                const float z2_2 = (self->w2_2_1 * x2_2) + (self->w2_3_1 * x3_2);
-                const float z3_2 = self->w3_3_1 * x3_2;
-                law_2 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0f)) + z3_2) / (m0 - 2.0f);
+                law_1 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f)) + z3_1) / (m0_1 - 2.0f);
             } else {
                 /* Deadbeat. */
-                const float s3 = (self->b_1_1 * x1_1) + (self->b_2_1 * x2_1);
-                law_1 = s3 + (self->b_3_1 * x3_1);
+                const float s2 = (self->b_1_1 * x1_1) + (self->b_2_1 * x2_1);
+                law_1 = s2 + (self->b_3_1 * x3_1);
+            }
+            if (2.5f < m0_2) {
+                /* The exact law in samples. */
+                const float s3 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
+                const float z1_2 = s3 + (self->w1_3_1 * x3_2);
+                const float z2_2 = (self->w2_2_1 * x2_2) + (self->w2_3_1 * x3_2);
+                const float z3_2 = self->w3_3_1 * x3_2;
+                law_2 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f)) + z3_2) / (m0_2 - 2.0f);
+            } else {
+                /* Deadbeat. */
                 const float s4 = (self->b_1_1 * x1_2) + (self->b_2_1 * x2_2);
                 law_2 = s4 + (self->b_3_1 * x3_2);
             }

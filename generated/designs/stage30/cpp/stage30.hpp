@@ -35,15 +35,14 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE30_D181D782_HPP
-#define STAGE30_D181D782_HPP
+#ifndef STAGE30_56B866AB_HPP
+#define STAGE30_56B866AB_HPP
 
 #include <array>
 #include <cfloat>
@@ -221,25 +220,31 @@ public:
         const float x2_2 = x[1][1];
         const float x3_2 = x[1][2];
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const float m0 = (static_cast<float>(left) < hold_) ? hold_ : static_cast<float>(left);
+        const float m0_1 = (static_cast<float>(left) < hold_) ? hold_ : static_cast<float>(left);
         float law_1{};
+        const float m0_2 = (static_cast<float>(left) < hold_) ? hold_ : static_cast<float>(left);
         float law_2{};
-        if (2.5f < m0) {
+        if (2.5f < m0_1) {
             // The exact law in samples.
             const float s1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
             const float z1_1 = s1 + (w1_3_1_ * x3_1);
             const float z2_1 = (w2_2_1_ * x2_1) + (w2_3_1_ * x3_1);
             const float z3_1 = w3_3_1_ * x3_1;
-            law_1 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0f)) + z3_1) / (m0 - 2.0f);
-            const float s2 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
-            const float z1_2 = s2 + (w1_3_1_ * x3_2);
-            const float z2_2 = (w2_2_1_ * x2_2) + (w2_3_1_ * x3_2);
-            const float z3_2 = w3_3_1_ * x3_2;
-            law_2 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0f)) + z3_2) / (m0 - 2.0f);
+            law_1 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f)) + z3_1) / (m0_1 - 2.0f);
         } else {
             // Deadbeat.
-            const float s3 = (b_1_1_ * x1_1) + (b_2_1_ * x2_1);
-            law_1 = s3 + (b_3_1_ * x3_1);
+            const float s2 = (b_1_1_ * x1_1) + (b_2_1_ * x2_1);
+            law_1 = s2 + (b_3_1_ * x3_1);
+        }
+        if (2.5f < m0_2) {
+            // The exact law in samples.
+            const float s3 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
+            const float z1_2 = s3 + (w1_3_1_ * x3_2);
+            const float z2_2 = (w2_2_1_ * x2_2) + (w2_3_1_ * x3_2);
+            const float z3_2 = w3_3_1_ * x3_2;
+            law_2 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f)) + z3_2) / (m0_2 - 2.0f);
+        } else {
+            // Deadbeat.
             const float s4 = (b_1_1_ * x1_2) + (b_2_1_ * x2_2);
             law_2 = s4 + (b_3_1_ * x3_2);
         }

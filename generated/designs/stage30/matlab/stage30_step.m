@@ -40,23 +40,29 @@ x1_2 = x(2, 1);
 x2_2 = x(2, 2);
 x3_2 = x(2, 3);
 left = self.samples - elapsed;
-m0 = pick(single(left) < self.hold, self.hold, single(left));
-if single(2.5) < m0
+m0_1 = pick(single(left) < self.hold, self.hold, single(left));
+m0_2 = pick(single(left) < self.hold, self.hold, single(left));
+if single(2.5) < m0_1
     % The exact law in samples.
     s1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
     z1_1 = s1 + (self.w1_3_1 * x3_1);
     z2_1 = (self.w2_2_1 * x2_1) + (self.w2_3_1 * x3_1);
     z3_1 = self.w3_3_1 * x3_1;
-    law_1 = ((((z1_1 / m0) + z2_1) / (m0 - single(1.0))) + z3_1) / (m0 - single(2.0));
-    s2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
-    z1_2 = s2 + (self.w1_3_1 * x3_2);
-    z2_2 = (self.w2_2_1 * x2_2) + (self.w2_3_1 * x3_2);
-    z3_2 = self.w3_3_1 * x3_2;
-    law_2 = ((((z1_2 / m0) + z2_2) / (m0 - single(1.0))) + z3_2) / (m0 - single(2.0));
+    law_1 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - single(1.0))) + z3_1) / (m0_1 - single(2.0));
 else
     % Deadbeat.
-    s3 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
-    law_1 = s3 + (self.b_3_1 * x3_1);
+    s2 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
+    law_1 = s2 + (self.b_3_1 * x3_1);
+end
+if single(2.5) < m0_2
+    % The exact law in samples.
+    s3 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
+    z1_2 = s3 + (self.w1_3_1 * x3_2);
+    z2_2 = (self.w2_2_1 * x2_2) + (self.w2_3_1 * x3_2);
+    z3_2 = self.w3_3_1 * x3_2;
+    law_2 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - single(1.0))) + z3_2) / (m0_2 - single(2.0));
+else
+    % Deadbeat.
     s4 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
     law_2 = s4 + (self.b_3_1 * x3_2);
 end

@@ -35,8 +35,7 @@ Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEE
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-      poles, and |u| is bounded.
+  growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
   sampling: not checked: the law is exact in samples, at any period.
   deadline: not checked: the law is exact in samples, at any period.
   loop: not checked: `samples` is left to run time.
@@ -245,23 +244,28 @@ class Stage30:
             x2_2 = x[..., 1, 1]
             x3_2 = x[..., 1, 2]
             left = max(self._samples - elapsed, 0)
-            m0 = max(_R(left), self._hold)
-            if _R(2.5) < m0:
+            m0_1 = max(_R(left), self._hold)
+            m0_2 = max(_R(left), self._hold)
+            if _R(2.5) < m0_1:
                 # The exact law in samples.
                 s1 = (self._w1_1_1 * x1_1) + (self._w1_2_1 * x2_1)
                 z1_1 = s1 + (self._w1_3_1 * x3_1)
                 z2_1 = (self._w2_2_1 * x2_1) + (self._w2_3_1 * x3_1)
                 z3_1 = self._w3_3_1 * x3_1
-                law_1 = ((((z1_1 / m0) + z2_1) / (m0 - _R(1.0))) + z3_1) / (m0 - _R(2.0))
-                s2 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
-                z1_2 = s2 + (self._w1_3_1 * x3_2)
-                z2_2 = (self._w2_2_1 * x2_2) + (self._w2_3_1 * x3_2)
-                z3_2 = self._w3_3_1 * x3_2
-                law_2 = ((((z1_2 / m0) + z2_2) / (m0 - _R(1.0))) + z3_2) / (m0 - _R(2.0))
+                law_1 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - _R(1.0))) + z3_1) / (m0_1 - _R(2.0))
             else:
                 # Deadbeat.
-                s3 = (self._b_1_1 * x1_1) + (self._b_2_1 * x2_1)
-                law_1 = s3 + (self._b_3_1 * x3_1)
+                s2 = (self._b_1_1 * x1_1) + (self._b_2_1 * x2_1)
+                law_1 = s2 + (self._b_3_1 * x3_1)
+            if _R(2.5) < m0_2:
+                # The exact law in samples.
+                s3 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
+                z1_2 = s3 + (self._w1_3_1 * x3_2)
+                z2_2 = (self._w2_2_1 * x2_2) + (self._w2_3_1 * x3_2)
+                z3_2 = self._w3_3_1 * x3_2
+                law_2 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - _R(1.0))) + z3_2) / (m0_2 - _R(2.0))
+            else:
+                # Deadbeat.
                 s4 = (self._b_1_1 * x1_2) + (self._b_2_1 * x2_2)
                 law_2 = s4 + (self._b_3_1 * x3_2)
             if self._hold < _R(left):

@@ -35,8 +35,7 @@
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
-//!   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-//!       poles, and |u| is bounded.
+//!   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
 //!   sampling: not checked: the law is exact in samples, at any period.
 //!   deadline: not checked: the law is exact in samples, at any period.
 //!   loop: not checked: `samples` is left to run time.
@@ -287,29 +286,39 @@ impl Stage30 {
         let x2_2 = x[1][1];
         let x3_2 = x[1][2];
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = if (left as f32) < self.hold {
+        let m0_1 = if (left as f32) < self.hold {
             self.hold
         } else {
             left as f32
         };
         let law_1: f32;
+        let m0_2 = if (left as f32) < self.hold {
+            self.hold
+        } else {
+            left as f32
+        };
         let law_2: f32;
-        if 2.5 < m0 {
+        if 2.5 < m0_1 {
             // The exact law in samples.
             let s1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
             let z1_1 = s1 + (self.w1_3_1 * x3_1);
             let z2_1 = (self.w2_2_1 * x2_1) + (self.w2_3_1 * x3_1);
             let z3_1 = self.w3_3_1 * x3_1;
-            law_1 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0)) + z3_1) / (m0 - 2.0);
-            let s2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
-            let z1_2 = s2 + (self.w1_3_1 * x3_2);
-            let z2_2 = (self.w2_2_1 * x2_2) + (self.w2_3_1 * x3_2);
-            let z3_2 = self.w3_3_1 * x3_2;
-            law_2 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0)) + z3_2) / (m0 - 2.0);
+            law_1 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
         } else {
             // Deadbeat.
-            let s3 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
-            law_1 = s3 + (self.b_3_1 * x3_1);
+            let s2 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
+            law_1 = s2 + (self.b_3_1 * x3_1);
+        }
+        if 2.5 < m0_2 {
+            // The exact law in samples.
+            let s3 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
+            let z1_2 = s3 + (self.w1_3_1 * x3_2);
+            let z2_2 = (self.w2_2_1 * x2_2) + (self.w2_3_1 * x3_2);
+            let z3_2 = self.w3_3_1 * x3_2;
+            law_2 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+        } else {
+            // Deadbeat.
             let s4 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
             law_2 = s4 + (self.b_3_1 * x3_2);
         }

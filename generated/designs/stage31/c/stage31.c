@@ -41,30 +41,30 @@ ptc_status stage31_init(stage31 *self, const stage31_params *params)
         if ((1U < params->samples) && (1e-150 <= params->h) && (params->h <= 1e150)) {
             const uint32_t samples = params->samples;
             const double w1_1_1 = (-4.0) * (1.0 / params->h);
-            const double b_1_1 = -(1.0 / params->h);
             const double w1_1_2 = (-13.5) * (1.0 / (params->h * params->h));
             const double w1_2_2 = 6.75 * (1.0 / params->h);
             const double w2_2_2 = (-6.5) * (1.0 / params->h);
-            const double b_1_2 = -(1.0 / (params->h * params->h));
-            const double b_2_2 = (-1.5) * (1.0 / params->h);
+            const double q1_1_2 = (-12.0) * (1.0 / (params->h * params->h));
+            const double q1_2_2 = 6.0 * (1.0 / params->h);
+            const double q2_2_2 = (-6.0) * (1.0 / params->h);
             if (PTC_FINITE_F64(w1_1_1)
-                && PTC_FINITE_F64(b_1_1)
                 && PTC_FINITE_F64(w1_1_2)
                 && PTC_FINITE_F64(w1_2_2)
                 && PTC_FINITE_F64(w2_2_2)
-                && PTC_FINITE_F64(b_1_2)
-                && PTC_FINITE_F64(b_2_2)
+                && PTC_FINITE_F64(q1_1_2)
+                && PTC_FINITE_F64(q1_2_2)
+                && PTC_FINITE_F64(q2_2_2)
                 && (1e-200 <= params->h * params->h)
                 && (1e-200 <= 1.0 / (params->h * params->h))) {
                 self->start = 0U;
                 self->samples = samples;
                 self->w1_1_1 = w1_1_1;
-                self->b_1_1 = b_1_1;
                 self->w1_1_2 = w1_1_2;
                 self->w1_2_2 = w1_2_2;
                 self->w2_2_2 = w2_2_2;
-                self->b_1_2 = b_1_2;
-                self->b_2_2 = b_2_2;
+                self->q1_1_2 = q1_1_2;
+                self->q1_2_2 = q1_2_2;
+                self->q2_2_2 = q2_2_2;
                 status = PTC_OK;
             }
         }
@@ -116,25 +116,26 @@ ptc_status stage31_step(
             const double e1_2 = x1_2 - r[1][0];
             const double e2_2 = x2_2 - r[1][1];
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
-            const double m0 = (double)left;
+            const double s1 = ((double)left) - 1.0;
+            const double m0_1 = (s1 < 1.0) ? 1.0 : s1;
             double law_1;
+
+            /* The exact law in samples. */
+            const double z1_1 = self->w1_1_1 * e1_1;
+            law_1 = (z1_1 / (m0_1 + 3.0)) + r[0][1];
+            const double m0_2 = ((double)left) - 2.0;
             double law_2;
-            if (4.0 < m0) {
-                /* The exact law in samples. */
-                const double z1_1 = self->w1_1_1 * e1_1;
-                law_1 = (z1_1 / m0) + r[0][1];
-            } else {
-                /* Deadbeat. */
-                law_1 = (self->b_1_1 * e1_1) + r[0][1];
-            }
-            if (6.0 < m0) {
+            if (6.0 < m0_2) {
                 /* The exact law in samples. */
                 const double z1_2 = (self->w1_1_2 * e1_2) + (self->w1_2_2 * e2_2);
                 const double z2_2 = self->w2_2_2 * e2_2;
-                law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + r[1][2];
+                law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[1][2];
             } else {
-                /* Deadbeat. */
-                law_2 = (self->b_1_2 * e1_2) + (self->b_2_2 * e2_2) + r[1][2];
+                /* The law of least energy to the end. */
+                const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
+                const double y1_2 = (self->q1_1_2 * e1_2) + (self->q1_2_2 * e2_2);
+                const double y2_2 = self->q2_2_2 * e2_2;
+                law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[1][2];
             }
 
             /* The inputs that give all of them. */
@@ -142,8 +143,8 @@ ptc_status stage31_step(
             const double v4 = law_1 - v3;
             const double v5 = 1.0 / (((v2 < 0.0) || (v2 > 0.0)) ? v2 : (double)NAN);
             const double control1 = v2 * v4 * v5;
-            const double s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
-            const double control2 = s1 * v5;
+            const double s2 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+            const double control2 = s2 * v5;
             if (elapsed < self->samples) {
                 status = PTC_OK;
             } else {

@@ -11,9 +11,14 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 2, -2. Output 1: The gains of 1 sample to go stay: they are
+ *       deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+ *       did between samples. Output 2: From 6 samples to go on these are M - 2 and the
+ *       exponents 3, 4, those of least energy. The gains of 2 samples to go stay: they are
+ *       deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+ *       did between samples.
  * Output 1, of order n = 1:
  *   x_1 = h
  *   f_1 = -h/10
@@ -54,7 +59,7 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what f + g u and r do between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -63,8 +68,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_882C532B_H
-#define STAGE31_882C532B_H
+#ifndef STAGE31_59C8BEA3_H
+#define STAGE31_59C8BEA3_H
 
 #include <stdint.h>
 
@@ -98,12 +103,12 @@ typedef struct stage31 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     double w1_1_1; /* weight of a state in the law */
-    double b_1_1; /* weight of a state in the law */
     double w1_1_2; /* weight of a state in the law */
     double w1_2_2; /* weight of a state in the law */
     double w2_2_2; /* weight of a state in the law */
-    double b_1_2; /* weight of a state in the law */
-    double b_2_2; /* weight of a state in the law */
+    double q1_1_2; /* weight of a state in the law */
+    double q1_2_2; /* weight of a state in the law */
+    double q2_2_2; /* weight of a state in the law */
 } stage31;
 
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */

@@ -11,9 +11,14 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 2, -2. Output 1: The gains of 1 sample to go stay: they are
+ *       deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+ *       did between samples. Output 2: From 6 samples to go on these are M - 2 and the
+ *       exponents 3, 4, those of least energy. The gains of 2 samples to go stay: they are
+ *       deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+ *       did between samples.
  * Output 1, of order n = 1:
  *   x_1 = h
  *   f_1 = -h/10
@@ -53,7 +58,7 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what f + g u and r do between
- *       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       samples, whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a plant with several
  *       inputs.
  *   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -62,8 +67,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_34449453_HPP
-#define STAGE31_34449453_HPP
+#ifndef STAGE31_A50BFB82_HPP
+#define STAGE31_A50BFB82_HPP
 
 #include <array>
 #include <cfloat>
@@ -151,19 +156,19 @@ public:
         }
         const std::uint32_t samples = params.samples;
         const double w1_1_1 = (-4.0) * (1.0 / params.h);
-        const double b_1_1 = -(1.0 / params.h);
         const double w1_1_2 = (-13.5) * (1.0 / (params.h * params.h));
         const double w1_2_2 = 6.75 * (1.0 / params.h);
         const double w2_2_2 = (-6.5) * (1.0 / params.h);
-        const double b_1_2 = -(1.0 / (params.h * params.h));
-        const double b_2_2 = (-1.5) * (1.0 / params.h);
+        const double q1_1_2 = (-12.0) * (1.0 / (params.h * params.h));
+        const double q1_2_2 = 6.0 * (1.0 / params.h);
+        const double q2_2_2 = (-6.0) * (1.0 / params.h);
         if (!(finite(w1_1_1)
-                && finite(b_1_1)
                 && finite(w1_1_2)
                 && finite(w1_2_2)
                 && finite(w2_2_2)
-                && finite(b_1_2)
-                && finite(b_2_2)
+                && finite(q1_1_2)
+                && finite(q1_2_2)
+                && finite(q2_2_2)
                 && (1e-200 <= params.h * params.h)
                 && (1e-200 <= 1.0 / (params.h * params.h)))) {
             return Status::Param;
@@ -171,12 +176,12 @@ public:
         start_ = 0U;
         samples_ = samples;
         w1_1_1_ = w1_1_1;
-        b_1_1_ = b_1_1;
         w1_1_2_ = w1_1_2;
         w1_2_2_ = w1_2_2;
         w2_2_2_ = w2_2_2;
-        b_1_2_ = b_1_2;
-        b_2_2_ = b_2_2;
+        q1_1_2_ = q1_1_2;
+        q1_2_2_ = q1_2_2;
+        q2_2_2_ = q2_2_2;
         return Status::Ok;
     }
 
@@ -216,25 +221,26 @@ public:
         const double e1_2 = x1_2 - r[1][0];
         const double e2_2 = x2_2 - r[1][1];
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const double m0 = static_cast<double>(left);
+        const double s1 = static_cast<double>(left) - 1.0;
+        const double m0_1 = (s1 < 1.0) ? 1.0 : s1;
         double law_1{};
+
+        // The exact law in samples.
+        const double z1_1 = w1_1_1_ * e1_1;
+        law_1 = (z1_1 / (m0_1 + 3.0)) + r[0][1];
+        const double m0_2 = static_cast<double>(left) - 2.0;
         double law_2{};
-        if (4.0 < m0) {
-            // The exact law in samples.
-            const double z1_1 = w1_1_1_ * e1_1;
-            law_1 = (z1_1 / m0) + r[0][1];
-        } else {
-            // Deadbeat.
-            law_1 = (b_1_1_ * e1_1) + r[0][1];
-        }
-        if (6.0 < m0) {
+        if (6.0 < m0_2) {
             // The exact law in samples.
             const double z1_2 = (w1_1_2_ * e1_2) + (w1_2_2_ * e2_2);
             const double z2_2 = w2_2_2_ * e2_2;
-            law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + r[1][2];
+            law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[1][2];
         } else {
-            // Deadbeat.
-            law_2 = (b_1_2_ * e1_2) + (b_2_2_ * e2_2) + r[1][2];
+            // The law of least energy to the end.
+            const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
+            const double y1_2 = (q1_1_2_ * e1_2) + (q1_2_2_ * e2_2);
+            const double y2_2 = q2_2_2_ * e2_2;
+            law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[1][2];
         }
 
         // The inputs that give all of them.
@@ -242,8 +248,8 @@ public:
         const double v4 = law_1 - v3;
         const double v5 = ((v2 < 0.0) || (v2 > 0.0)) ? (1.0 / v2) : std::numeric_limits<double>::quiet_NaN();
         const double control1 = v2 * v4 * v5;
-        const double s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
-        const double control2 = s1 * v5;
+        const double s2 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+        const double control2 = s2 * v5;
         if (elapsed < samples_) {
             all.status = Status::Ok;
         } else {
@@ -300,12 +306,12 @@ private:
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     double w1_1_1_{}; // weight of a state in the law
-    double b_1_1_{}; // weight of a state in the law
     double w1_1_2_{}; // weight of a state in the law
     double w1_2_2_{}; // weight of a state in the law
     double w2_2_2_{}; // weight of a state in the law
-    double b_1_2_{}; // weight of a state in the law
-    double b_2_2_{}; // weight of a state in the law
+    double q1_1_2_{}; // weight of a state in the law
+    double q1_2_2_{}; // weight of a state in the law
+    double q2_2_2_{}; // weight of a state in the law
 };
 
 } // namespace ptc

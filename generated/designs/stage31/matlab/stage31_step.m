@@ -49,23 +49,24 @@ e1_1 = x1_1 - r(1, 1);
 e1_2 = x1_2 - r(2, 1);
 e2_2 = x2_2 - r(2, 2);
 left = self.samples - elapsed;
-m0 = double(left);
-if 4.0 < m0
-    % The exact law in samples.
-    z1_1 = self.w1_1_1 * e1_1;
-    law_1 = (z1_1 / m0) + r(1, 2);
-else
-    % Deadbeat.
-    law_1 = (self.b_1_1 * e1_1) + r(1, 2);
-end
-if 6.0 < m0
+s1 = double(left) - 1.0;
+m0_1 = pick(s1 < 1.0, 1.0, s1);
+
+% The exact law in samples.
+z1_1 = self.w1_1_1 * e1_1;
+law_1 = (z1_1 / (m0_1 + 3.0)) + r(1, 2);
+m0_2 = double(left) - 2.0;
+if 6.0 < m0_2
     % The exact law in samples.
     z1_2 = (self.w1_1_2 * e1_2) + (self.w1_2_2 * e2_2);
     z2_2 = self.w2_2_2 * e2_2;
-    law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + r(2, 3);
+    law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r(2, 3);
 else
-    % Deadbeat.
-    law_2 = (self.b_1_2 * e1_2) + (self.b_2_2 * e2_2) + r(2, 3);
+    % The law of least energy to the end.
+    m1_2 = pick(m0_2 < 2.0, 2.0, m0_2);
+    y1_2 = (self.q1_1_2 * e1_2) + (self.q1_2_2 * e2_2);
+    y2_2 = self.q2_2_2 * e2_2;
+    law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r(2, 3);
 end
 
 % The inputs that give all of them.
@@ -73,8 +74,8 @@ v3 = (-x1_1) * 0.1;
 v4 = law_1 - v3;
 v5 = pick((v2 < 0.0) || (v2 > 0.0), 1.0 / v2, double(NaN));
 control1 = v2 * v4 * v5;
-s1 = ((-v1) * v4) + (law_2 - (((((-x(2)) * v2) - x2_2) * v2) + (v1 * v3)));
-control2 = s1 * v5;
+s2 = ((-v1) * v4) + (law_2 - (((((-x(2)) * v2) - x2_2) * v2) + (v1 * v3)));
+control2 = s2 * v5;
 if elapsed < self.samples
     status = int32(0);
 else

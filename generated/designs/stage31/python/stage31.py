@@ -11,9 +11,14 @@ Goal: every output with its derivatives is 0 at sample N after the start, from a
       as long as no u is clipped and the plant is the model. The plant is known at the
       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
       n.
-Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-      h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-      Close to the end deadbeat takes over. v_i is law_i in step.
+Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+      z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+      v_i is law_i in step. s = 2, -2. Output 1: The gains of 1 sample to go stay: they are
+      deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+      did between samples. Output 2: From 6 samples to go on these are M - 2 and the
+      exponents 3, 4, those of least energy. The gains of 2 samples to go stay: they are
+      deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+      did between samples.
 Output 1, of order n = 1:
   x_1 = h
   f_1 = -h/10
@@ -53,7 +58,7 @@ Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEE
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
   growth: sound: at rest at sample N from any state, but for what f + g u and r do between
-      samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+      samples, whatever the poles, and |u| is bounded.
   sampling: not checked: `loop` bounds what the period leaves of a plant with several
       inputs.
   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -155,20 +160,20 @@ class Stage31:
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
             samples = given_samples
             w1_1_1 = (-4.0) * (1.0 / given_h)
-            b_1_1 = -(1.0 / given_h)
             w1_1_2 = (-13.5) * (1.0 / (given_h * given_h))
             w1_2_2 = 6.75 * (1.0 / given_h)
             w2_2_2 = (-6.5) * (1.0 / given_h)
-            b_1_2 = -(1.0 / (given_h * given_h))
-            b_2_2 = (-1.5) * (1.0 / given_h)
+            q1_1_2 = (-12.0) * (1.0 / (given_h * given_h))
+            q1_2_2 = 6.0 * (1.0 / given_h)
+            q2_2_2 = (-6.0) * (1.0 / given_h)
             if not (
                 np.isfinite(w1_1_1)
-                and np.isfinite(b_1_1)
                 and np.isfinite(w1_1_2)
                 and np.isfinite(w1_2_2)
                 and np.isfinite(w2_2_2)
-                and np.isfinite(b_1_2)
-                and np.isfinite(b_2_2)
+                and np.isfinite(q1_1_2)
+                and np.isfinite(q1_2_2)
+                and np.isfinite(q2_2_2)
                 and (1e-200 <= given_h * given_h)
                 and (1e-200 <= 1.0 / (given_h * given_h))
             ):
@@ -176,12 +181,12 @@ class Stage31:
             self._start = 0
             self._samples = samples
             self._w1_1_1 = w1_1_1
-            self._b_1_1 = b_1_1
             self._w1_1_2 = w1_1_2
             self._w1_2_2 = w1_2_2
             self._w2_2_2 = w2_2_2
-            self._b_1_2 = b_1_2
-            self._b_2_2 = b_2_2
+            self._q1_1_2 = q1_1_2
+            self._q1_2_2 = q1_2_2
+            self._q2_2_2 = q2_2_2
 
     def arm(self, k: int) -> None:
         """Starts again: the deadline is N samples after tick `k`."""
@@ -230,30 +235,32 @@ class Stage31:
             e1_2 = x1_2 - r[..., 1, 0]
             e2_2 = x2_2 - r[..., 1, 1]
             left = max(self._samples - elapsed, 0)
-            m0 = _R(left)
-            if 4.0 < m0:
-                # The exact law in samples.
-                z1_1 = self._w1_1_1 * e1_1
-                law_1 = (z1_1 / m0) + r[..., 0, 1]
-            else:
-                # Deadbeat.
-                law_1 = (self._b_1_1 * e1_1) + r[..., 0, 1]
-            if 6.0 < m0:
+            s1 = _R(left) - 1.0
+            m0_1 = max(s1, _R(1.0))
+
+            # The exact law in samples.
+            z1_1 = self._w1_1_1 * e1_1
+            law_1 = (z1_1 / (m0_1 + 3.0)) + r[..., 0, 1]
+            m0_2 = _R(left) - 2.0
+            if 6.0 < m0_2:
                 # The exact law in samples.
                 z1_2 = (self._w1_1_2 * e1_2) + (self._w1_2_2 * e2_2)
                 z2_2 = self._w2_2_2 * e2_2
-                law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + r[..., 1, 2]
+                law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[..., 1, 2]
             else:
-                # Deadbeat.
-                law_2 = (self._b_1_2 * e1_2) + (self._b_2_2 * e2_2) + r[..., 1, 2]
+                # The law of least energy to the end.
+                m1_2 = max(m0_2, _R(2.0))
+                y1_2 = (self._q1_1_2 * e1_2) + (self._q1_2_2 * e2_2)
+                y2_2 = self._q2_2_2 * e2_2
+                law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[..., 1, 2]
 
             # The inputs that give all of them.
             v3 = (-x1_1) * 0.1
             v4 = law_1 - v3
             v5 = np.where((v2 < 0.0) | (v2 > 0.0), 1.0 / v2, _R(np.nan))
             control1 = v2 * v4 * v5
-            s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)))
-            control2 = s1 * v5
+            s2 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)))
+            control2 = s2 * v5
             if elapsed < self._samples:
                 status = Status.OK
             else:

@@ -11,9 +11,14 @@
 //!       as long as no u is clipped and the plant is the model. The plant is known at the
 //!       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
 //!       n.
-//! Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-//!       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-//!       Close to the end deadbeat takes over. v_i is law_i in step.
+//! Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+//!       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+//!       v_i is law_i in step. s = 2, -2. Output 1: The gains of 1 sample to go stay: they are
+//!       deadbeat. Rest is planned 1 sample early, and the last gains bring down what f and g
+//!       did between samples. Output 2: From 6 samples to go on these are M - 2 and the
+//!       exponents 3, 4, those of least energy. The gains of 2 samples to go stay: they are
+//!       deadbeat. Rest is planned 2 samples early, and the last gains bring down what f and g
+//!       did between samples.
 //! Output 1, of order n = 1:
 //!   x_1 = h
 //!   f_1 = -h/10
@@ -53,7 +58,7 @@
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
 //!   growth: sound: at rest at sample N from any state, but for what f + g u and r do between
-//!       samples: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+//!       samples, whatever the poles, and |u| is bounded.
 //!   sampling: not checked: `loop` bounds what the period leaves of a plant with several
 //!       inputs.
 //!   deadline: not checked: `loop` bounds what the period leaves of a plant with several
@@ -162,17 +167,17 @@ pub struct Stage31 {
     /// weight of a state in the law.
     w1_1_1: f64,
     /// weight of a state in the law.
-    b_1_1: f64,
-    /// weight of a state in the law.
     w1_1_2: f64,
     /// weight of a state in the law.
     w1_2_2: f64,
     /// weight of a state in the law.
     w2_2_2: f64,
     /// weight of a state in the law.
-    b_1_2: f64,
+    q1_1_2: f64,
     /// weight of a state in the law.
-    b_2_2: f64,
+    q1_2_2: f64,
+    /// weight of a state in the law.
+    q2_2_2: f64,
 }
 
 #[allow(
@@ -194,19 +199,19 @@ impl Stage31 {
         }
         let samples = params.samples;
         let w1_1_1 = (-4.0) * (1.0 / params.h);
-        let b_1_1 = -(1.0 / params.h);
         let w1_1_2 = (-13.5) * (1.0 / (params.h * params.h));
         let w1_2_2 = 6.75 * (1.0 / params.h);
         let w2_2_2 = (-6.5) * (1.0 / params.h);
-        let b_1_2 = -(1.0 / (params.h * params.h));
-        let b_2_2 = (-1.5) * (1.0 / params.h);
+        let q1_1_2 = (-12.0) * (1.0 / (params.h * params.h));
+        let q1_2_2 = 6.0 * (1.0 / params.h);
+        let q2_2_2 = (-6.0) * (1.0 / params.h);
         if !(w1_1_1.is_finite()
-            && b_1_1.is_finite()
             && w1_1_2.is_finite()
             && w1_2_2.is_finite()
             && w2_2_2.is_finite()
-            && b_1_2.is_finite()
-            && b_2_2.is_finite()
+            && q1_1_2.is_finite()
+            && q1_2_2.is_finite()
+            && q2_2_2.is_finite()
             && (1e-200 <= params.h * params.h)
             && (1e-200 <= 1.0 / (params.h * params.h)))
         {
@@ -216,12 +221,12 @@ impl Stage31 {
             start: 0,
             samples,
             w1_1_1,
-            b_1_1,
             w1_1_2,
             w1_2_2,
             w2_2_2,
-            b_1_2,
-            b_2_2,
+            q1_1_2,
+            q1_2_2,
+            q2_2_2,
         })
     }
 
@@ -269,25 +274,26 @@ impl Stage31 {
         let e1_2 = x1_2 - r[1][0];
         let e2_2 = x2_2 - r[1][1];
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = left as f64;
+        let s1 = (left as f64) - 1.0;
+        let m0_1 = if s1 < 1.0 { 1.0 } else { s1 };
         let law_1: f64;
+
+        // The exact law in samples.
+        let z1_1 = self.w1_1_1 * e1_1;
+        law_1 = (z1_1 / (m0_1 + 3.0)) + r[0][1];
+        let m0_2 = (left as f64) - 2.0;
         let law_2: f64;
-        if 4.0 < m0 {
-            // The exact law in samples.
-            let z1_1 = self.w1_1_1 * e1_1;
-            law_1 = (z1_1 / m0) + r[0][1];
-        } else {
-            // Deadbeat.
-            law_1 = (self.b_1_1 * e1_1) + r[0][1];
-        }
-        if 6.0 < m0 {
+        if 6.0 < m0_2 {
             // The exact law in samples.
             let z1_2 = (self.w1_1_2 * e1_2) + (self.w1_2_2 * e2_2);
             let z2_2 = self.w2_2_2 * e2_2;
-            law_2 = (((z1_2 / m0) + z2_2) / (m0 - 1.0)) + r[1][2];
+            law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[1][2];
         } else {
-            // Deadbeat.
-            law_2 = (self.b_1_2 * e1_2) + (self.b_2_2 * e2_2) + r[1][2];
+            // The law of least energy to the end.
+            let m1_2 = if m0_2 < 2.0 { 2.0 } else { m0_2 };
+            let y1_2 = (self.q1_1_2 * e1_2) + (self.q1_2_2 * e2_2);
+            let y2_2 = self.q2_2_2 * e2_2;
+            law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[1][2];
         }
 
         // The inputs that give all of them.
@@ -299,8 +305,8 @@ impl Stage31 {
             f64::NAN
         };
         let control1 = v2 * v4 * v5;
-        let s1 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
-        let control2 = s1 * v5;
+        let s2 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
+        let control2 = s2 * v5;
         if elapsed < self.samples {
             status = Ok(Status::Ok);
         } else {

@@ -123,17 +123,18 @@ ptc_status stage32_step(
             const double e1_2 = x1_2;
             const double e2_2 = x2_2;
             const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-            const double m0 = ((double)left < 4.0) ? 4.0 : (double)left;
+            const double m0_1 = ((double)left < 4.0) ? 4.0 : (double)left;
             double law_1;
 
             /* The exact law in samples. */
             const double z1_1 = (self->w1_1_1 * e1_1) + (self->w1_2_1 * e2_1);
             const double z2_1 = self->w2_2_1 * e2_1;
-            law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
+            law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
+            const double m0_2 = ((double)left < 4.0) ? 4.0 : (double)left;
             double law_2;
             const double z1_2 = (self->w1_1_1 * e1_2) + (self->w1_2_1 * e2_2);
             const double z2_2 = self->w2_2_1 * e2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
 
             /* The inputs that give all of them. */
             const double s2 = ((self->p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);

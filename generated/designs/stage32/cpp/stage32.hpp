@@ -11,9 +11,10 @@
  *       as long as no u is clipped and the plant is the model. The plant is known at the
  *       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
  *       n.
- * Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
- *       Close to the end deadbeat takes over. v_i is law_i in step.
+ * Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+ *       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+ *       v_i is law_i in step. s = 0, 0. Output 1: Close to the end deadbeat takes over.
+ *       Output 2: Close to the end deadbeat takes over.
  * Output 1, of order n = 2:
  *   x_1 = q1
  *   x_2 = w1
@@ -66,8 +67,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE32_15186055_HPP
-#define STAGE32_15186055_HPP
+#ifndef STAGE32_FF719630_HPP
+#define STAGE32_FF719630_HPP
 
 #include <array>
 #include <cfloat>
@@ -227,17 +228,18 @@ public:
         const double e1_2 = x1_2;
         const double e2_2 = x2_2;
         const std::uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-        const double m0 = (static_cast<double>(left) < 4.0) ? 4.0 : static_cast<double>(left);
+        const double m0_1 = (static_cast<double>(left) < 4.0) ? 4.0 : static_cast<double>(left);
         double law_1{};
 
         // The exact law in samples.
         const double z1_1 = (w1_1_1_ * e1_1) + (w1_2_1_ * e2_1);
         const double z2_1 = w2_2_1_ * e2_1;
-        law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
+        law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
+        const double m0_2 = (static_cast<double>(left) < 4.0) ? 4.0 : static_cast<double>(left);
         double law_2{};
         const double z1_2 = (w1_1_1_ * e1_2) + (w1_2_1_ * e2_2);
         const double z2_2 = w2_2_1_ * e2_2;
-        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+        law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
 
         // The inputs that give all of them.
         const double s2 = ((p_m_ + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);

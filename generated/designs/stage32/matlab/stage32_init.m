@@ -25,9 +25,10 @@ function self = stage32_init(params) %#codegen
 %       as long as no u is clipped and the plant is the model. The plant is known at the
 %       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
 %       n.
-% Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-%       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-%       Close to the end deadbeat takes over. v_i is law_i in step.
+% Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+%       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+%       v_i is law_i in step. s = 0, 0. Output 1: Close to the end deadbeat takes over.
+%       Output 2: Close to the end deadbeat takes over.
 % Output 1, of order n = 2:
 %   x_1 = q1
 %   x_2 = w1

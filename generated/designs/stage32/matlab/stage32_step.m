@@ -52,15 +52,16 @@ e2_1 = x2_1 - reference1_1;
 e1_2 = x1_2;
 e2_2 = x2_2;
 left = uint32(30) - elapsed;
-m0 = pick(double(left) < 4.0, 4.0, double(left));
+m0_1 = pick(double(left) < 4.0, 4.0, double(left));
 
 % The exact law in samples.
 z1_1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
 z2_1 = self.w2_2_1 * e2_1;
-law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
+law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
+m0_2 = pick(double(left) < 4.0, 4.0, double(left));
 z1_2 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
 z2_2 = self.w2_2_1 * e2_2;
-law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
 
 % The inputs that give all of them.
 s2 = ((self.p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);

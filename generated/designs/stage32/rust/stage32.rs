@@ -11,9 +11,10 @@
 //!       as long as no u is clipped and the plant is the model. The plant is known at the
 //!       samples alone, which leaves an error of order h^(n+2-i) in x_i of an output of order
 //!       n.
-//! Law of each output, of order n: with M samples to go and z = S x, v h^n = sum of row_j z_j
-//!       h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
-//!       Close to the end deadbeat takes over. v_i is law_i in step.
+//! Law of each output, of order n: with M - s samples to go and z = S x, v h^n = sum of row_j
+//!       z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are those of Theorem 1 for the mapping exp.
+//!       v_i is law_i in step. s = 0, 0. Output 1: Close to the end deadbeat takes over.
+//!       Output 2: Close to the end deadbeat takes over.
 //! Output 1, of order n = 2:
 //!   x_1 = q1
 //!   x_2 = w1
@@ -281,7 +282,7 @@ impl Stage32 {
         let e1_2 = x1_2;
         let e2_2 = x2_2;
         let left = 30_u32.saturating_sub(elapsed);
-        let m0 = if (left as f64) < 4.0 {
+        let m0_1 = if (left as f64) < 4.0 {
             4.0
         } else {
             left as f64
@@ -291,11 +292,16 @@ impl Stage32 {
         // The exact law in samples.
         let z1_1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
         let z2_1 = self.w2_2_1 * e2_1;
-        law_1 = (((z1_1 / m0) + z2_1) / (m0 - 1.0)) + rho0_1;
+        law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
+        let m0_2 = if (left as f64) < 4.0 {
+            4.0
+        } else {
+            left as f64
+        };
         let law_2: f64;
         let z1_2 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
         let z2_2 = self.w2_2_1 * e2_2;
-        law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+        law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
 
         // The inputs that give all of them.
         let s2 = ((self.p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);

@@ -18,8 +18,9 @@ function self = stage33_init(params) %#codegen
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 %       sample period, as long as u is not clipped and nothing else acts on the plant.
 % Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
-%       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
-%       over.
+%       the rows are those of Theorem 1 for the mapping exp. From 9 samples to go on these
+%       are M - 2 and the exponents 3, 4, those of least energy. The gains of 2 samples to go
+%       stay: they are deadbeat.
 % With a reference r of each axis, e_i = x_i - r^(i-1) is in place of x_i above, and u = w +
 %       rho/g of each axis. What r^(n) changes over a sample leaves an error of order
 %       h^(n+2-i) in e_i at sample N, h^3 for n = 1, and none where it is constant there.
@@ -54,8 +55,8 @@ function self = stage33_init(params) %#codegen
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
-%   growth: sound: at rest at sample 30 from any state, but for what r does between samples:
-%       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+%   growth: sound: at rest at sample 30 from any state, but for what r does between samples,
+%       whatever the poles, and |u| is bounded.
 %   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
 %   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
 %   loop: not checked: axis 1: `x0_max` is not given.

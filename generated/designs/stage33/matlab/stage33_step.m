@@ -67,35 +67,37 @@ e1_2 = x1_2 - reference0_2;
 e2_2 = x2_2 - reference1_2;
 e1_3 = x1_3 - reference0_3;
 e2_3 = x2_3 - reference1_3;
-if elapsed < uint32(24)
-    % The exact law in samples.
-    m0 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_1 = ((-single(400000.0)) * e1_1) + (single(2000.0) * e2_1);
-    z2_1 = (-single(1600.0)) * e2_1;
-    law_1 = (((z1_1 / m0) + z2_1) / (m0 - single(1.0))) + (single(2.0) * rho0_1);
-else
-    % Deadbeat.
-    law_1 = (((-single(20000.0)) * e1_1) - (single(300.0) * e2_1)) + (single(2.0) * rho0_1);
-end
+
+% The exact law in samples.
+m0_1 = pick(elapsed < uint32(28), single(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296))), single(5.0));
+z1_1 = ((-single(400000.0)) * e1_1) + (single(2000.0) * e2_1);
+z2_1 = (-single(1600.0)) * e2_1;
+law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - single(1.0))) + (single(2.0) * rho0_1);
 if elapsed < uint32(26)
     % The exact law in samples.
-    m0 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    m0_2 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
     z1_2 = ((-single(50000.0)) * e1_2) + (single(250.0) * e2_2);
     z2_2 = (-single(250.0)) * e2_2;
-    law_2 = (((z1_2 / m0) + z2_2) / (m0 - single(1.0))) + (single(0.5) * rho0_2);
+    law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - single(1.0))) + (single(0.5) * rho0_2);
 else
-    % Deadbeat.
-    law_2 = (((-single(5000.0)) * e1_2) - (single(75.0) * e2_2)) + (single(0.5) * rho0_2);
+    % The law of least energy to the end.
+    m1_2 = pick(elapsed < uint32(28), single(uint32(mod(double(uint32(32)) - double(elapsed), 4294967296))), single(4.0));
+    y1_2 = ((-single(60000.0)) * e1_2) + (single(300.0) * e2_2);
+    y2_2 = (-single(300.0)) * e2_2;
+    law_2 = (((y1_2 / m1_2) + y2_2) / (m1_2 - single(1.0))) + (single(0.5) * rho0_2);
 end
 if elapsed < uint32(21)
     % The exact law in samples.
-    m0 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
+    m0_3 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
     z1_3 = (single(450000.0) * e1_3) - (single(2250.0) * e2_3);
     z2_3 = single(1250.0) * e2_3;
-    law_3 = (((z1_3 / m0) + z2_3) / (m0 - single(1.0))) - rho0_3;
+    law_3 = (((z1_3 / m0_3) + z2_3) / (m0_3 - single(1.0))) - rho0_3;
 else
-    % Deadbeat.
-    law_3 = ((single(10000.0) * e1_3) + (single(150.0) * e2_3)) - rho0_3;
+    % The law of least energy to the end.
+    m1_3 = pick(elapsed < uint32(28), single(uint32(mod(double(uint32(35)) - double(elapsed), 4294967296))), single(7.0));
+    y1_3 = (single(420000.0) * e1_3) - (single(2100.0) * e2_3);
+    y2_3 = single(1200.0) * e2_3;
+    law_3 = (((y1_3 / m1_3) + y2_3) / (m1_3 - single(1.0))) - rho0_3;
 end
 if elapsed < uint32(30)
     status = int32(0);
@@ -156,5 +158,13 @@ else
         axes(3) = int32(-3);
     end
     status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

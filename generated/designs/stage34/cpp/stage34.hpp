@@ -41,15 +41,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state, but for what r does between samples:
- *       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, but for what r does between samples,
+ *       whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE34_EA928E85_HPP
-#define STAGE34_EA928E85_HPP
+#ifndef STAGE34_F2C502F2_HPP
+#define STAGE34_F2C502F2_HPP
 
 #include <array>
 #include <cfloat>
@@ -231,27 +231,33 @@ public:
         const double e2_2 = x2_2 - r[1][1];
         const double e3_2 = x3_2 - r[1][2];
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const double m0 = static_cast<double>(left);
+        const double m0_1 = static_cast<double>(left);
         double law_1{};
+        const double m0_2 = static_cast<double>(left);
         double law_2{};
-        if (deadbeat_1_ < m0) {
+        if (deadbeat_1_ < m0_1) {
             // The exact law in samples.
             const double s1 = (w1_1_1_ * e1_1) + (w1_2_1_ * e2_1);
             const double z1_1 = s1 + (w1_3_1_ * e3_1);
             const double z2_1 = (w2_2_1_ * e2_1) + (w2_3_1_ * e3_1);
             const double z3_1 = w3_3_1_ * e3_1;
-            const double s2 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0)) + z3_1) / (m0 - 2.0);
+            const double s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
             law_1 = s2 + (0.3333333333333333 * r[0][3]);
-            const double s3 = (w1_1_1_ * e1_2) + (w1_2_1_ * e2_2);
-            const double z1_2 = s3 + (w1_3_1_ * e3_2);
-            const double z2_2 = (w2_2_1_ * e2_2) + (w2_3_1_ * e3_2);
-            const double z3_2 = w3_3_1_ * e3_2;
-            const double s4 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0)) + z3_2) / (m0 - 2.0);
-            law_2 = s4 + (0.3333333333333333 * r[1][3]);
         } else {
             // Deadbeat.
-            const double s5 = (b_1_1_ * e1_1) + (b_2_1_ * e2_1);
-            law_1 = s5 + (b_3_1_ * e3_1) + (0.3333333333333333 * r[0][3]);
+            const double s3 = (b_1_1_ * e1_1) + (b_2_1_ * e2_1);
+            law_1 = s3 + (b_3_1_ * e3_1) + (0.3333333333333333 * r[0][3]);
+        }
+        if (deadbeat_1_ < m0_2) {
+            // The exact law in samples.
+            const double s4 = (w1_1_1_ * e1_2) + (w1_2_1_ * e2_2);
+            const double z1_2 = s4 + (w1_3_1_ * e3_2);
+            const double z2_2 = (w2_2_1_ * e2_2) + (w2_3_1_ * e3_2);
+            const double z3_2 = w3_3_1_ * e3_2;
+            const double s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+            law_2 = s5 + (0.3333333333333333 * r[1][3]);
+        } else {
+            // Deadbeat.
             const double s6 = (b_1_1_ * e1_2) + (b_2_1_ * e2_2);
             law_2 = s6 + (b_3_1_ * e3_2) + (0.3333333333333333 * r[1][3]);
         }

@@ -40,25 +40,31 @@ e1_2 = x1_2 - r(2, 1);
 e2_2 = x2_2 - r(2, 2);
 e3_2 = x3_2 - r(2, 3);
 left = self.samples - elapsed;
-m0 = double(left);
-if self.deadbeat_1 < m0
+m0_1 = double(left);
+m0_2 = double(left);
+if self.deadbeat_1 < m0_1
     % The exact law in samples.
     s1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
     z1_1 = s1 + (self.w1_3_1 * e3_1);
     z2_1 = (self.w2_2_1 * e2_1) + (self.w2_3_1 * e3_1);
     z3_1 = self.w3_3_1 * e3_1;
-    s2 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0)) + z3_1) / (m0 - 2.0);
+    s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
     law_1 = s2 + (0.3333333333333333 * r(1, 4));
-    s3 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
-    z1_2 = s3 + (self.w1_3_1 * e3_2);
-    z2_2 = (self.w2_2_1 * e2_2) + (self.w2_3_1 * e3_2);
-    z3_2 = self.w3_3_1 * e3_2;
-    s4 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0)) + z3_2) / (m0 - 2.0);
-    law_2 = s4 + (0.3333333333333333 * r(2, 4));
 else
     % Deadbeat.
-    s5 = (self.b_1_1 * e1_1) + (self.b_2_1 * e2_1);
-    law_1 = s5 + (self.b_3_1 * e3_1) + (0.3333333333333333 * r(1, 4));
+    s3 = (self.b_1_1 * e1_1) + (self.b_2_1 * e2_1);
+    law_1 = s3 + (self.b_3_1 * e3_1) + (0.3333333333333333 * r(1, 4));
+end
+if self.deadbeat_1 < m0_2
+    % The exact law in samples.
+    s4 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
+    z1_2 = s4 + (self.w1_3_1 * e3_2);
+    z2_2 = (self.w2_2_1 * e2_2) + (self.w2_3_1 * e3_2);
+    z3_2 = self.w3_3_1 * e3_2;
+    s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+    law_2 = s5 + (0.3333333333333333 * r(2, 4));
+else
+    % Deadbeat.
     s6 = (self.b_1_1 * e1_2) + (self.b_2_1 * e2_2);
     law_2 = s6 + (self.b_3_1 * e3_2) + (0.3333333333333333 * r(2, 4));
 end

@@ -41,8 +41,8 @@ Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEE
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: at rest at sample N from any state, but for what r does between samples:
-      deadbeat ends the loop, whatever the poles, and |u| is bounded.
+  growth: sound: at rest at sample N from any state, but for what r does between samples,
+      whatever the poles, and |u| is bounded.
   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
   loop: not checked: `samples` is left to run time.
@@ -251,25 +251,30 @@ class Stage34:
             e2_2 = x2_2 - r[..., 1, 1]
             e3_2 = x3_2 - r[..., 1, 2]
             left = max(self._samples - elapsed, 0)
-            m0 = _R(left)
-            if self._deadbeat_1 < m0:
+            m0_1 = _R(left)
+            m0_2 = _R(left)
+            if self._deadbeat_1 < m0_1:
                 # The exact law in samples.
                 s1 = (self._w1_1_1 * e1_1) + (self._w1_2_1 * e2_1)
                 z1_1 = s1 + (self._w1_3_1 * e3_1)
                 z2_1 = (self._w2_2_1 * e2_1) + (self._w2_3_1 * e3_1)
                 z3_1 = self._w3_3_1 * e3_1
-                s2 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0)) + z3_1) / (m0 - 2.0)
+                s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0)
                 law_1 = s2 + (0.3333333333333333 * r[..., 0, 3])
-                s3 = (self._w1_1_1 * e1_2) + (self._w1_2_1 * e2_2)
-                z1_2 = s3 + (self._w1_3_1 * e3_2)
-                z2_2 = (self._w2_2_1 * e2_2) + (self._w2_3_1 * e3_2)
-                z3_2 = self._w3_3_1 * e3_2
-                s4 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0)) + z3_2) / (m0 - 2.0)
-                law_2 = s4 + (0.3333333333333333 * r[..., 1, 3])
             else:
                 # Deadbeat.
-                s5 = (self._b_1_1 * e1_1) + (self._b_2_1 * e2_1)
-                law_1 = s5 + (self._b_3_1 * e3_1) + (0.3333333333333333 * r[..., 0, 3])
+                s3 = (self._b_1_1 * e1_1) + (self._b_2_1 * e2_1)
+                law_1 = s3 + (self._b_3_1 * e3_1) + (0.3333333333333333 * r[..., 0, 3])
+            if self._deadbeat_1 < m0_2:
+                # The exact law in samples.
+                s4 = (self._w1_1_1 * e1_2) + (self._w1_2_1 * e2_2)
+                z1_2 = s4 + (self._w1_3_1 * e3_2)
+                z2_2 = (self._w2_2_1 * e2_2) + (self._w2_3_1 * e3_2)
+                z3_2 = self._w3_3_1 * e3_2
+                s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0)
+                law_2 = s5 + (0.3333333333333333 * r[..., 1, 3])
+            else:
+                # Deadbeat.
                 s6 = (self._b_1_1 * e1_2) + (self._b_2_1 * e2_2)
                 law_2 = s6 + (self._b_3_1 * e3_2) + (0.3333333333333333 * r[..., 1, 3])
             if elapsed < self._samples:

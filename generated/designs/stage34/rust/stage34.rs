@@ -41,8 +41,8 @@
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
-//!   growth: sound: at rest at sample N from any state, but for what r does between samples:
-//!       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+//!   growth: sound: at rest at sample N from any state, but for what r does between samples,
+//!       whatever the poles, and |u| is bounded.
 //!   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
 //!   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
 //!   loop: not checked: `samples` is left to run time.
@@ -295,27 +295,33 @@ impl Stage34 {
         let e2_2 = x2_2 - r[1][1];
         let e3_2 = x3_2 - r[1][2];
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = left as f64;
+        let m0_1 = left as f64;
         let law_1: f64;
+        let m0_2 = left as f64;
         let law_2: f64;
-        if self.deadbeat_1 < m0 {
+        if self.deadbeat_1 < m0_1 {
             // The exact law in samples.
             let s1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
             let z1_1 = s1 + (self.w1_3_1 * e3_1);
             let z2_1 = (self.w2_2_1 * e2_1) + (self.w2_3_1 * e3_1);
             let z3_1 = self.w3_3_1 * e3_1;
-            let s2 = ((((z1_1 / m0) + z2_1) / (m0 - 1.0)) + z3_1) / (m0 - 2.0);
+            let s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
             law_1 = s2 + (0.3333333333333333 * r[0][3]);
-            let s3 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
-            let z1_2 = s3 + (self.w1_3_1 * e3_2);
-            let z2_2 = (self.w2_2_1 * e2_2) + (self.w2_3_1 * e3_2);
-            let z3_2 = self.w3_3_1 * e3_2;
-            let s4 = ((((z1_2 / m0) + z2_2) / (m0 - 1.0)) + z3_2) / (m0 - 2.0);
-            law_2 = s4 + (0.3333333333333333 * r[1][3]);
         } else {
             // Deadbeat.
-            let s5 = (self.b_1_1 * e1_1) + (self.b_2_1 * e2_1);
-            law_1 = s5 + (self.b_3_1 * e3_1) + (0.3333333333333333 * r[0][3]);
+            let s3 = (self.b_1_1 * e1_1) + (self.b_2_1 * e2_1);
+            law_1 = s3 + (self.b_3_1 * e3_1) + (0.3333333333333333 * r[0][3]);
+        }
+        if self.deadbeat_1 < m0_2 {
+            // The exact law in samples.
+            let s4 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
+            let z1_2 = s4 + (self.w1_3_1 * e3_2);
+            let z2_2 = (self.w2_2_1 * e2_2) + (self.w2_3_1 * e3_2);
+            let z3_2 = self.w3_3_1 * e3_2;
+            let s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+            law_2 = s5 + (0.3333333333333333 * r[1][3]);
+        } else {
+            // Deadbeat.
             let s6 = (self.b_1_1 * e1_2) + (self.b_2_1 * e2_2);
             law_2 = s6 + (self.b_3_1 * e3_2) + (0.3333333333333333 * r[1][3]);
         }

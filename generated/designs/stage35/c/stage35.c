@@ -75,26 +75,16 @@ ptc_status stage35_step(
             const double x1_1 = s1 + (2.499973960459077e-5 * x1_2);
             const double x2_1 = 1.0000166669696244 * x[1];
             double law_1;
+
+            /* The exact law in samples. */
+            const double m0_1 = (elapsed < 28U) ? ((double)(32U - elapsed)) : 4.0;
+            const double z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
+            const double z2_1 = (-600.0) * x2_1;
+            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
             double law_2;
-            if (elapsed < 25U) {
-                /* The exact law in samples. */
-                const double m0 = (double)(30U - elapsed);
-                const double z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
-                const double z2_1 = (-600.0) * x2_1;
-                law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
-            } else {
-                /* Deadbeat. */
-                law_1 = ((-10000.0) * x1_1) - (150.0 * x2_1);
-            }
-            if (elapsed < 26U) {
-                /* The exact law in samples. */
-                const double m0 = (double)(30U - elapsed);
-                const double z1_2 = (-400.0) * x1_2;
-                law_2 = z1_2 / m0;
-            } else {
-                /* Deadbeat. */
-                law_2 = (-100.0) * x1_2;
-            }
+            const double m0_2 = (elapsed < 29U) ? ((double)(33U - elapsed)) : 4.0;
+            const double z1_2 = (-400.0) * x1_2;
+            law_2 = z1_2 / m0_2;
 
             /* The inputs that give all of them. */
             const double s2 = ((-1.993127946172519) * x[0]) + ((-0.5087209499488312) * x[1]);

@@ -10,10 +10,11 @@
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
  *       no u is clipped and nothing else acts on the plant.
  * Law of each output, of order n, in its chain xi as it is sampled, which is the output with
- *       its derivatives up to O(h), and which held inputs move exactly: with M samples to go
- *       and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
- *       those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
- *       output i is xj_i in step, and v_i is law_i.
+ *       its derivatives up to O(h), and which held inputs move exactly: with M - s samples to
+ *       go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+ *       those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is
+ *       law_i. s = 2, 3. Output 1: The gains of 2 samples to go stay: they are deadbeat.
+ *       Output 2: The gains of 1 sample to go stay: they are deadbeat.
  * Output 1, of order n = 2, to four digits:
  *   xi_1 = s - 4.167e-6*v + 2.5e-5*i
  *   xi_2 = v
@@ -45,16 +46,16 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 30 from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 30 from any state, whatever the poles, and |u| is
+ *       bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 1, whose sum is the number of states.
  */
-#ifndef STAGE35_284F9BE8_H
-#define STAGE35_284F9BE8_H
+#ifndef STAGE35_A9B9EC39_H
+#define STAGE35_A9B9EC39_H
 
 #include <stdint.h>
 

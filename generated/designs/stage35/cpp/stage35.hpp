@@ -10,10 +10,11 @@
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
  *       no u is clipped and nothing else acts on the plant.
  * Law of each output, of order n, in its chain xi as it is sampled, which is the output with
- *       its derivatives up to O(h), and which held inputs move exactly: with M samples to go
- *       and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
- *       those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
- *       output i is xj_i in step, and v_i is law_i.
+ *       its derivatives up to O(h), and which held inputs move exactly: with M - s samples to
+ *       go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+ *       those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is
+ *       law_i. s = 2, 3. Output 1: The gains of 2 samples to go stay: they are deadbeat.
+ *       Output 2: The gains of 1 sample to go stay: they are deadbeat.
  * Output 1, of order n = 2, to four digits:
  *   xi_1 = s - 4.167e-6*v + 2.5e-5*i
  *   xi_2 = v
@@ -44,16 +45,16 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 30 from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 30 from any state, whatever the poles, and |u| is
+ *       bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 1, whose sum is the number of states.
  */
-#ifndef STAGE35_2B5904B7_HPP
-#define STAGE35_2B5904B7_HPP
+#ifndef STAGE35_7FC1D71A_HPP
+#define STAGE35_7FC1D71A_HPP
 
 #include <array>
 #include <cfloat>
@@ -161,26 +162,16 @@ public:
         const double x1_1 = s1 + (2.499973960459077e-5 * x1_2);
         const double x2_1 = 1.0000166669696244 * x[1];
         double law_1{};
+
+        // The exact law in samples.
+        const double m0_1 = (elapsed < 28U) ? (static_cast<double>(32U - elapsed)) : 4.0;
+        const double z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
+        const double z2_1 = (-600.0) * x2_1;
+        law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
         double law_2{};
-        if (elapsed < 25U) {
-            // The exact law in samples.
-            const double m0 = static_cast<double>(30U - elapsed);
-            const double z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
-            const double z2_1 = (-600.0) * x2_1;
-            law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
-        } else {
-            // Deadbeat.
-            law_1 = ((-10000.0) * x1_1) - (150.0 * x2_1);
-        }
-        if (elapsed < 26U) {
-            // The exact law in samples.
-            const double m0 = static_cast<double>(30U - elapsed);
-            const double z1_2 = (-400.0) * x1_2;
-            law_2 = z1_2 / m0;
-        } else {
-            // Deadbeat.
-            law_2 = (-100.0) * x1_2;
-        }
+        const double m0_2 = (elapsed < 29U) ? (static_cast<double>(33U - elapsed)) : 4.0;
+        const double z1_2 = (-400.0) * x1_2;
+        law_2 = z1_2 / m0_2;
 
         // The inputs that give all of them.
         const double s2 = ((-1.993127946172519) * x[0]) + ((-0.5087209499488312) * x[1]);

@@ -34,25 +34,15 @@ x1_2 = x(3);
 s1 = x(1) + ((-4.16676736285295e-6) * x(2));
 x1_1 = s1 + (2.499973960459077e-5 * x1_2);
 x2_1 = 1.0000166669696244 * x(2);
-if elapsed < uint32(25)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
-    z2_1 = (-600.0) * x2_1;
-    law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
-else
-    % Deadbeat.
-    law_1 = ((-10000.0) * x1_1) - (150.0 * x2_1);
-end
-if elapsed < uint32(26)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_2 = (-400.0) * x1_2;
-    law_2 = z1_2 / m0;
-else
-    % Deadbeat.
-    law_2 = (-100.0) * x1_2;
-end
+
+% The exact law in samples.
+m0_1 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(32)) - double(elapsed), 4294967296))), 4.0);
+z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
+z2_1 = (-600.0) * x2_1;
+law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+m0_2 = pick(elapsed < uint32(29), double(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296))), 4.0);
+z1_2 = (-400.0) * x1_2;
+law_2 = z1_2 / m0_2;
 
 % The inputs that give all of them.
 s2 = ((-1.993127946172519) * x(1)) + ((-0.5087209499488312) * x(2));
@@ -103,5 +93,13 @@ else
         axes(2) = int32(-3);
     end
     status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

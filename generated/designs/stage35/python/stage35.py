@@ -10,10 +10,11 @@ Plant: the inputs F, V: s' = v, v' = 3*i - 2*s - v/2 + F, i' = V - 4*i + s/8, ou
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
       no u is clipped and nothing else acts on the plant.
 Law of each output, of order n, in its chain xi as it is sampled, which is the output with
-      its derivatives up to O(h), and which held inputs move exactly: with M samples to go
-      and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
-      those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
-      output i is xj_i in step, and v_i is law_i.
+      its derivatives up to O(h), and which held inputs move exactly: with M - s samples to
+      go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+      those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is
+      law_i. s = 2, 3. Output 1: The gains of 2 samples to go stay: they are deadbeat.
+      Output 2: The gains of 1 sample to go stay: they are deadbeat.
 Output 1, of order n = 2, to four digits:
   xi_1 = s - 4.167e-6*v + 2.5e-5*i
   xi_2 = v
@@ -44,8 +45,8 @@ Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEE
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: at rest at sample 30 from any state: deadbeat ends the loop, whatever the
-      poles, and |u| is bounded.
+  growth: sound: at rest at sample 30 from any state, whatever the poles, and |u| is
+      bounded.
   sampling: not checked: the law is exact in samples, at any period.
   deadline: not checked: the law is exact in samples, at any period.
   loop: not checked: `x0_max` is not given.
@@ -155,23 +156,15 @@ class Stage35:
             s1 = x[0] + ((-4.16676736285295e-6) * x[1])
             x1_1 = s1 + (2.499973960459077e-5 * x1_2)
             x2_1 = 1.0000166669696244 * x[1]
-            if elapsed < 25:
-                # The exact law in samples.
-                m0 = _R((30 - elapsed) & _WRAP)
-                z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1)
-                z2_1 = (-600.0) * x2_1
-                law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0)
-            else:
-                # Deadbeat.
-                law_1 = ((-10000.0) * x1_1) - (150.0 * x2_1)
-            if elapsed < 26:
-                # The exact law in samples.
-                m0 = _R((30 - elapsed) & _WRAP)
-                z1_2 = (-400.0) * x1_2
-                law_2 = z1_2 / m0
-            else:
-                # Deadbeat.
-                law_2 = (-100.0) * x1_2
+
+            # The exact law in samples.
+            m0_1 = _R((32 - elapsed) & _WRAP) if elapsed < 28 else _R(4.0)
+            z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1)
+            z2_1 = (-600.0) * x2_1
+            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)
+            m0_2 = _R((33 - elapsed) & _WRAP) if elapsed < 29 else _R(4.0)
+            z1_2 = (-400.0) * x1_2
+            law_2 = z1_2 / m0_2
 
             # The inputs that give all of them.
             s2 = ((-1.993127946172519) * x[0]) + ((-0.5087209499488312) * x[1])

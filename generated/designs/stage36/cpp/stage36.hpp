@@ -10,10 +10,11 @@
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
  *       no u is clipped and nothing else acts on the plant.
  * Law of each output, of order n, in its chain xi as it is sampled, which is the output with
- *       its derivatives up to O(h), and which held inputs move exactly: with M samples to go
- *       and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
- *       those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
- *       output i is xj_i in step, and v_i is law_i.
+ *       its derivatives up to O(h), and which held inputs move exactly: with M - s samples to
+ *       go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+ *       those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is
+ *       law_i. s = 0, 0. Output 1: Close to the end deadbeat takes over. Output 2: Close to
+ *       the end deadbeat takes over.
  * Output 1, of order n = 2, to four digits:
  *   xi_1 = q1 - 4.762e-6*w1 + 5.443e-11*w2
  *   xi_2 = w1 - 5.715e-5*w2
@@ -48,16 +49,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE36_A358528C_HPP
-#define STAGE36_A358528C_HPP
+#ifndef STAGE36_565AAADB_HPP
+#define STAGE36_565AAADB_HPP
 
 #include <array>
 #include <cfloat>
@@ -197,20 +197,26 @@ public:
         const float x1_2 = x[1] + (2.3814148e-6f * x[2]) + ((-2.7217397e-11f) * x[3]);
         const float x2_2 = ((-2.857665e-5f) * x[2]) + (1.0000952f * x[3]);
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const float m0 = static_cast<float>(left);
+        const float m0_1 = static_cast<float>(left);
         float law_1{};
+        const float m0_2 = static_cast<float>(left);
         float law_2{};
-        if (deadbeat_1_ < m0) {
+        if (deadbeat_1_ < m0_1) {
             // The exact law in samples.
             const float z1_1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
             const float z2_1 = w2_2_1_ * x2_1;
-            law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0f);
-            const float z1_2 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
-            const float z2_2 = w2_2_1_ * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0f);
+            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f);
         } else {
             // Deadbeat.
             law_1 = ((-2500.0f) * x1_1) - (75.0f * x2_1);
+        }
+        if (deadbeat_1_ < m0_2) {
+            // The exact law in samples.
+            const float z1_2 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
+            const float z2_2 = w2_2_1_ * x2_2;
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f);
+        } else {
+            // Deadbeat.
             law_2 = ((-2500.0f) * x1_2) - (75.0f * x2_2);
         }
 

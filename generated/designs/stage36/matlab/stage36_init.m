@@ -23,10 +23,11 @@ function self = stage36_init(params) %#codegen
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
 %       no u is clipped and nothing else acts on the plant.
 % Law of each output, of order n, in its chain xi as it is sampled, which is the output with
-%       its derivatives up to O(h), and which held inputs move exactly: with M samples to go
-%       and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
-%       those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
-%       output i is xj_i in step, and v_i is law_i.
+%       its derivatives up to O(h), and which held inputs move exactly: with M - s samples to
+%       go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+%       those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is
+%       law_i. s = 0, 0. Output 1: Close to the end deadbeat takes over. Output 2: Close to
+%       the end deadbeat takes over.
 % Output 1, of order n = 2, to four digits:
 %   xi_1 = q1 - 4.762e-6*w1 + 5.443e-11*w2
 %   xi_2 = w1 - 5.715e-5*w2
@@ -61,8 +62,7 @@ function self = stage36_init(params) %#codegen
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
-%   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-%       poles, and |u| is bounded.
+%   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
 %   sampling: not checked: the law is exact in samples, at any period.
 %   deadline: not checked: the law is exact in samples, at any period.
 %   loop: not checked: `samples` is left to run time.

@@ -10,10 +10,11 @@ Plant: the inputs F1, F2: q = (q1, q2), q' = (w1, w2), M q'' + bias = u, M = [[2
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
       no u is clipped and nothing else acts on the plant.
 Law of each output, of order n, in its chain xi as it is sampled, which is the output with
-      its derivatives up to O(h), and which held inputs move exactly: with M samples to go
-      and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
-      those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
-      output i is xj_i in step, and v_i is law_i.
+      its derivatives up to O(h), and which held inputs move exactly: with M - s samples to
+      go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+      those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is
+      law_i. s = 0, 0. Output 1: Close to the end deadbeat takes over. Output 2: Close to
+      the end deadbeat takes over.
 Output 1, of order n = 2, to four digits:
   xi_1 = q1 - 4.762e-6*w1 + 5.443e-11*w2
   xi_2 = w1 - 5.715e-5*w2
@@ -48,8 +49,7 @@ Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEE
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-      poles, and |u| is bounded.
+  growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
   sampling: not checked: the law is exact in samples, at any period.
   deadline: not checked: the law is exact in samples, at any period.
   loop: not checked: `samples` is left to run time.
@@ -217,18 +217,23 @@ class Stage36:
             x1_2 = x[1] + (_R(2.3814147880329983e-6) * x[2]) + ((-_R(2.7217396739165345e-11)) * x[3])
             x2_2 = ((-_R(2.857664912880864e-5)) * x[2]) + (_R(1.000095248222351) * x[3])
             left = max(self._samples - elapsed, 0)
-            m0 = _R(left)
-            if self._deadbeat_1 < m0:
+            m0_1 = _R(left)
+            m0_2 = _R(left)
+            if self._deadbeat_1 < m0_1:
                 # The exact law in samples.
                 z1_1 = (self._w1_1_1 * x1_1) + (self._w1_2_1 * x2_1)
                 z2_1 = self._w2_2_1 * x2_1
-                law_1 = ((z1_1 / m0) + z2_1) / (m0 - _R(1.0))
-                z1_2 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
-                z2_2 = self._w2_2_1 * x2_2
-                law_2 = ((z1_2 / m0) + z2_2) / (m0 - _R(1.0))
+                law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - _R(1.0))
             else:
                 # Deadbeat.
                 law_1 = ((-_R(2500.0)) * x1_1) - (_R(75.0) * x2_1)
+            if self._deadbeat_1 < m0_2:
+                # The exact law in samples.
+                z1_2 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
+                z2_2 = self._w2_2_1 * x2_2
+                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - _R(1.0))
+            else:
+                # Deadbeat.
                 law_2 = ((-_R(2500.0)) * x1_2) - (_R(75.0) * x2_2)
 
             # The inputs that give all of them.

@@ -10,10 +10,11 @@
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state, as long as
 //!       no u is clipped and nothing else acts on the plant.
 //! Law of each output, of order n, in its chain xi as it is sampled, which is the output with
-//!       its derivatives up to O(h), and which held inputs move exactly: with M samples to go
-//!       and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
-//!       those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over. xi_j of
-//!       output i is xj_i in step, and v_i is law_i.
+//!       its derivatives up to O(h), and which held inputs move exactly: with M - s samples to
+//!       go and z = S xi, v h^n = sum of row_j z_j h^(j-1)/((M-j+1)...(M-n+1)); the rows are
+//!       those of Theorem 1 for the mapping exp. xi_j of output i is xj_i in step, and v_i is
+//!       law_i. s = 0, 0. Output 1: Close to the end deadbeat takes over. Output 2: Close to
+//!       the end deadbeat takes over.
 //! Output 1, of order n = 2, to four digits:
 //!   xi_1 = q1 - 4.762e-6*w1 + 5.443e-11*w2
 //!   xi_2 = w1 - 5.715e-5*w2
@@ -48,8 +49,7 @@
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
-//!   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-//!       poles, and |u| is bounded.
+//!   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
 //!   sampling: not checked: the law is exact in samples, at any period.
 //!   deadline: not checked: the law is exact in samples, at any period.
 //!   loop: not checked: `samples` is left to run time.
@@ -256,20 +256,26 @@ impl Stage36 {
         let x1_2 = x[1] + (2.3814148e-6 * x[2]) + ((-2.7217397e-11) * x[3]);
         let x2_2 = ((-2.857665e-5) * x[2]) + (1.0000952 * x[3]);
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = left as f32;
+        let m0_1 = left as f32;
         let law_1: f32;
+        let m0_2 = left as f32;
         let law_2: f32;
-        if self.deadbeat_1 < m0 {
+        if self.deadbeat_1 < m0_1 {
             // The exact law in samples.
             let z1_1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
             let z2_1 = self.w2_2_1 * x2_1;
-            law_1 = ((z1_1 / m0) + z2_1) / (m0 - 1.0);
-            let z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
-            let z2_2 = self.w2_2_1 * x2_2;
-            law_2 = ((z1_2 / m0) + z2_2) / (m0 - 1.0);
+            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
         } else {
             // Deadbeat.
             law_1 = ((-2500.0) * x1_1) - (75.0 * x2_1);
+        }
+        if self.deadbeat_1 < m0_2 {
+            // The exact law in samples.
+            let z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
+            let z2_2 = self.w2_2_1 * x2_2;
+            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+        } else {
+            // Deadbeat.
             law_2 = ((-2500.0) * x1_2) - (75.0 * x2_2);
         }
 

@@ -125,18 +125,14 @@ ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u)
             const float x2 = p2 + (l2 * miss);
             const float d = p3 + (l3 * miss);
             float v;
-            if (elapsed < 32U) {
-                /* The exact law in samples. */
-                const float m0 = (float)(40U - elapsed);
-                const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
-                const float z2 = (-6000.0f) * x2;
-                const float z3 = (-12.0f) * (self->u1 + d);
-                const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
-                v = (s2 + (self->u1 + d)) - d;
-            } else {
-                /* Deadbeat. */
-                v = ((((-10000.0f) * x1) - (250.0f * x2)) - (2.0f * (self->u1 + d))) - d;
-            }
+
+            /* The exact law in samples. */
+            const float m0 = (elapsed < 37U) ? ((float)(43U - elapsed)) : 6.0f;
+            const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
+            const float z2 = (-6000.0f) * x2;
+            const float z3 = (-12.0f) * (self->u1 + d);
+            const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
+            v = (s2 + (self->u1 + d)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F32(v)) {
                 float u_now;

@@ -2,16 +2,16 @@
  * Prescribed-time controller stage38: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage38 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
- * Version 0.1.0, design 1e7cb9e82b61.
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage38 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --precision f32 --tau=0.4 --eps=0 --u-max=1 --u-min=0 --poles=-4,-5,-6 --after zero --sample-time=1e-2 --delay=1
+ * Version 0.1.0, design 1fdc242cfcc9.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 3 samples to go and z = S x, u h^3 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 3 samples to go stay: they are deadbeat.
  *
  * Parameters:
  *   samples = 40 [samples], fixed: samples N from the start to rest
@@ -37,15 +37,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 40 from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 40 from any state, whatever the poles, and |u| is
+ *       bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_74EBC938_HPP
-#define STAGE38_74EBC938_HPP
+#ifndef STAGE38_2D0FFA9C_HPP
+#define STAGE38_2D0FFA9C_HPP
 
 #include <array>
 #include <cfloat>
@@ -193,18 +193,14 @@ public:
         const float x2 = p2 + (l2 * miss);
         const float d = p3 + (l3 * miss);
         float v{};
-        if (elapsed < 32U) {
-            // The exact law in samples.
-            const float m0 = static_cast<float>(40U - elapsed);
-            const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
-            const float z2 = (-6000.0f) * x2;
-            const float z3 = (-12.0f) * (u1_ + d);
-            const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
-            v = (s2 + (u1_ + d)) - d;
-        } else {
-            // Deadbeat.
-            v = ((((-10000.0f) * x1) - (250.0f * x2)) - (2.0f * (u1_ + d))) - d;
-        }
+
+        // The exact law in samples.
+        const float m0 = (elapsed < 37U) ? (static_cast<float>(43U - elapsed)) : 6.0f;
+        const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
+        const float z2 = (-6000.0f) * x2;
+        const float z3 = (-12.0f) * (u1_ + d);
+        const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
+        v = (s2 + (u1_ + d)) - d;
         if (!finite(v)) {
             return {0.0f, Status::Range};
         }

@@ -67,18 +67,14 @@ end
 x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);
-if elapsed < uint32(32)
-    % The exact law in samples.
-    m0 = single(uint32(mod(double(uint32(40)) - double(elapsed), 4294967296)));
-    z1 = ((-single(1200000.0)) * x1) + (single(6000.0) * x2);
-    z2 = (-single(6000.0)) * x2;
-    z3 = (-single(12.0)) * (self.u1 + d);
-    s2 = ((((z1 / m0) + z2) / (m0 - single(1.0))) + z3) / (m0 - single(2.0));
-    v = (s2 + (self.u1 + d)) - d;
-else
-    % Deadbeat.
-    v = ((((-single(10000.0)) * x1) - (single(250.0) * x2)) - (single(2.0) * (self.u1 + d))) - d;
-end
+
+% The exact law in samples.
+m0 = pick(elapsed < uint32(37), single(uint32(mod(double(uint32(43)) - double(elapsed), 4294967296))), single(6.0));
+z1 = ((-single(1200000.0)) * x1) + (single(6000.0) * x2);
+z2 = (-single(6000.0)) * x2;
+z3 = (-single(12.0)) * (self.u1 + d);
+s2 = ((((z1 / m0) + z2) / (m0 - single(1.0))) + z3) / (m0 - single(2.0));
+v = (s2 + (self.u1 + d)) - d;
 if ~isfinite(v)
     status = int32(-3);
     return;
@@ -111,5 +107,13 @@ if elapsed < uint32(40)
 else
     u = u_now;
     status = int32(3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

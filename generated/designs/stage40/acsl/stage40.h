@@ -2,16 +2,16 @@
  * Prescribed-time controller stage40: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage40 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
- * Version 0.1.0, design 3dd5d56bbb66.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+ * Version 0.1.0, design 1f938d622e88.
  *
  * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 3 samples to go and z = S x, u h^3 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 3 samples to go stay: they are deadbeat.
  * With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = w + rho/g,
  *       where the inputs under way count less the rho of their own samples. At sample N e is
  *       0 where r^(n) is constant over each sample; else an error of order h^(4-i) is left in
@@ -48,15 +48,15 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample 40 from any state, but for what r does between samples:
- *       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *   growth: sound: at rest at sample 40 from any state, but for what r does between samples,
+ *       whatever the poles, and |u| is bounded.
  *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE40_49C0F54D_H
-#define STAGE40_49C0F54D_H
+#ifndef STAGE40_7BD4D5C2_H
+#define STAGE40_7BD4D5C2_H
 
 #include <stdint.h>
 

@@ -141,19 +141,14 @@ ptc_status stage40_step(stage40 *self, uint32_t k, const double y[1], const doub
                 const double e1 = x1 - r[0];
                 const double e2 = x2 - r[1];
                 double v;
-                if (elapsed < 32U) {
-                    /* The exact law in samples. */
-                    const double m0 = (double)(40U - elapsed);
-                    const double z1 = ((-120000000.0) * e1) + (60000.0 * e2);
-                    const double z2 = (-60000.0) * e2;
-                    const double z3 = (-12.0) * ((self->u1 + d) - self->rho1);
-                    const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-                    v = ((s2 + ((self->u1 + d) - self->rho1)) - d) + r[2];
-                } else {
-                    /* Deadbeat. */
-                    const double s3 = 2.0 * ((self->u1 + d) - self->rho1);
-                    v = (((((-1000000.0) * e1) - (2500.0 * e2)) - s3) - d) + r[2];
-                }
+
+                /* The exact law in samples. */
+                const double m0 = (elapsed < 37U) ? ((double)(43U - elapsed)) : 6.0;
+                const double z1 = ((-120000000.0) * e1) + (60000.0 * e2);
+                const double z2 = (-60000.0) * e2;
+                const double z3 = (-12.0) * ((self->u1 + d) - self->rho1);
+                const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+                v = ((s2 + ((self->u1 + d) - self->rho1)) - d) + r[2];
                 status = PTC_E_RANGE;
                 if (PTC_FINITE_F64(v)) {
                     double u_now;

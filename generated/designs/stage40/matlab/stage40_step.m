@@ -83,19 +83,14 @@ d = p3 + (l3 * miss);
 % The tracking error.
 e1 = x1 - r(1);
 e2 = x2 - r(2);
-if elapsed < uint32(32)
-    % The exact law in samples.
-    m0 = double(uint32(mod(double(uint32(40)) - double(elapsed), 4294967296)));
-    z1 = ((-120000000.0) * e1) + (60000.0 * e2);
-    z2 = (-60000.0) * e2;
-    z3 = (-12.0) * ((self.u1 + d) - self.rho1);
-    s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-    v = ((s2 + ((self.u1 + d) - self.rho1)) - d) + r(3);
-else
-    % Deadbeat.
-    s3 = 2.0 * ((self.u1 + d) - self.rho1);
-    v = (((((-1000000.0) * e1) - (2500.0 * e2)) - s3) - d) + r(3);
-end
+
+% The exact law in samples.
+m0 = pick(elapsed < uint32(37), double(uint32(mod(double(uint32(43)) - double(elapsed), 4294967296))), 6.0);
+z1 = ((-120000000.0) * e1) + (60000.0 * e2);
+z2 = (-60000.0) * e2;
+z3 = (-12.0) * ((self.u1 + d) - self.rho1);
+s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+v = ((s2 + ((self.u1 + d) - self.rho1)) - d) + r(3);
 if ~isfinite(v)
     status = int32(-3);
     return;
@@ -127,5 +122,13 @@ elseif elapsed < uint32(40)
 else
     u = u_now;
     status = int32(1);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

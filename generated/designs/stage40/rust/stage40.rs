@@ -2,16 +2,16 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage40 --clock samples --deadbeat=8 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
-//! Version 0.1.0, design 3dd5d56bbb66.
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage40 --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=20 --innovation-max=0.5 --measurement-max=1.5 --coast=2 --tau=0.04 --eps=0 --u-max=6 --poles=-4,-5,-6 --reference input --sample-time=1e-3 --delay=1
+//! Version 0.1.0, design 1f938d622e88.
 //!
 //! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
 //!       sample late.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 //!       sample period, as long as u is not clipped and nothing else acts on the plant.
-//! Law: with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
-//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
-//!       over.
+//! Law: with M - 3 samples to go and z = S x, u h^3 = sum of row_j z_j
+//!       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
+//!       gains of 3 samples to go stay: they are deadbeat.
 //! With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = w + rho/g,
 //!       where the inputs under way count less the rho of their own samples. At sample N e is
 //!       0 where r^(n) is constant over each sample; else an error of order h^(4-i) is left in
@@ -48,8 +48,8 @@
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
-//!   growth: sound: at rest at sample 40 from any state, but for what r does between samples:
-//!       deadbeat ends the loop, whatever the poles, and |u| is bounded.
+//!   growth: sound: at rest at sample 40 from any state, but for what r does between samples,
+//!       whatever the poles, and |u| is bounded.
 //!   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
 //!   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
 //!   loop: not checked: `x0_max` is not given.
@@ -266,19 +266,18 @@ impl Stage40 {
         let e1 = x1 - r[0];
         let e2 = x2 - r[1];
         let v: f64;
-        if elapsed < 32 {
-            // The exact law in samples.
-            let m0 = 40_u32.wrapping_sub(elapsed) as f64;
-            let z1 = ((-120000000.0) * e1) + (60000.0 * e2);
-            let z2 = (-60000.0) * e2;
-            let z3 = (-12.0) * ((self.u1 + d) - self.rho1);
-            let s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-            v = ((s2 + ((self.u1 + d) - self.rho1)) - d) + r[2];
+
+        // The exact law in samples.
+        let m0 = if elapsed < 37 {
+            43_u32.wrapping_sub(elapsed) as f64
         } else {
-            // Deadbeat.
-            let s3 = 2.0 * ((self.u1 + d) - self.rho1);
-            v = (((((-1000000.0) * e1) - (2500.0 * e2)) - s3) - d) + r[2];
-        }
+            6.0
+        };
+        let z1 = ((-120000000.0) * e1) + (60000.0 * e2);
+        let z2 = (-60000.0) * e2;
+        let z3 = (-12.0) * ((self.u1 + d) - self.rho1);
+        let s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        v = ((s2 + ((self.u1 + d) - self.rho1)) - d) + r[2];
         if !v.is_finite() {
             return Err(Error::Range);
         }

@@ -37,15 +37,14 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_772D2E6D_H
-#define STAGE6_772D2E6D_H
+#ifndef STAGE6_7A7B3175_H
+#define STAGE6_7A7B3175_H
 
 #include <stdint.h>
 

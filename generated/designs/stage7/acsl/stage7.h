@@ -2,15 +2,15 @@
  * Prescribed-time controller stage7: order n = 1, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
- * Version 0.1.0, design e64cf42bb44d.
+ *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+ * Version 0.1.0, design 7a85fff93aef.
  *
  * Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^1 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-0));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 2 samples to go and z = S x, u h^1 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-0)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 1 sample to go stay: they are deadbeat.
  *
  * Parameters:
  *   samples [samples]: samples N from the start to rest
@@ -33,15 +33,14 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_428972BB_H
-#define STAGE7_428972BB_H
+#ifndef STAGE7_12F5B4A3_H
+#define STAGE7_12F5B4A3_H
 
 #include <stdint.h>
 
@@ -84,7 +83,6 @@ typedef struct stage7 {
     float e1_2; /* gain of the observer at its end */
     float e0_2; /* gain of the observer at its end */
     float w1_1; /* weight of a state in the law */
-    float b_1; /* weight of a state in the law */
     float u_max; /* bound of |u| */
 } stage7;
 
@@ -92,8 +90,7 @@ typedef struct stage7 {
       \is_finite(c->q2_1)
       && \is_finite(c->e1_2)
       && \is_finite(c->e0_2)
-      && \is_finite(c->w1_1)
-      && \is_finite(c->b_1);
+      && \is_finite(c->w1_1);
  */
 
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */

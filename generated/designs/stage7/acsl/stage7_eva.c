@@ -104,7 +104,6 @@ static void stage7_eva_blank(stage7 *self)
     self->e1_2 = 42.0f;
     self->e0_2 = 42.0f;
     self->w1_1 = 42.0f;
-    self->b_1 = 42.0f;
     self->u_max = 42.0f;
 }
 
@@ -122,7 +121,6 @@ static void stage7_eva_untouched(const stage7 *self)
     //@ assert untouched: self->e1_2 == 42.0;
     //@ assert untouched: self->e0_2 == 42.0;
     //@ assert untouched: self->w1_1 == 42.0;
-    //@ assert untouched: self->b_1 == 42.0;
     //@ assert untouched: self->u_max == 42.0;
 }
 

@@ -47,13 +47,11 @@ ptc_status stage7_init(stage7 *self, const stage7_params *params)
             const float e1_2 = 1.0f / params->h;
             const float e0_2 = 0.33333334f * (1.0f / params->h);
             const float w1_1 = (-3.0f) * (1.0f / params->h);
-            const float b_1 = -(1.0f / params->h);
             const float u_max = params->u_max;
             if (PTC_FINITE_F32(q2_1)
                 && PTC_FINITE_F32(e1_2)
                 && PTC_FINITE_F32(e0_2)
                 && PTC_FINITE_F32(w1_1)
-                && PTC_FINITE_F32(b_1)
                 && (1e-30f <= params->h)
                 && (1e-30f <= 1.0f / params->h)) {
                 self->start = 0U;
@@ -67,7 +65,6 @@ ptc_status stage7_init(stage7 *self, const stage7_params *params)
                 self->e1_2 = e1_2;
                 self->e0_2 = e0_2;
                 self->w1_1 = w1_1;
-                self->b_1 = b_1;
                 self->u_max = u_max;
                 status = PTC_OK;
             }
@@ -132,16 +129,12 @@ ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u)
     const float x1 = base + (l1 * miss);
     const float d = p2 + (l2 * miss);
     const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
-    const float m0 = (float)left;
+    const float m0 = ((float)left < 1.0f) ? 1.0f : (float)left;
     float v;
-    if (3.0f < m0) {
-        /* The exact law in samples. */
-        const float z1 = self->w1_1 * x1;
-        v = (z1 / m0) - d;
-    } else {
-        /* Deadbeat. */
-        v = (self->b_1 * x1) - d;
-    }
+
+    /* The exact law in samples. */
+    const float z1 = self->w1_1 * x1;
+    v = (z1 / (m0 + 2.0f)) - d;
     status = PTC_E_RANGE;
     if (PTC_FINITE_F32(v)) {
         float u_now;

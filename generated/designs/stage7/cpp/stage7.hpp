@@ -2,15 +2,15 @@
  * Prescribed-time controller stage7: order n = 1, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
- * Version 0.1.0, design e64cf42bb44d.
+ *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+ * Version 0.1.0, design 7a85fff93aef.
  *
  * Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^1 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-0));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 2 samples to go and z = S x, u h^1 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-0)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 1 sample to go stay: they are deadbeat.
  *
  * Parameters:
  *   samples [samples]: samples N from the start to rest
@@ -33,15 +33,14 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
- *   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
- *       poles, and |u| is bounded.
+ *   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_DADCEF00_HPP
-#define STAGE7_DADCEF00_HPP
+#ifndef STAGE7_B545E621_HPP
+#define STAGE7_B545E621_HPP
 
 #include <array>
 #include <cfloat>
@@ -125,13 +124,11 @@ public:
         const float e1_2 = 1.0f / params.h;
         const float e0_2 = 0.33333334f * (1.0f / params.h);
         const float w1_1 = (-3.0f) * (1.0f / params.h);
-        const float b_1 = -(1.0f / params.h);
         const float u_max = params.u_max;
         if (!(finite(q2_1)
                 && finite(e1_2)
                 && finite(e0_2)
                 && finite(w1_1)
-                && finite(b_1)
                 && (1e-30f <= params.h)
                 && (1e-30f <= 1.0f / params.h))) {
             return Status::Param;
@@ -147,7 +144,6 @@ public:
         e1_2_ = e1_2;
         e0_2_ = e0_2;
         w1_1_ = w1_1;
-        b_1_ = b_1;
         u_max_ = u_max;
         return Status::Ok;
     }
@@ -206,16 +202,12 @@ public:
         const float x1 = base + (l1 * miss);
         const float d = p2 + (l2 * miss);
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const float m0 = static_cast<float>(left);
+        const float m0 = (static_cast<float>(left) < 1.0f) ? 1.0f : static_cast<float>(left);
         float v{};
-        if (3.0f < m0) {
-            // The exact law in samples.
-            const float z1 = w1_1_ * x1;
-            v = (z1 / m0) - d;
-        } else {
-            // Deadbeat.
-            v = (b_1_ * x1) - d;
-        }
+
+        // The exact law in samples.
+        const float z1 = w1_1_ * x1;
+        v = (z1 / (m0 + 2.0f)) - d;
         if (!finite(v)) {
             return {0.0f, Status::Range};
         }
@@ -275,7 +267,6 @@ private:
     float e1_2_{}; // gain of the observer at its end
     float e0_2_{}; // gain of the observer at its end
     float w1_1_{}; // weight of a state in the law
-    float b_1_{}; // weight of a state in the law
     float u_max_{}; // bound of |u|
 };
 

@@ -13,15 +13,15 @@ function self = stage7_init(params) %#codegen
 % Prescribed-time controller stage7: order n = 1, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
-% Version 0.1.0, design e64cf42bb44d.
+%   ptc-codegen emit --lang matlab --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+% Version 0.1.0, design 7a85fff93aef.
 %
 % Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
 % Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 %       sample period, as long as u is not clipped and nothing else acts on the plant.
-% Law: with M samples to go and z = S x, u h^1 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-0));
-%       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
-%       over.
+% Law: with M - 2 samples to go and z = S x, u h^1 = sum of row_j z_j
+%       h^(j-1)/((M-j+1)...(M-0)); the rows are those of Theorem 1 for the mapping exp. The
+%       gains of 1 sample to go stay: they are deadbeat.
 %
 % Parameters:
 %   samples [samples]: samples N from the start to rest
@@ -44,8 +44,7 @@ function self = stage7_init(params) %#codegen
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.
-%   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-%       poles, and |u| is bounded.
+%   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
 %   sampling: not checked: the law is exact in samples, at any period.
 %   deadline: not checked: the law is exact in samples, at any period.
 %   loop: not checked: `samples` is left to run time.
@@ -72,9 +71,8 @@ q2_1 = single(12.0) * (single(1.0) / given.h);
 e1_2 = single(1.0) / given.h;
 e0_2 = single(0.3333333432674408) * (single(1.0) / given.h);
 w1_1 = (-single(3.0)) * (single(1.0) / given.h);
-b_1 = -(single(1.0) / given.h);
 u_max = given.u_max;
-if ~(isfinite(q2_1) && isfinite(e1_2) && isfinite(e0_2) && isfinite(w1_1) && isfinite(b_1))
+if ~(isfinite(q2_1) && isfinite(e1_2) && isfinite(e0_2) && isfinite(w1_1))
     error('stage7:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 if ~(single(1.0000000031710769e-30) <= given.h)
@@ -94,6 +92,5 @@ self.q2_1 = q2_1;
 self.e1_2 = e1_2;
 self.e0_2 = e0_2;
 self.w1_1 = w1_1;
-self.b_1 = b_1;
 self.u_max = u_max;
 end

@@ -54,15 +54,11 @@ end
 x1 = base + (l1 * miss);
 d = p2 + (l2 * miss);
 left = self.samples - elapsed;
-m0 = single(left);
-if single(3.0) < m0
-    % The exact law in samples.
-    z1 = self.w1_1 * x1;
-    v = (z1 / m0) - d;
-else
-    % Deadbeat.
-    v = (self.b_1 * x1) - d;
-end
+m0 = pick(single(left) < single(1.0), single(1.0), single(left));
+
+% The exact law in samples.
+z1 = self.w1_1 * x1;
+v = (z1 / (m0 + single(2.0))) - d;
 if ~isfinite(v)
     status = int32(-3);
     return;
@@ -87,5 +83,13 @@ elseif elapsed < self.samples
 else
     u = u_now;
     status = int32(1);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
 end
 end

@@ -2,15 +2,15 @@
 Prescribed-time controller stage7: order n = 1, clock in samples.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
-Version 0.1.0, design e64cf42bb44d.
+  ptc-codegen emit --lang python --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+Version 0.1.0, design 7a85fff93aef.
 
 Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
 Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
       sample period, as long as u is not clipped and nothing else acts on the plant.
-Law: with M samples to go and z = S x, u h^1 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-0));
-      the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
-      over.
+Law: with M - 2 samples to go and z = S x, u h^1 = sum of row_j z_j
+      h^(j-1)/((M-j+1)...(M-0)); the rows are those of Theorem 1 for the mapping exp. The
+      gains of 1 sample to go stay: they are deadbeat.
 
 Parameters:
   samples [samples]: samples N from the start to rest
@@ -33,8 +33,7 @@ Precision f32 (IEEE 754 binary32). Results are bit for bit the same on every IEE
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-      poles, and |u| is bounded.
+  growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
   sampling: not checked: the law is exact in samples, at any period.
   deadline: not checked: the law is exact in samples, at any period.
   loop: not checked: `samples` is left to run time.
@@ -125,14 +124,12 @@ class Stage7:
             e1_2 = _R(1.0) / given_h
             e0_2 = _R(0.3333333432674408) * (_R(1.0) / given_h)
             w1_1 = (-_R(3.0)) * (_R(1.0) / given_h)
-            b_1 = -(_R(1.0) / given_h)
             u_max = given_u_max
             if not (
                 np.isfinite(q2_1)
                 and np.isfinite(e1_2)
                 and np.isfinite(e0_2)
                 and np.isfinite(w1_1)
-                and np.isfinite(b_1)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             if not (_R(1.0000000031710769e-30) <= given_h):
@@ -150,7 +147,6 @@ class Stage7:
             self._e1_2 = e1_2
             self._e0_2 = e0_2
             self._w1_1 = w1_1
-            self._b_1 = b_1
             self._u_max = u_max
 
     def arm(self, k: int) -> None:
@@ -206,14 +202,11 @@ class Stage7:
             x1 = base + (l1 * miss)
             d = p2 + (l2 * miss)
             left = max(self._samples - elapsed, 0)
-            m0 = _R(left)
-            if _R(3.0) < m0:
-                # The exact law in samples.
-                z1 = self._w1_1 * x1
-                v = (z1 / m0) - d
-            else:
-                # Deadbeat.
-                v = (self._b_1 * x1) - d
+            m0 = max(_R(left), _R(1.0))
+
+            # The exact law in samples.
+            z1 = self._w1_1 * x1
+            v = (z1 / (m0 + _R(2.0))) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
             if self._u_max < v:

@@ -2,15 +2,15 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
-//! Version 0.1.0, design e64cf42bb44d.
+//!   ptc-codegen emit --lang rust --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3
+//! Version 0.1.0, design 7a85fff93aef.
 //!
 //! Plant: x1' = (u + d), d constant and unknown; u held from sample to sample.
 //! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
 //!       sample period, as long as u is not clipped and nothing else acts on the plant.
-//! Law: with M samples to go and z = S x, u h^1 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-0));
-//!       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
-//!       over.
+//! Law: with M - 2 samples to go and z = S x, u h^1 = sum of row_j z_j
+//!       h^(j-1)/((M-j+1)...(M-0)); the rows are those of Theorem 1 for the mapping exp. The
+//!       gains of 1 sample to go stay: they are deadbeat.
 //!
 //! Parameters:
 //!   samples [samples]: samples N from the start to rest
@@ -33,8 +33,7 @@
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
-//!   growth: sound: at rest at sample N from any state: deadbeat ends the loop, whatever the
-//!       poles, and |u| is bounded.
+//!   growth: sound: at rest at sample N from any state, whatever the poles, and |u| is bounded.
 //!   sampling: not checked: the law is exact in samples, at any period.
 //!   deadline: not checked: the law is exact in samples, at any period.
 //!   loop: not checked: `samples` is left to run time.
@@ -145,8 +144,6 @@ pub struct Stage7 {
     e0_2: f32,
     /// weight of a state in the law.
     w1_1: f32,
-    /// weight of a state in the law.
-    b_1: f32,
     /// bound of |u|.
     u_max: f32,
 }
@@ -178,13 +175,11 @@ impl Stage7 {
         let e1_2 = 1.0 / params.h;
         let e0_2 = 0.33333334 * (1.0 / params.h);
         let w1_1 = (-3.0) * (1.0 / params.h);
-        let b_1 = -(1.0 / params.h);
         let u_max = params.u_max;
         if !(q2_1.is_finite()
             && e1_2.is_finite()
             && e0_2.is_finite()
             && w1_1.is_finite()
-            && b_1.is_finite()
             && (1e-30 <= params.h)
             && (1e-30 <= 1.0 / params.h))
         {
@@ -202,7 +197,6 @@ impl Stage7 {
             e1_2,
             e0_2,
             w1_1,
-            b_1,
             u_max,
         })
     }
@@ -263,16 +257,16 @@ impl Stage7 {
         let x1 = base + (l1 * miss);
         let d = p2 + (l2 * miss);
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = left as f32;
-        let v: f32;
-        if 3.0 < m0 {
-            // The exact law in samples.
-            let z1 = self.w1_1 * x1;
-            v = (z1 / m0) - d;
+        let m0 = if (left as f32) < 1.0 {
+            1.0
         } else {
-            // Deadbeat.
-            v = (self.b_1 * x1) - d;
-        }
+            left as f32
+        };
+        let v: f32;
+
+        // The exact law in samples.
+        let z1 = self.w1_1 * x1;
+        v = (z1 / (m0 + 2.0)) - d;
         if !v.is_finite() {
             return Err(Error::Range);
         }

@@ -1,6 +1,6 @@
 /*
  * Self-test of the prescribed-time controller stage7, for the target. DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --deadbeat=3 --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3 --selftest
+ *   ptc-codegen emit --lang c --n 1 --mu "exp(a=1)" --name stage7 --clock samples --disturbance constant --observer-poles=-4,-5 --precision f32 --guard none --eps=0 --gains=3 --selftest
  * Version 0.1.0.
  *
  * 4 sets of parameters with 42 calls, 17 sets that init must refuse. The expected values were
@@ -15,8 +15,6 @@
  *   PTC_FINITE_F32(e0_2): held with each of 3024 sets of parameters that passed the tests before
  *     it.
  *   PTC_FINITE_F32(w1_1): held with each of 3024 sets of parameters that passed the tests before
- *     it.
- *   PTC_FINITE_F32(b_1): held with each of 3024 sets of parameters that passed the tests before
  *     it.
  *   1e-30f <= params->h: held with each of 3024 sets of parameters that passed the tests before
  *     it.

@@ -74,7 +74,7 @@ ptc_status stage8_step(const stage8 *self, uint32_t k, const double x[2], double
             /* The exact law in samples. */
             const double z1 = ((-20000000.0) * x1) + (10000.0 * x2);
             const double z2 = (-8000.0) * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            v = ((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0);
             if (PTC_FINITE_F64(v)) {
                 if (elapsed < 30U) {
                     if (3.0 < v) {

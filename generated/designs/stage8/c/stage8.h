@@ -8,9 +8,9 @@
  * Plant: x1' = x2, x2' = u; u held from sample to sample.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
- *       the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes
- *       over.
+ * Law: with M - 3 samples to go and z = S x, u h^2 = sum of row_j z_j
+ *       h^(j-1)/((M-j+1)...(M-1)); the rows are those of Theorem 1 for the mapping exp. The
+ *       gains of 5 samples to go stay.
  *
  * Parameters:
  *   samples = 30 [samples], fixed: samples N from the start to rest
@@ -39,8 +39,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE8_9F6B94D5_H
-#define STAGE8_9F6B94D5_H
+#ifndef STAGE8_57D320F6_H
+#define STAGE8_57D320F6_H
 
 #include <stdint.h>
 

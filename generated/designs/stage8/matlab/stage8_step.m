@@ -33,7 +33,7 @@ m0 = pick(double(left) < 5.0, 5.0, double(left));
 % The exact law in samples.
 z1 = ((-20000000.0) * x1) + (10000.0 * x2);
 z2 = (-8000.0) * x2;
-v = ((z1 / m0) + z2) / (m0 - 1.0);
+v = ((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0);
 if isfinite(v)
     if elapsed < uint32(30)
         if 3.0 < v

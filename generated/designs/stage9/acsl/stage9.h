@@ -39,14 +39,14 @@
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: sound: at rest at sample N from any state, but for what the held observer leaves
- *       of its error: deadbeat ends the loop, whatever the poles, and |u| is bounded.
+ *       of its error, whatever the poles, and |u| is bounded.
  *   sampling: not checked: the law is exact in samples, at any period.
  *   deadline: not checked: the law is exact in samples, at any period.
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE9_13AFA5C3_H
-#define STAGE9_13AFA5C3_H
+#ifndef STAGE9_E5438AFA_H
+#define STAGE9_E5438AFA_H
 
 #include <stdint.h>
 

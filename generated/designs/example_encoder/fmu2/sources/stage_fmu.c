@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{b15decb8-60ef-b8c6-5aa5-a094ceddb37a}"
+#define TOKEN "{85941100-e82f-5c9a-f6c3-c77033d6d879}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -248,7 +248,7 @@ static int get_number(Instance *instance, unsigned int reference, double *value)
         *value = 0.001;
         return 1;
     case 10u:
-        *value = 0.0;
+        *value = 0.02;
         return 1;
     case 11u:
         *value = 6.0;
@@ -257,13 +257,13 @@ static int get_number(Instance *instance, unsigned int reference, double *value)
         *value = 1.0;
         return 1;
     case 13u:
-        *value = 120.0;
+        *value = 60.0;
         return 1;
     case 14u:
-        *value = 74.0;
+        *value = 47.0;
         return 1;
     case 15u:
-        *value = 15.0;
+        *value = 12.0;
         return 1;
     default:
         tell(instance, "no number has the value reference %u", reference);

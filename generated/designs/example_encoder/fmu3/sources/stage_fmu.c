@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{67aecd97-e766-a0b3-1b26-c5de79c88ab4}"
+#define TOKEN "{9661c614-1cb6-4f9d-3c34-a952ba630b8b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -247,7 +247,7 @@ static int get_number(Instance *instance, unsigned int reference, double *value)
         *value = 0.001;
         return 1;
     case 10u:
-        *value = 0.0;
+        *value = 0.02;
         return 1;
     case 11u:
         *value = 6.0;
@@ -256,13 +256,13 @@ static int get_number(Instance *instance, unsigned int reference, double *value)
         *value = 1.0;
         return 1;
     case 13u:
-        *value = 120.0;
+        *value = 60.0;
         return 1;
     case 14u:
-        *value = 74.0;
+        *value = 47.0;
         return 1;
     case 15u:
-        *value = 15.0;
+        *value = 12.0;
         return 1;
     default:
         tell(instance, "no number has the value reference %u", reference);

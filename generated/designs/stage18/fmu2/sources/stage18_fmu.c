@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{3c4c84d2-62e8-0e51-571c-cc079861d090}"
+#define TOKEN "{6bb49762-9a7d-c7fb-4222-580f0703625b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

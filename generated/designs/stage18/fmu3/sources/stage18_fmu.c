@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{717527d0-9d92-c9e2-b167-1aaa6c9315f5}"
+#define TOKEN "{4f9a3959-5c20-38b0-5eda-dd28e9aca004}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

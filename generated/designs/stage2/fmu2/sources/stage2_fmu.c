@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a228bb28-63b2-abd8-cd9b-4fbf0f1482fe}"
+#define TOKEN "{0e63643f-6f3a-e503-7360-a6da64fc46a6}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7c137f29-694c-e3cc-7b8e-0b56884b894b}"
+#define TOKEN "{2f70be81-d59a-cde9-6c3d-f7cb1ad8361d}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{c3c50019-4433-a928-8649-64e912c53ad4}"
+#define TOKEN "{4fceb3cc-5fdd-8bd7-355c-4370ce123a36}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

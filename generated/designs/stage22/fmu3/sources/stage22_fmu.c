@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a854d7ba-5f0d-61e8-f80b-ad4d87f4c730}"
+#define TOKEN "{38bd9132-93a4-e16b-b639-2404ac919df0}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7551d170-d272-237a-151c-dc11179993bb}"
+#define TOKEN "{f3f37e78-0e49-3af4-4868-7fd4dc27ce8a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{dfe4f834-40f8-f5b5-f054-a13164abaeea}"
+#define TOKEN "{4410fe74-04ea-1614-b108-b2ee2c02609b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ae8bd12c-4b5e-7eeb-7726-afcf0cc348fc}"
+#define TOKEN "{ae27f667-9a5d-ebe4-6755-c89f07635bab}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

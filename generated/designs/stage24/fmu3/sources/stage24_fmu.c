@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a91b2114-93c4-f4fd-f0d6-014f6f0d3aec}"
+#define TOKEN "{75c791b8-2872-f568-2062-5b1cc62c6abd}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u

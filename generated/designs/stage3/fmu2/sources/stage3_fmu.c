@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d45c4554-48aa-9eff-f77c-afbb23e2909a}"
+#define TOKEN "{0a6f1b4d-de7f-3c8a-36c3-a96e92785b43}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{eee8bc25-fd2e-c8ac-3486-e4ef8f6724fa}"
+#define TOKEN "{9935abc6-a633-24c1-6224-c8503b096fc7}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

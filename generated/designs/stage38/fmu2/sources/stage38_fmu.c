@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{5f9c775c-87f3-10bf-a33e-a9d9adb47bd2}"
+#define TOKEN "{46b0a972-648c-175a-f576-14bc0e079888}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

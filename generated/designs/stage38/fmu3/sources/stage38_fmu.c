@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{e5cf3d07-59c6-140c-bbe9-7a121a5fb38f}"
+#define TOKEN "{c30e3323-0442-e771-f794-99e0d806882b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

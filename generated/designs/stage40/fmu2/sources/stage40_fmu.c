@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{10271a79-7650-3022-f0fd-e101df7b49c3}"
+#define TOKEN "{7614b14d-9a70-2454-fd44-b2b38d41aa89}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

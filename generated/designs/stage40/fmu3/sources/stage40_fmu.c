@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a51d378b-2d0c-4759-802f-dbbd7103b420}"
+#define TOKEN "{3ed3d9eb-39d0-ba24-a32e-a17afa68d81c}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

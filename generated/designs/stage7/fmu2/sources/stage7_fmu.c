@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{0c89bad4-1fad-5c40-9524-72854ea2d3c1}"
+#define TOKEN "{d8ed9b21-8904-c0f0-35f2-a1d5338f5af8}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{04a98eaa-3ad3-bb81-c91a-c54a63acbf09}"
+#define TOKEN "{128265ed-f52d-4162-d48d-09642ded5ec4}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
