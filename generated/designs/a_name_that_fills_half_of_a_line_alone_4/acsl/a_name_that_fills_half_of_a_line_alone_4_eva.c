@@ -201,7 +201,7 @@ static void a_name_that_fills_half_of_a_line_alone_4_eva_use(a_name_that_fills_h
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: -limit <= u <= limit;
+        //@ assert bounded: status >= 0 ==> -limit <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0;

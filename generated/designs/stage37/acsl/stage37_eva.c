@@ -177,7 +177,7 @@ static void stage37_eva_use(stage37 *self, double limit, int level)
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: STAGE37_EVA_U_MIN_MIN <= u <= limit;
+        //@ assert bounded: status >= 0 ==> STAGE37_EVA_U_MIN_MIN <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0;

@@ -126,7 +126,7 @@ static void stage38_eva_use(stage38 *self, float limit, int level)
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: 0.0f <= u <= limit;
+        //@ assert bounded: status >= 0 ==> 0.0f <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0;

@@ -152,7 +152,7 @@ static void stage39_eva_use(stage39 *self, double limit, int level)
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: 0.3333333333333333 <= u <= limit;
+        //@ assert bounded: status >= 0 ==> 0.3333333333333333 <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0;

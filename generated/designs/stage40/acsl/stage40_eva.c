@@ -148,7 +148,7 @@ static void stage40_eva_use(stage40 *self, double limit, int level)
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: -limit <= u <= limit;
+        //@ assert bounded: status >= 0 ==> -limit <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0 || status == PTC_E_INPUT;

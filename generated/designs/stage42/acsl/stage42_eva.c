@@ -184,7 +184,7 @@ static void stage42_eva_use(stage42 *self, double limit, int level)
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: -limit <= u <= limit;
+        //@ assert bounded: status >= 0 ==> -limit <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0 || status == PTC_E_INPUT;

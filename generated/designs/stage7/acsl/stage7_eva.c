@@ -161,7 +161,7 @@ static void stage7_eva_use(stage7 *self, float limit, int level)
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: -limit <= u <= limit;
+        //@ assert bounded: status >= 0 ==> -limit <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0;

@@ -95,7 +95,7 @@ static void stage8_eva_use(stage8 *self, double limit, int level)
         //@ assert finite: \is_finite(u);
     }
     if (level > 1) {
-        //@ assert bounded: -limit <= u <= limit;
+        //@ assert bounded: status >= 0 ==> -limit <= u <= limit;
     }
 #ifdef FINITE
     //@ assert accepted: status >= 0;
