@@ -103,7 +103,7 @@ pub use error::Error;
 /// | `latency` | polynomials as trees: shorter chains of operations, a few more of them | `true` or `false` | `false` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
 /// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]`; with `axes` also a list of them for each axis | run time |
-/// | `poles` | poles of the loop in stretched time, in place of `gains` | n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]`; with `axes` also a list of them for each axis | |
+/// | `poles` | poles of the loop in stretched time, in place of `gains` | `least-energy`, `least-energy(weight = W)`, or n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]`; with `axes` also a list of them for each axis | |
 /// | `pi0` | law of the infinite-time system, in place of `gains` | an expression in `xi1`..`xin`, `t` and latched `x1_0`, `xi1_0`; or `extern`: `step` takes a closure of xi and stretched time | the linear law |
 /// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range`; with `axes` an expression in parameters, or one for each axis | 1 |
 /// | `f` | known part of the plant, cancelled | an expression in `x1`..`xn` and `t`; a finite number with `clock = samples` | 0 |
