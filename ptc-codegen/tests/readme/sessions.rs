@@ -25,8 +25,21 @@ pub(super) fn printed(line: &str, folder: &Path) -> String {
 fn write(name: &str, line: &str, shown: &str, told: &str) {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs").join(name);
     let text = fs::read_to_string(&page).expect("a page");
-    let session = |output: &str| format!("$ {line}\n{output}");
-    fs::write(&page, text.replace(&session(shown), &session(told))).expect("writable");
+    // A session within a list stands further in.
+    let session = |output: &str, indent: &str| {
+        let all = format!("$ {line}\n{output}");
+        let within = |line: &str| match line.is_empty() {
+            true => "\n".to_owned(),
+            false => format!("{indent}{line}\n"),
+        };
+        all.lines().map(within).collect::<String>()
+    };
+    let new = ["", "  ", "    "]
+        .into_iter()
+        .map(|indent| text.replace(&session(shown, indent), &session(told, indent)))
+        .find(|new| *new != text);
+    fs::write(&page, new.unwrap_or_else(|| panic!("docs/{name} does not show {line}")))
+        .expect("writable");
     println!("docs/{name}: {line}");
 }
 
