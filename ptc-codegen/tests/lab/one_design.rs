@@ -29,7 +29,7 @@ const DESIGNS: [(&str, &str, &str); 7] = [
     ),
     (
         "end",
-        "n = 2\nmu = \"exp(a=7/5)\"\nclock = \"samples\"\npoles = [-3, -100]\nsample_time = 1e-2\neps = 0\n\
+        "n = 2\nmu = \"exp(a=7/5)\"\nclock = \"samples\"\npoles = [-3, -100]\nsample_time = 1e-2\n\
          x0_max = [1, 0.5]\n[params]\ntau = 2\nu_max = inf\n[verify]\nx1 = [-0.1, 0.1]\nx2 = 0\n",
         "0.1,0",
     ),
