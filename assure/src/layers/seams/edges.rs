@@ -51,7 +51,8 @@ fn in_time(random: &mut Random) -> Edge {
     }
 }
 
-/// A chain of order 1 in samples under u = -p x/(M h), M samples to go, held from 5 on: |u| is largest at the start.
+/// A chain of order 1 in samples under u = -p x/((M + p - 1) h), M samples to go, held from 5 on: |u| is largest at the
+/// start.
 fn in_samples(random: &mut Random) -> Edge {
     let (x1, p, count) = (short(random, 0.2, 2.0), 1 + random.below(3), 20 + random.below(40));
     let tau = count as f64 * 0.01;
@@ -62,7 +63,7 @@ fn in_samples(random: &mut Random) -> Edge {
         ),
         objectives: vec![(
             "[[objective]]\nbound = \"input\"\nupsilon = \"#\"\n",
-            format!("{p}*{x1}/{tau:.2}"),
+            format!("{p}*{x1}/({tau:.2} + ({p} - 1)*0.01)"),
         )],
         command: "verify",
     }

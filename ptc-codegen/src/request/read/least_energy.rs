@@ -50,16 +50,13 @@ impl Reader<'_> {
         weight.and_then(|weight| u32::try_from(weight).ok())
     }
 
-    /// Refuses the name beside A and B, where the law is that of a flat output.
+    /// Refuses the name for a law beside A and B, which is that of a flat output. At the end its poles stand for rest.
     pub(super) fn least_energy_of_states(&mut self) {
-        for key in ["poles", "poles_end"] {
-            let Some(node) = self.keys.get(key).copied().filter(|node| is_least_energy(node))
-            else {
-                continue;
-            };
+        let node = self.keys.get("poles").copied().filter(|node| is_least_energy(node));
+        if let Some(node) = node {
             let message = "least energy beside A and B".to_owned();
             let help = "give the poles as numbers: they are those of a flat output, whose energy is not that of u".to_owned();
-            self.wrong(key, Some(node.place), message, help);
+            self.wrong("poles", Some(node.place), message, help);
         }
     }
 
