@@ -151,6 +151,11 @@ def worst_end(controller, n, samples, clock, kind=mpf, parameters=()):
     return max(map(sum, zip(*ends)))
 
 
+def shown(left):
+    """What is left, as pages show it."""
+    return f"{float(left):.1e}" if left > LUCK else f"< {float(LUCK):.0e}"
+
+
 def table(command, _):
     """Rows of Markdown: the law of continuous time at the eps that is best for it, and that in samples."""
     ratios = {1000: "1e-3", 100: "0.01", 20: "0.05", 10: "0.1", 5: "0.2"}
@@ -168,8 +173,32 @@ def table(command, _):
             left = worst_end(held[n], n, samples, time, parameters=(eps,))
             exact = Controller(command, *flags, "--clock", "samples", "--sample-time", ratio)
             rest = worst_end(exact, n, samples, lambda k: k)
-            cells += [f"{float(left):.1e} (eps = {eps:.2g})", f"{float(rest):.1e}" if rest > LUCK else f"< {float(LUCK):.0e}"]
+            cells += [f"{float(left):.1e} (eps = {eps:.2g})", shown(rest)]
         print("|", " | ".join([ratio, *cells]), "|", flush=True)
+
+
+def energy(command, _):
+    """Rows of Markdown: peak and energy of u from x = (1, 0) in 800 samples of 1 ms, and what is left at the last."""
+    laws = {
+        "least-energy, that is -2, -3": ["--poles=least-energy"],
+        "least-energy(weight=1), -3, -4": ["--poles=least-energy(weight=1)"],
+        "least-energy(weight=2), -4, -5": ["--poles=least-energy(weight=2)"],
+        "least energy, from 400 samples to go with a weight of 1": [
+            "--poles=least-energy", "--poles-end=least-energy(weight=1)", "--end-samples=400"],
+        "-2, -4": ["--poles=-2,-4", "--poles-end=least-energy", "--end-samples=5"],
+        "-2, -4 with deadbeat = 5": ["--poles=-2,-4", "--deadbeat=5"],
+        "-2, -3 with deadbeat = 4": ["--poles=-2,-3", "--deadbeat=4"],
+    }
+    for name, flags in laws.items():
+        controller = Controller(command, "--n=2", "--mu=exp(a=1)", "--clock=samples", "--sample-time=1e-3",
+                                "--tau=0.8", "--eps=0", *flags)
+        controller.init()
+        chain, peak, spent = Chain("0.001", [1, 0]), 0.0, 0.0
+        for k in range(800):
+            u = controller.step(k, chain.x)
+            peak, spent = max(peak, abs(u)), spent + u * u * 1e-3
+            chain.step(u)
+        print(f"| {name} | {peak:.4g} | {spent:.4g} | {shown(max(map(abs, chain.x)))} |", flush=True)
 
 
 def poles(rng, count, low):
@@ -566,7 +595,7 @@ def falling(m, p):
 
 def stage(command, _):
     """Rows of Markdown: the worst of 20 runs from 0.1 m with 0.3 N, on a grid of the encoder's steps."""
-    for observer_eps, eps in ((0.01, 0), (0.03, 0), (0.03, 0.03), (0.06, 0.03), (0.06, 0.1)):
+    for observer_eps, eps in ((0.01, 0), (0.03, 0), (0.03, 0.02), (0.06, 0.02), (0.06, 0.1)):
         controller = Controller(
             command, str(Path(__file__).parent.parent / "examples/encoder.toml"),
             "--disturbance", "constant", "--observer-eps", str(observer_eps), "--eps", str(eps),
@@ -586,7 +615,7 @@ def stage(command, _):
 
 
 if __name__ == "__main__":
-    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "machines": machines, "plants": plants, "gains": gains, "stage": stage}
+    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "machines": machines, "plants": plants, "gains": gains, "stage": stage, "energy": energy}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("what", choices=commands)
     parser.add_argument("command", metavar="COMMAND")

@@ -37,6 +37,7 @@ fn run(context: &Context) -> Result<Finding> {
         ("alone", PAGE, Some("an observer of a plant with an input gain off by 1e-6")),
         ("follow", REFERENCES, Some("a plant that follows with an input gain off by 1e-6")),
         ("stage", PAGE, None),
+        ("energy", PAGE, None),
         ("table", README, None),
     ];
     let due = context.in_turn(all);

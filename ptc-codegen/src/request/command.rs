@@ -174,7 +174,7 @@ impl Spec {
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
         words.extend(deadbeat.map(|count| word("--deadbeat", count)));
         words.extend(sampled.end.iter().flat_map(|end| {
-            let poles = format!("--poles-end=\"{}\"", end.poles());
+            let poles = format!("--poles-end=\"{}\"", end.law);
             [poles, format!("--end-samples={}", end.samples)]
         }));
         if sampled.linear.is_none() && sampled.measured < self.n {

@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{Clock, Spec};
+use super::{Clock, EndLaw, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
@@ -60,33 +60,6 @@ pub struct Exponents {
     pub greatest: BigRational,
     /// True if they are consecutive integers.
     pub consecutive: bool,
-}
-
-/// The least-energy law that takes over from another one towards the end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EndLaw {
-    /// Samples to go from which on it is the law.
-    pub samples: u32,
-    /// Its weight: u^2 counts 1/(M (M + 1) ... (M + weight - 1)) with M samples to go.
-    pub weight: u32,
-}
-
-impl EndLaw {
-    /// Greatest weight; with a greater one the gains leave the range of numbers.
-    pub const MAX_WEIGHT: u32 = 1000;
-
-    /// Its poles by name, as a design has them.
-    pub fn poles(&self) -> String {
-        match self.weight {
-            0 => "least-energy".to_owned(),
-            weight => format!("least-energy(weight={weight})"),
-        }
-    }
-
-    /// Samples that its formula counts beyond those to go, in a loop of `order`.
-    pub fn shift(&self, order: usize) -> u32 {
-        u32::try_from(order).unwrap_or(u32::MAX).saturating_add(self.weight).saturating_sub(1)
-    }
 }
 
 impl Sampled {

@@ -2,10 +2,10 @@
 
 use num_traits::{ToPrimitive, Zero};
 
-use super::rows::{consecutive, deadbeat_from};
+use super::rows::{deadbeat_from, rows_of_least_energy};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{EndLaw, Exponents, Observer, Spec};
+use crate::request::{EndLaw, Exponents, LeastEnergy, Observer, Spec};
 
 /// A part of its round at which the gains of an observer stay once it is through.
 pub(super) const HELD_PART: i64 = 8;
@@ -35,7 +35,7 @@ impl Terminal {
     /// Samples that the formula of its own law counts beyond those to go.
     pub(super) fn shift(&self, order: usize) -> u32 {
         match self {
-            Self::LeastEnergy(end) => end.shift(order),
+            Self::LeastEnergy(end) => end.law.shift(order),
             Self::Itself | Self::Deadbeat(_) => 0,
         }
     }
@@ -56,7 +56,7 @@ impl Ending {
             (None, Some(_)) => Terminal::Itself,
             (None, None) => Terminal::LeastEnergy(softly(order, exponents)),
         };
-        // What the plant does between samples is in proportion to u in the last ones: after a round of deadbeat little.
+        // The plant moves between samples in proportion to u, which is small in a second round of deadbeat.
         let spare = if sampled.early { u32::try_from(order).unwrap_or(0) } else { 0 };
         Some(Self { shift: own.unwrap_or(0), spare, terminal })
     }
@@ -71,20 +71,20 @@ impl Ending {
         }
     }
 
-    /// Returns the gains, for the rate 1, of the law with `left` samples to go, and the samples that its formula
-    /// counts, from the gains of its own poles.
+    /// Returns the rows of the law with `left` samples to go, and the samples that its formula counts; `own` holds the
+    /// rows of its own poles.
     pub(crate) fn at(
         &self,
-        own: &[BigRational],
+        own: Vec<BigRational>,
         left: &BigRational,
     ) -> (Vec<BigRational>, BigRational) {
         let whole = |count: u32| integer(i64::from(count));
         match &self.terminal {
             Terminal::LeastEnergy(end) if *left <= whole(end.samples) => {
-                let shift = end.shift(own.len());
-                (consecutive(own.len(), shift), left + whole(shift))
+                let order = own.len();
+                (rows_of_least_energy(end.law, order), left + whole(end.law.shift(order)))
             }
-            _ => (own.to_vec(), left + whole(self.shift)),
+            _ => (own, left + whole(self.shift)),
         }
     }
 }
@@ -94,9 +94,10 @@ impl Ending {
 fn softly(order: usize, exponents: &Exponents) -> EndLaw {
     let count = |value: BigInt| value.to_u32().unwrap_or(u32::MAX);
     let weight = exponents.least.ceil().to_integer() - BigInt::from(order);
+    let weight = count(weight.max(BigInt::zero())).min(LeastEnergy::MAX_WEIGHT);
     EndLaw {
         samples: count(deadbeat_from(order, &exponents.greatest)),
-        weight: count(weight.max(BigInt::zero())).min(EndLaw::MAX_WEIGHT),
+        law: LeastEnergy { weight },
     }
 }
 

@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 use super::controller::Builder;
 use super::ends::{HELD_PART, is_noisy, switch};
 use super::observer::{Injection, Recurrence};
-use super::rows::rows;
+use super::rows::rows_of_numbers;
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
@@ -118,10 +118,8 @@ impl<'a> Builder<'a> {
     /// The error recurrence of `some` of the observer's poles.
     pub(super) fn recurrence(&self, some: Range<usize>, switch: &BigInt) -> Recurrence {
         let observer = self.observer();
-        let gains: Vec<_> =
-            observer.gains[some.clone()].iter().cloned().map(Expr::Number).collect();
-        let law = rows(&gains, &self.parameter(Parameter::A));
-        let law: Vec<_> = law.iter().filter_map(Expr::number).cloned().collect();
+        let Some(a) = self.fixed(Parameter::A) else { fault("an observer without a rate") };
+        let law = rows_of_numbers(&observer.gains[some.clone()], a);
         let after = observer.after.get(some);
         let after = after.zip(self.fixed(Parameter::SampleTime));
         Recurrence::new(&law, switch, after.and_then(|(poles, h)| sampled_poles(poles, h)))

@@ -56,14 +56,14 @@ impl Builder<'_> {
         let Some(ending) = Ending::of(self.spec) else { fault("a law in samples without a clock") };
         let flat = self.flat(order);
         let law = self.wanted();
-        let mut count = self.count_down(&ending, order, samples);
+        let mut count = self.count_down(&ending, samples);
         let mut statements = std::mem::take(&mut count.before);
         statements.push(Statement::Variable(law.name.clone(), Shape::Real));
         let gains: Vec<_> = (1..=order).map(|i| self.parameter(Parameter::Gain(i))).collect();
         let own = rows(&gains, &self.parameter(Parameter::A));
         let mut known = vec![Statement::Note("The exact law in samples.".to_owned())];
-        known.append(&mut count.law.0);
-        let (before, value) = self.formula(&flat, &own, ["z", "w"], &count.law.1);
+        known.append(&mut count.law.statements);
+        let (before, value) = self.formula(&flat, &own, ["z", "w"], &count.law.now);
         known.extend(before);
         known.push(law.is(value));
         match std::mem::replace(&mut count.takeover, Takeover::Never) {

@@ -33,3 +33,4 @@ pub use controller::controller;
 pub(crate) use ends::{Ending, Terminal, end_of_law, held_samples, is_noisy, observer_held};
 #[cfg(feature = "files")]
 pub use numbers::Numbers;
+pub(crate) use rows::rows_of_numbers;

@@ -2,9 +2,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::rows::rows;
+use super::rows::rows_of_numbers;
 use crate::algebra::BigRational;
-use crate::code::Expr;
 use crate::linear::Pair;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
@@ -40,11 +39,10 @@ impl Numbers {
         };
         let row = |i: usize| (0..order).map(|j| entry(i, j)).collect::<Option<Vec<_>>>();
         let gains: Option<Vec<_>> =
-            (1..=order).map(|i| number(Parameter::Gain(i)).cloned().map(Expr::Number)).collect();
-        let law = rows(&gains?, &Expr::Number(number(Parameter::A)?.clone()));
+            (1..=order).map(|i| number(Parameter::Gain(i)).cloned()).collect();
         Some(Self {
             s: (0..order).map(row).collect::<Option<Vec<_>>>()?,
-            rows: law.iter().filter_map(Expr::number).cloned().collect(),
+            rows: rows_of_numbers(&gains?, number(Parameter::A)?),
         })
     }
 }

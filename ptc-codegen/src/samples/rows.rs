@@ -5,7 +5,6 @@
 
 use std::ops::{Div, Mul};
 
-use crate::algebra::polynomial::Polynomial;
 use crate::algebra::{BigInt, BigRational, Kind, Monomial, Poly, integer};
 use crate::code::Expr;
 use crate::family::Family;
@@ -13,6 +12,7 @@ use crate::internal::fault;
 use crate::law::{Form, Law};
 use crate::linear::binomial;
 use crate::mapping::Mapping;
+use crate::request::{LeastEnergy, gains};
 
 /// row_1..row_m of the gains k_1..k_m and the rate a.
 pub(super) fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
@@ -41,15 +41,18 @@ pub(super) fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
     rows.iter().map(row).collect()
 }
 
-/// The gains, for the rate 1, of the exponents `shift` + 1, ..., `shift` + `m`.
-pub(crate) fn consecutive(m: usize, shift: u32) -> Vec<BigRational> {
-    let exponents = (1..).take(m).map(|i| integer(i64::from(shift) + i));
-    let product = exponents.fold(Polynomial::one(), |product, exponent| {
-        product.times(&Polynomial::linear(&-exponent))
-    });
-    let mut gains = product.coefficients().to_vec();
-    gains.pop();
-    gains
+/// The rows of gains and a rate that are numbers.
+pub(crate) fn rows_of_numbers(gains: &[BigRational], a: &BigRational) -> Vec<BigRational> {
+    let gains: Vec<_> = gains.iter().cloned().map(Expr::Number).collect();
+    let rows = rows(&gains, &Expr::Number(a.clone()));
+    rows.iter().filter_map(Expr::number).cloned().collect()
+}
+
+/// The rows of a law of least energy in a loop of order `m`.
+pub(super) fn rows_of_least_energy(law: LeastEnergy, m: usize) -> Vec<BigRational> {
+    let one = integer(1);
+    let gains = gains(&law.poles(m, &one));
+    rows_of_numbers(&gains.unwrap_or_else(|_| fault("real poles have gains")), &one)
 }
 
 /// Deadbeat, E^m y = 0, in place of row_j/((M-j+1)...(M-m+1)).

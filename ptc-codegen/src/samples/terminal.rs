@@ -8,7 +8,7 @@ use super::controller::Builder;
 use super::ends::{Ending, Terminal, end_of_law};
 use super::feedback::Wanted;
 use super::formula::{Flat, Now};
-use super::rows::{consecutive, rows};
+use super::rows::rows_of_least_energy;
 use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Shape, Statement, Test};
 use crate::parameter::Parameter;
@@ -17,20 +17,24 @@ use crate::request::EndLaw;
 /// The time from which on the terminal law holds.
 pub(super) enum Takeover {
     Never,
-    /// Where the test fails.
+    /// From the first sample on at which this test fails.
     Sample(Test),
     Start,
 }
 
-/// The samples to go, as the law and its end count them.
+/// The samples to go as a formula counts them, with the statements that set them.
+pub(super) struct Counted {
+    pub(super) statements: Vec<Statement>,
+    pub(super) now: Now,
+}
+
+/// The samples to go, of the law and of its end.
 pub(super) struct Countdown {
     /// Statements before either.
     pub(super) before: Vec<Statement>,
     pub(super) takeover: Takeover,
-    /// Statements within the law, and what its formula counts.
-    pub(super) law: (Vec<Statement>, Now),
-    /// Statements within the end, and the samples to go to the last gains there.
-    last: (Vec<Statement>, Now),
+    pub(super) law: Counted,
+    last: Counted,
     /// A test that the gains of the end are not the last.
     goes_on: Test,
 }
@@ -60,12 +64,9 @@ impl Builder<'_> {
         law: &Wanted,
         count: Countdown,
     ) -> Vec<Statement> {
-        let order = flat.order();
-        let shift = end.shift(order);
-        let gains = consecutive(order, shift).into_iter().map(Expr::Number);
-        let own = rows(&gains.collect::<Vec<_>>(), &Expr::integer(1));
-        let (mut softly, now) = count.last;
-        let (before, value) = self.formula(flat, &own, ["y", "q"], &now);
+        let own = rows_of_least_energy(end.law, flat.order()).into_iter().map(Expr::Number);
+        let Counted { statements: mut softly, now } = count.last;
+        let (before, value) = self.formula(flat, &own.collect::<Vec<_>>(), ["y", "q"], &now);
         softly.extend(before);
         softly.push(law.is(value));
         let mut statements =
@@ -86,34 +87,22 @@ impl Builder<'_> {
     }
 
     /// Returns the samples to go, and from when on the terminal law holds.
-    pub(super) fn count_down(
-        &mut self,
-        ending: &Ending,
-        order: usize,
-        samples: &Expr,
-    ) -> Countdown {
+    pub(super) fn count_down(&mut self, ending: &Ending, samples: &Expr) -> Countdown {
         let hold = self.hold();
-        let from = self.terminal_from(ending, order, hold.is_some());
+        let from = self.terminal_from(ending, hold.is_some());
         let whole_from = match &from {
             None => Some(None),
             Some(from) => from.number().and_then(ToPrimitive::to_u32).map(Some),
         };
         match (samples, hold, whole_from) {
-            (Expr::Count(samples), None, Some(from)) => {
-                self.count_of(ending, order, *samples, from)
-            }
-            (_, hold, _) => self.count_at_run_time(ending, order, samples, (hold, from)),
+            (Expr::Count(samples), None, Some(from)) => self.count_of(ending, *samples, from),
+            (_, hold, _) => self.count_at_run_time(ending, samples, hold, from),
         }
     }
 
     /// Counts down from a known N to gains that are not held: whole numbers, of which a proof sees that no divisor is 0.
-    fn count_of(
-        &self,
-        ending: &Ending,
-        order: usize,
-        samples: u32,
-        from: Option<u32>,
-    ) -> Countdown {
+    fn count_of(&self, ending: &Ending, samples: u32, from: Option<u32>) -> Countdown {
+        let order = self.spec.loop_order();
         let elapsed = || Expr::local("elapsed");
         let planned = samples.saturating_sub(ending.spare);
         let states = u32::try_from(order).unwrap_or(u32::MAX);
@@ -129,7 +118,7 @@ impl Builder<'_> {
         let set = |name: &str, value: Expr| {
             let name = self.named(name);
             let now = Now { left: Expr::local(&name), shift: 0 };
-            (vec![Statement::Let(name, Shape::Real, value)], now)
+            Counted { statements: vec![Statement::Let(name, Shape::Real, value)], now }
         };
         let end = ending.terminal.shift(order);
         let last = set("m1", if self.closes() { left(end) } else { left_to_last(end) });
@@ -147,10 +136,11 @@ impl Builder<'_> {
     fn count_at_run_time(
         &mut self,
         ending: &Ending,
-        order: usize,
         samples: &Expr,
-        (hold, from): (Option<Expr>, Option<Expr>),
+        hold: Option<Expr>,
+        from: Option<Expr>,
     ) -> Countdown {
+        let order = self.spec.loop_order();
         let left = samples.clone().count_left(Expr::local("elapsed"));
         let mut before = vec![Statement::Let("left".to_owned(), Shape::Count, left)];
         let planned = Expr::local("left").real().sub(Expr::integer(ending.spare.into()));
@@ -170,13 +160,17 @@ impl Builder<'_> {
         let [m0, m1] = ["m0", "m1"].map(|name| self.named(name));
         before.push(Statement::Let(m0.clone(), Shape::Real, left));
         let now = Expr::local(m0);
-        let law = (Vec::new(), Now { left: now.clone(), shift: ending.shift });
+        let counted = |statements, left: &Expr, shift| Counted {
+            statements,
+            now: Now { left: left.clone(), shift },
+        };
+        let law = counted(Vec::new(), &now, ending.shift);
         let shift = ending.terminal.shift(order);
         let last = match self.closes() {
-            true => (Vec::new(), Now { left: now.clone(), shift }),
+            true => counted(Vec::new(), &now, shift),
             false => {
                 let least = Statement::Let(m1.clone(), Shape::Real, now.clone().max(whole(order)));
-                (vec![least], Now { left: Expr::local(m1), shift })
+                counted(vec![least], &Expr::local(m1), shift)
             }
         };
         let goes_on = Test::Less(whole(order), now.clone());
@@ -193,7 +187,8 @@ impl Builder<'_> {
     }
 
     /// Samples to go at which another law takes over, where one does.
-    fn terminal_from(&self, ending: &Ending, order: usize, held: bool) -> Option<Expr> {
+    fn terminal_from(&self, ending: &Ending, held: bool) -> Option<Expr> {
+        let order = self.spec.loop_order();
         let given = match &ending.terminal {
             Terminal::Itself => {
                 return self.closes().then(|| whole(order));

@@ -18,8 +18,8 @@ fn bound(test: &str, text: &str) -> f64 {
     part("total")
 }
 
-/// h g_k of a law of order 1 in samples, whose pole is the integer -k: k/(M + k - 1) of what is left, and at rest at
-/// the end.
+/// Returns the part of the state that a sample takes away: k/(M + k - 1) for the pole -k, an integer, and M samples to
+/// go.
 fn gain(k: f64, left: usize) -> f64 {
     #[allow(clippy::cast_precision_loss)]
     let left = left as f64;

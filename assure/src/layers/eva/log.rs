@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn each_fault_is_reported() {
+    fn alarms_unproved_properties_and_missing_functions_are_faults() {
         let alarm = "[eva:alarm] c.c:7: Warning: \n  non-finite double value.\n";
         assert_eq!(
             faults(&format!("{alarm}{GOOD}")),

@@ -3,7 +3,8 @@
 //! The gains of its last m samples are those of deadbeat, E^m y = 0 on the flat output: x = 0 at sample N from any
 //! state, whatever the poles are, and u is a sum of the states with bounded gains. With the gains held at M samples to
 //! go, counted with the shift of the law, the loop is D^m y = sum_j row_j D^(j-1) y/((M-j+1)..(M-m+1)) from there on,
-//! D = E - 1: x ends near 0, and stays there if every root of D lies within 1 of -1. Poles decide what u does in the limit of short periods, and no more.
+//! D = E - 1: x ends near 0, and stays there if every root of D lies within 1 of -1. Poles decide what u does in the
+//! limit of short periods, and no more.
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
@@ -18,7 +19,7 @@ use crate::diagnostic::digits;
 use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Reference, Sampled, Spec};
-use crate::samples::{Ending, held_samples};
+use crate::samples::{Ending, held_samples, rows_of_numbers};
 use crate::syntax::constant::text;
 
 /// Judges the emitted loop of `spec` at sample N, for a design whose eps is set.
@@ -111,10 +112,10 @@ impl Held {
         }
         let chain = Spec { n: order, ..spec.clone() };
         let rate = spec.fixed.get(&Parameter::A).and_then(Fixed::number);
-        let gains = fixed_gains(&chain).zip(rate).map(|(gains, a)| for_rate_one(gains, a));
-        let loop_of = gains.map(|gains| {
-            let (gains, now) = ending.at(&gains, &left);
-            held(&gains, &now)
+        let own = fixed_gains(&chain).zip(rate).map(|(gains, a)| rows_of_numbers(&gains, a));
+        let loop_of = own.map(|own| {
+            let (rows, now) = ending.at(own, &left);
+            held(&rows, &now)
         });
         Some(Self { left, loop_of })
     }
@@ -152,43 +153,14 @@ impl Held {
     }
 }
 
-/// The gains with the same exponents for the rate 1.
-fn for_rate_one(mut gains: Vec<BigRational>, a: &BigRational) -> Vec<BigRational> {
-    let mut power = BigRational::one();
-    for gain in gains.iter_mut().rev() {
-        power /= a;
-        *gain *= &power;
-    }
-    gains
-}
-
-/// The characteristic polynomial of D = E - 1 in a loop of these gains, for the rate 1, held where their formula
-/// counts `left` samples to go.
-fn held(gains: &[BigRational], left: &BigRational) -> Polynomial {
-    let order = gains.len();
-    let integer = |i: usize| BigRational::from_integer(i.into());
-    // pi(p) = (p - p_1)..(p - p_n), p_i = -lambda_i.
-    let mut pi = Vec::new();
-    let mut sign = BigRational::one();
-    for gain in Polynomial::characteristic(gains).coefficients().iter().rev() {
-        pi.insert(0, gain * &sign);
-        sign = -sign;
-    }
-    let pi = Polynomial::new(pi);
-    // Newton's divided differences at 0, 1, ...: pi[0, .., j-1].
-    let mut column: Vec<_> = (0..order).map(|i| pi.at(&integer(i))).collect();
-    let mut differences = Vec::new();
-    for j in 1..=order {
-        differences.push(column[0].clone());
-        column = column.windows(2).map(|pair| (&pair[1] - &pair[0]) / integer(j)).collect();
-    }
-    let mut coefficients = vec![BigRational::zero(); order + 1];
-    coefficients[order] = BigRational::one();
+/// The characteristic polynomial of D = E - 1 in a loop of these rows, held where their formula counts `left` samples to
+/// go.
+fn held(rows: &[BigRational], left: &BigRational) -> Polynomial {
+    let mut coefficients = vec![BigRational::one()];
     let mut below = BigRational::one();
-    for j in (1..=order).rev() {
-        below *= left - integer(j - 1);
-        let row = &differences[j - 1] / &below;
-        coefficients[j - 1] = if (order + j).is_multiple_of(2) { -row } else { row };
+    for (j, row) in rows.iter().enumerate().rev() {
+        below *= left - BigRational::from_integer(j.into());
+        coefficients.insert(0, -row / &below);
     }
     Polynomial::new(coefficients)
 }
@@ -226,14 +198,15 @@ mod tests {
         let whole = |value: i64| BigRational::from_integer(value.into());
         // n = 1, pole -p: u = -p z/T, E = 1 - p/M.
         for (p, m, stable) in [(3, 1, false), (3, 2, true), (1, 1, true), (4, 2, false)] {
-            let found = held(&[whole(p)], &whole(m));
+            let found = held(&rows_of_numbers(&[whole(p)], &whole(1)), &whole(m));
             let wanted = numbers(&[(p, m), (1, 1)]);
             assert_eq!(found.coefficients(), wanted);
             assert_eq!(is_within_one(&found), stable, "{p} {m}");
         }
         // n = 2, poles -p, -q with a rate a: D^2 y = -(p + q - 1) D y/(M - 1) - p q y/(M (M - 1)), p and q over a.
         for (p, q, a, m) in [(4, 5, 1, 10), (4, 6, 2, 3), (1, 9, 1, 40)] {
-            let found = held(&for_rate_one(vec![whole(p * q), whole(p + q)], &whole(a)), &whole(m));
+            let rows = rows_of_numbers(&[whole(p * q), whole(p + q)], &whole(a));
+            let found = held(&rows, &whole(m));
             let (p, q) = (p / a, q / a);
             assert_eq!(
                 found.coefficients(),

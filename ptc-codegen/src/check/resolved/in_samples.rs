@@ -28,7 +28,7 @@ fn choose_end(resolved: &mut Resolved) {
     let Clock::Samples(sampled) = &mut resolved.spec.clock else { return };
     sampled.end = Some(chosen);
     let reason = "these end at rest by themselves, as softly as those of the law";
-    resolved.note("poles_end", &chosen.poles(), reason.to_owned());
+    resolved.note("poles_end", &chosen.law.to_string(), reason.to_owned());
     let reason = "samples to go below which the law of its own poles changes its sign";
     resolved.note("end_samples", &chosen.samples.to_string(), reason.to_owned());
 }

@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
                 self.gains(*n, row).into_iter().map(|(_, gain)| gain).collect::<Vec<_>>()
             });
             axes.gains = first.iter().cloned().chain(rest.collect::<Vec<_>>()).collect();
-        } else if let Some(rows) = self.poles_of_axes(number) {
+        } else if let Some(rows) = self.poles_of_axes(orders) {
             axes.gains.extend(first);
             axes.poles.push(spec.poles.clone());
             for (row, n) in rows.into_iter().zip(orders).skip(1) {
@@ -109,17 +109,18 @@ impl<'a> Reader<'a> {
         spec.axes = Some(axes);
     }
 
-    /// The limits of u of each axis: a bound of |u|, or a pair.
     /// Returns the poles of each axis, where each has its own: a list, or their name, which means others for each order.
-    fn poles_of_axes(&mut self, number: usize) -> Option<Vec<&'a Node>> {
+    fn poles_of_axes(&mut self, orders: &[Option<usize>]) -> Option<Vec<&'a Node>> {
         let named = self.keys.get("poles").copied().filter(|node| is_least_energy(node));
-        let rows = match named {
-            Some(node) => vec![node; number],
-            None => self.for_axes("poles", number).iter().collect(),
+        let differ = orders.iter().any(|n| *n != orders[0]);
+        let rows = match named.filter(|_| differ) {
+            Some(node) => vec![node; orders.len()],
+            None => self.for_axes("poles", orders.len()).iter().collect(),
         };
         (!rows.is_empty()).then_some(rows)
     }
 
+    /// The limits of u of each axis: a bound of |u|, or a pair.
     fn limits_of_axes(&mut self, axes: &mut Axes) {
         let all = self.for_axes("limits", axes.count);
         let pairs = all.iter().any(|item| matches!(item.value, Value::List(_)));

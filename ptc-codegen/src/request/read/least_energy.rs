@@ -1,12 +1,10 @@
 //! Poles of least energy, by name: `least-energy`, `least-energy(weight=2)`.
 
-use num_traits::Zero;
-
 use super::{Reader, shown, whole};
-use crate::algebra::{BigRational, integer};
+use crate::algebra::BigRational;
 use crate::expression::constant::real;
 use crate::parameter::Fixed;
-use crate::request::EndLaw;
+use crate::request::LeastEnergy;
 use crate::syntax::{Argument, Node, Operator, Value};
 
 /// Returns true if a value names the poles of least energy, whatever its arguments are.
@@ -26,28 +24,26 @@ fn arguments(node: &Node) -> Option<&[Argument]> {
 }
 
 impl Reader<'_> {
-    /// Returns the weight of poles of least energy; `None` for a mistake, which is noted.
-    pub(super) fn weight(&mut self, key: &'static str, node: &Node) -> Option<u32> {
-        let (name, value) = match arguments(node)? {
-            [] => return Some(0),
-            [Argument { name, value }] => (name.as_ref().map(|(name, _)| name.as_str()), value),
-            [_, second, ..] => (Some("weight"), &second.value),
+    /// Returns the law that a value names; `None` for a mistake, which is noted.
+    pub(super) fn named_law(&mut self, key: &'static str, node: &Node) -> Option<LeastEnergy> {
+        let (is_weight, value) = match arguments(node)? {
+            [] => return Some(LeastEnergy { weight: 0 }),
+            [Argument { name: None, value }] => (true, value),
+            [Argument { name: Some((name, _)), value }] => (name == "weight", value),
+            [_, second, ..] => (false, &second.value),
         };
-        let count = real(value)
-            .as_ref()
-            .and_then(Fixed::number)
-            .and_then(|v| whole(v, EndLaw::MAX_WEIGHT as usize));
-        let named = name.is_none_or(|name| name == "weight");
-        let weight = count.filter(|_| named && arguments(node).is_some_and(|all| all.len() == 1));
-        if weight.is_none() {
+        let most = LeastEnergy::MAX_WEIGHT;
+        let weight = real(value).filter(|_| is_weight);
+        let weight = weight.as_ref().and_then(Fixed::number);
+        let weight = weight.and_then(|weight| whole(weight, most as usize));
+        let Some(weight) = weight.and_then(|weight| u32::try_from(weight).ok()) else {
             let message = format!("{} is not the weight of least energy", shown(&value.value));
-            let help = format!(
-                "{key} = least-energy(weight=W), with an integer W from 0 to {}",
-                EndLaw::MAX_WEIGHT
-            );
+            let help =
+                format!("{key} = least-energy(weight=W), with an integer W from 0 to {most}");
             self.wrong(key, Some(value.place), message, help);
-        }
-        weight.and_then(|weight| u32::try_from(weight).ok())
+            return None;
+        };
+        Some(LeastEnergy { weight })
     }
 
     /// Refuses the name for a law beside A and B, which is that of a flat output. At the end its poles stand for rest.
@@ -60,15 +56,15 @@ impl Reader<'_> {
         }
     }
 
-    /// Returns the poles of least energy of a loop of order `n`: p = n + weight, n + weight + 1, ... times -a.
+    /// Returns the poles of least energy of a loop of order `n`.
     pub(super) fn least_energy(
         &mut self,
         key: &'static str,
         n: usize,
         node: &Node,
     ) -> Option<Vec<(BigRational, BigRational)>> {
-        let weight = self.weight(key, node)?;
-        let Some(a) = self.rate.clone() else {
+        let law = self.named_law(key, node)?;
+        let Some(a) = &self.rate else {
             if self.mapping_is_read {
                 let message = "least energy has poles for mu = exp with a number for a".to_owned();
                 let help = "give mu = exp(a=1), or the poles as numbers".to_owned();
@@ -76,8 +72,6 @@ impl Reader<'_> {
             }
             return None;
         };
-        let first = integer(i64::from(weight)) + BigRational::from_integer(n.into());
-        let pole = |i: i64| (-(&first + integer(i)) * &a, BigRational::zero());
-        Some((0..).take(n).map(pole).collect())
+        Some(law.poles(n, a).into_iter().map(|pole| (pole.re, pole.im)).collect())
     }
 }

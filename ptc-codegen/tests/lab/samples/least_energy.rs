@@ -99,7 +99,7 @@ fn inputs_are_those_of_the_gramian() {
                     let x: Vec<_> = (0..n).map(|i| whole(u32::from(i == j))).collect();
                     let wanted = least(&x, left, weight, &h).to_f64().expect("a double");
                     assert!(
-                        (found / wanted - 1.0).abs() < 4.0 * GAIN,
+                        (found / wanted - 1.0).abs() < GAIN,
                         "n = {n}, weight {weight}, {left} to go, x{}: {found}, not {wanted}",
                         j + 1
                     );

@@ -12,7 +12,7 @@ use super::code;
 /// rounding errors of the state that they find.
 const REST: f64 = 4e-15;
 
-/// The same with an observer.
+/// The same with an observer, whose estimates carry the rounding of the state that they were formed at.
 const OBSERVED: f64 = 1e-14;
 
 /// The loop of a program with the exact chain.

@@ -69,7 +69,7 @@ pub(super) fn outcome_of(
             if spec.promises.x0_max.is_empty() {
                 outcome.details.extend(peaks(spec, expanded));
             }
-            // With bounds of the start the design asks for a verdict, which an unproved bound leaves undecided.
+            // A design that bounds the start asks for a verdict: an unproved bound leaves it undecided.
             let followed = spec.sampled().map(|own| Followed::new(spec, own));
             match followed {
                 Some(Err(_)) if !spec.promises.x0_max.is_empty() => {

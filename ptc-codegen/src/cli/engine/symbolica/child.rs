@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn each_exit_cause_has_its_own_message() {
+    fn message_names_the_exit_cause() {
         for (script, wanted, said) in [
             ("echo no room >&2; kill -ABRT $$", "Symbolica aborted, as it does", "no room"),
             ("echo half; kill -KILL $$", "ended without an answer, by signal: 9", "half"),

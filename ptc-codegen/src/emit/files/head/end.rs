@@ -19,9 +19,8 @@ pub(super) fn of_loop(spec: &Spec, order: usize) -> [String; 2] {
         Terminal::LeastEnergy(end)
             if held.as_ref().is_none_or(|held| *held <= integer(end.samples.into())) =>
         {
-            let shift = end.shift(order);
-            let exponents: Vec<_> =
-                (1..).take(order).map(|i| (u64::from(shift) + i).to_string()).collect();
+            let shift = end.law.shift(order);
+            let exponents: Vec<_> = end.law.exponents(order).map(|own| own.to_string()).collect();
             format!(
                 "From {} samples to go on these are M - {shift} and the exponents {}, those of least energy. ",
                 end.samples,

@@ -5,10 +5,10 @@ use num_traits::ToPrimitive;
 use super::super::least_energy::is_least_energy;
 use super::super::{Reader, items, shown, whole};
 use super::MAX_SAMPLES;
-use crate::algebra::{BigRational, integer};
+use crate::algebra::BigRational;
 use crate::expression::constant::real;
 use crate::parameter::Fixed;
-use crate::request::{EndLaw, Exponents, Spec};
+use crate::request::{EndLaw, Exponents, LeastEnergy, Spec};
 use crate::syntax::Node;
 
 /// Poles of the law that takes over.
@@ -50,11 +50,11 @@ impl Reader<'_> {
             return None;
         };
         let orders: Vec<_> = spec.designs().iter().map(|own| own.n + delay).collect();
-        let weight = match is_least_energy(poles) {
-            true => self.weight(POLES, poles),
-            false => self.weight_of(poles, &orders, a),
+        let law = match is_least_energy(poles) {
+            true => self.named_law(POLES, poles),
+            false => self.law_of_poles(poles, &orders, a),
         };
-        Some(EndLaw { samples: self.end_samples(samples, &orders)?, weight: weight? })
+        Some(EndLaw { samples: self.end_samples(samples, &orders)?, law: law? })
     }
 
     fn end_samples(&mut self, node: &Node, orders: &[usize]) -> Option<u32> {
@@ -72,31 +72,33 @@ impl Reader<'_> {
         count
     }
 
-    /// The weight of poles that are given as numbers.
-    fn weight_of(&mut self, node: &Node, orders: &[usize], a: &BigRational) -> Option<u32> {
+    /// The law of poles that are given as numbers.
+    fn law_of_poles(
+        &mut self,
+        node: &Node,
+        orders: &[usize],
+        a: &BigRational,
+    ) -> Option<LeastEnergy> {
         let order = *orders.first()?;
         let exponent = |item: &Node| real(item).as_ref().and_then(Fixed::number).map(|p| -p / a);
-        let mut exponents = items(node).iter().map(exponent).collect::<Option<Vec<_>>>();
-        exponents.iter_mut().for_each(|all| all.sort());
-        let weight = exponents.as_deref().filter(|all| all.len() == order).and_then(|all| {
-            let first = all.first()?;
-            let follow = (0..).zip(all).all(|(i, own)| *own == first + integer(i));
-            let weight = first - BigRational::from_integer(order.into());
-            (follow && weight.is_integer()).then(|| weight.to_integer().to_u32()).flatten()
-        });
-        let one_order = orders.iter().all(|own| *own == order);
-        if weight.is_none() || !one_order {
+        let exponents = items(node).iter().map(exponent).collect::<Option<Vec<_>>>();
+        let law =
+            exponents.filter(|_| orders.iter().all(|own| *own == order)).and_then(|mut all| {
+                all.sort();
+                let weight = all.first()? - BigRational::from_integer(order.into());
+                let law = LeastEnergy { weight: weight.to_integer().to_u32()? };
+                law.exponents(order).eq(all).then_some(law)
+            });
+        if law.is_none() {
             let message = "`poles_end` are not those of least energy".to_owned();
-            let wanted: Vec<_> = (0..order)
-                .map(|i| (-integer(i64::try_from(order + i).unwrap_or(0)) * a).to_string())
-                .collect();
+            let wanted = LeastEnergy { weight: 0 }.poles(order, a);
+            let wanted: Vec<_> = wanted.iter().map(|pole| pole.re.to_string()).collect();
             let help = format!(
                 "give consecutive multiples of -a from -{order} on, such as [{}], or \"least-energy(weight=W)\": the law has to end at rest",
                 wanted.join(", ")
             );
             self.wrong(POLES, Some(node.place), message, help);
-            return None;
         }
-        weight
+        law
     }
 }

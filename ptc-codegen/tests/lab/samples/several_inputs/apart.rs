@@ -68,7 +68,7 @@ fn a_gain_of_parameters_with_one_value_is_a_number() {
     assert_eq!(own.functions, other.functions);
 }
 
-/// The law brings the state down before its last gains, which leave a rounding of that.
+/// The law brings the state down to some (n/N)^3 = 3e-5 before its last gains, which leave a rounding of that.
 #[test]
 fn chains_apart_are_at_rest_at_the_last_sample() {
     let all =
