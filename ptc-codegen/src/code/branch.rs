@@ -60,6 +60,12 @@ impl Taken {
         self.0.insert((place, holds));
     }
 
+    /// Returns true if the condition at a place went this way.
+    #[cfg(feature = "files")]
+    pub(super) fn is(&self, (place, holds): (At, bool)) -> bool {
+        self.0.contains(&(place, holds))
+    }
+
     /// Returns true if a branch is among them.
     pub fn has(&self, branch: &Branch) -> bool {
         self.0.contains(&(branch.place, branch.holds))

@@ -22,11 +22,10 @@ impl Index {
         Self { terms: Vec::new(), constant: i32::try_from(place).unwrap_or(i32::MAX) }
     }
 
-    /// The place, where `known` gives the indices; `None` before the first one.
-    pub fn place(&self, known: impl Fn(&str) -> u32) -> Option<usize> {
-        let term = |(factor, name): &(i32, String)| i64::from(*factor) * i64::from(known(name));
-        let sum = self.terms.iter().map(term).sum::<i64>() + i64::from(self.constant);
-        usize::try_from(sum).ok()
+    /// The place, where no index decides it.
+    #[cfg(feature = "files")]
+    pub(super) fn known(&self) -> Option<usize> {
+        self.terms.is_empty().then(|| usize::try_from(self.constant).ok()).flatten()
     }
 }
 

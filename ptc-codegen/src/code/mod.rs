@@ -28,7 +28,7 @@ pub use function::{Access, Callback, Ending, Finish, Function, Owner};
 pub use index::Index;
 pub use inputs::{Inputs, Standing, Whose};
 #[cfg(feature = "files")]
-pub use interpret::{Argument, Called, Instance, Outcome};
+pub use interpret::{Argument, Called, Handle, Instance, Outcome, Slot};
 pub use iteration::Iteration;
 pub use statement::{For, Place, Statement};
 pub use status::Status;

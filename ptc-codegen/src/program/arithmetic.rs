@@ -6,7 +6,7 @@ use crate::parameter::Precision;
 
 /// An operation that numbers alone decide; its operands are places of numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Arithmetic {
+pub(crate) enum Arithmetic {
     Number(f64),
     Neg(usize),
     Add(usize, usize),
@@ -54,7 +54,7 @@ impl Arithmetic {
 
     /// The result on the numbers that `at` gives.
     #[inline]
-    pub(super) fn result(&self, at: impl Fn(usize) -> f64, precision: Precision) -> f64 {
+    pub(crate) fn result(&self, at: impl Fn(usize) -> f64, precision: Precision) -> f64 {
         let settle = |result| number::settle(result, precision);
         match *self {
             Self::Number(value) => value,

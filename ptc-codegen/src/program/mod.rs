@@ -33,6 +33,8 @@ mod reach;
 pub(crate) mod rounding;
 pub mod rows;
 
+#[cfg(feature = "files")]
+pub(crate) use arithmetic::Arithmetic;
 pub use arithmetic::apply;
 use range::Range;
 

@@ -47,7 +47,7 @@ enum Kind {
 enum Running<'a> {
     Time(&'a mut Controller),
     /// With the number of its inputs.
-    Samples(Instance<'a>, usize),
+    Samples(Instance, usize),
 }
 
 impl Running<'_> {
@@ -331,11 +331,11 @@ impl Sampled {
 }
 
 /// The controller in samples with its parameters.
-fn started<'a>(
-    code: &'a Code,
+fn started(
+    code: &Code,
     open: &[Parameter],
     values: &Values,
-) -> Result<Instance<'a>, Failure> {
+) -> Result<Instance, Failure> {
     let given = || open.iter().map(|parameter| (*parameter, values.get(*parameter)));
     Instance::with_parameters(code, given()).map_err(|_| {
         let given: Vec<_> = given()

@@ -135,7 +135,7 @@ pub(super) fn run(
 }
 
 /// The estimates behind a call, that of the disturbance last.
-fn estimated(controller: &mut Instance<'_>, code: &Code) -> Vec<f64> {
+fn estimated(controller: &mut Instance, code: &Code) -> Vec<f64> {
     let functions = ["estimate", "disturbance"];
     let known = functions.into_iter().filter(|function| code.function(function).is_some());
     known

@@ -40,8 +40,8 @@ pub(super) struct Search<'a> {
 
 /// A controller between two calls, and the calls so far.
 #[derive(Clone)]
-struct Life<'a> {
-    instance: Instance<'a>,
+struct Life {
+    instance: Instance,
     /// The branches that `init` took.
     begun: Taken,
     session: Session,
@@ -94,7 +94,7 @@ impl<'a> Search<'a> {
     }
 
     /// Every input alone is no number or infinite: the call is refused, and changes nothing.
-    fn without_numbers(&mut self, life: &mut Life<'a>, elapsed: u32) {
+    fn without_numbers(&mut self, life: &mut Life, elapsed: u32) {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for j in 0..=self.count() {
                 let mut input =
@@ -110,7 +110,7 @@ impl<'a> Search<'a> {
     }
 
     /// Readings that are lost until an observer may predict no longer, and `arm` behind them.
-    fn without_readings(&mut self, life: &mut Life<'a>, elapsed: u32) {
+    fn without_readings(&mut self, life: &mut Life, elapsed: u32) {
         let observer = self.spec.sampled().and_then(|sampled| sampled.observer.as_ref());
         let Some(coast) = observer.map(|own| own.gate.coast).filter(|coast| *coast > 0) else {
             return;
@@ -199,7 +199,7 @@ impl<'a> Search<'a> {
 
     /// Calls of several inputs with states of different sizes, 0 and small whole numbers among them: one input
     /// alone is clipped or no number, and what is divided by may be 0.
-    fn scattered(&mut self, life: &mut Life<'a>, ticks: &[u32], sizes: &[f64]) {
+    fn scattered(&mut self, life: &mut Life, ticks: &[u32], sizes: &[f64]) {
         for _ in 0..CALLS {
             let mut input = self.any_input(life, ticks, 1.0);
             for y in &mut input.y {
@@ -213,7 +213,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn any_input(&mut self, life: &Life<'_>, ticks: &[u32], size: f64) -> Input {
+    fn any_input(&mut self, life: &Life, ticks: &[u32], size: f64) -> Input {
         Input {
             start: self.draw.of(&[None, Some(life.start), Some(u32::MAX - 5)]),
             elapsed: self.draw.of(ticks),
@@ -227,12 +227,12 @@ impl<'a> Search<'a> {
         self.measured + self.references
     }
 
-    fn watched(&self, set: &[f64]) -> (Result<Instance<'a>, Status>, Taken) {
+    fn watched(&self, set: &[f64]) -> (Result<Instance, Status>, Taken) {
         Instance::watched(self.code, self.choice.open.iter().copied().zip(set.iter().copied()))
     }
 
     /// A controller with these parameters; `None` if `init` refuses them.
-    fn begin(&self, set: &[f64]) -> Option<Life<'a>> {
+    fn begin(&self, set: &[f64]) -> Option<Life> {
         let (built, taken) = self.watched(set);
         let instance = built.ok()?;
         let session = Session { parameters: set.to_vec(), calls: Vec::new() };
@@ -240,7 +240,7 @@ impl<'a> Search<'a> {
     }
 
     /// A session without calls tests nothing.
-    fn end(&mut self, life: Life<'a>) {
+    fn end(&mut self, life: Life) {
         if !life.session.calls.is_empty() {
             self.taken.extend(&life.begun);
             self.sessions.push(life.session);
@@ -262,7 +262,7 @@ impl<'a> Search<'a> {
 
     /// Calls the controller, and keeps the call where it is asked for or takes another branch, if
     /// what it gives can be compared. Says whether it was kept.
-    fn ask(&mut self, life: &mut Life<'a>, input: Input, always: bool) -> bool {
+    fn ask(&mut self, life: &mut Life, input: Input, always: bool) -> bool {
         self.tried += 1;
         let mut trial = life.instance.clone();
         let start = input.start.unwrap_or(life.start);
@@ -282,7 +282,7 @@ impl<'a> Search<'a> {
     }
 
     /// A call, with what it gives; `None` if an estimate is not finite.
-    fn called(&self, trial: &mut Instance<'a>, start: u32, input: Input) -> Option<Call> {
+    fn called(&self, trial: &mut Instance, start: u32, input: Input) -> Option<Call> {
         let Input { start: armed, elapsed, y, applied } = input;
         let k = start.wrapping_add(elapsed);
         let alone = self.spec.what == What::Observer;

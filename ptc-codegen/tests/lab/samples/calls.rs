@@ -46,7 +46,7 @@ fn parameters_at_run_time_act_as_fixed_ones() {
 fn the_counter_wraps() {
     let code = code(&[("n", "1"), ("tau", "1"), ("sample_time", "1/16"), ("poles", "-3")]);
     let mut controller = Instance::new(&code, &[]).expect("legal parameters");
-    let at = |controller: &mut Instance<'_>, k: f64| {
+    let at = |controller: &mut Instance, k: f64| {
         controller.call("step", &[("k", &[k]), ("x", &[1.0])]).results["u"][0]
     };
     let start = at(&mut controller, 5.0);

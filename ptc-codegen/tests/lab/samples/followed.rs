@@ -144,7 +144,7 @@ fn time_of_a_reference_counts_from_the_start() {
     let keys = [("n", "1"), ("tau", "1"), ("sample_time", "1/16"), ("poles", "-3")];
     let code = code(&[&keys[..], &[("reference", "t^2")]].concat());
     let mut controller = Instance::new(&code, &[]).expect("legal parameters");
-    let at = |controller: &mut Instance<'_>, k: f64| {
+    let at = |controller: &mut Instance, k: f64| {
         controller.call("step", &[("k", &[k]), ("x", &[1.0])]).results["u"][0]
     };
     let first = [0.0, 7.0, 16.0].map(|k| at(&mut controller, k));

@@ -107,7 +107,7 @@ fn observer_gains_are_those_of_the_reference() {
             let k: f64 = k.parse().expect("a sample");
             let mut controller = Instance::new(&code, &[]).expect("legal parameters");
             // The first measurement is taken as it is; from nothing, the next estimate is L y.
-            let call = |y: f64, k: f64, controller: &mut Instance<'_>| {
+            let call = |y: f64, k: f64, controller: &mut Instance| {
                 controller.call("step", &[("k", &[k]), ("y", &[y])])
             };
             call(0.0, k, &mut controller);

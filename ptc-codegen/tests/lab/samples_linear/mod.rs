@@ -43,7 +43,7 @@ fn a_chain_is_one_of_them() {
         [&chain, &linear].map(|code| Instance::new(code, &[]).expect("legal"));
     for k in 0..70_u32 {
         let x = [f64::from(k % 7) - 3.0, f64::from(k % 5) - 1.5];
-        let call = |controller: &mut Instance<'_>| {
+        let call = |controller: &mut Instance| {
             controller.call("step", &[("k", &[f64::from(k)][..]), ("x", &x)]).results["u"][0]
         };
         let (one, other) = (call(&mut one), call(&mut other));

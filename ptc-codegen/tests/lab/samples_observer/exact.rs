@@ -33,7 +33,7 @@ impl Law {
 /// A round of `samples` from tick `start` with the emitted observer in the loop; the interpreter has
 /// to give the same bits. The status is that of the round at every sample.
 fn round(
-    (emitted, observer): (&mut Emitted, &mut Instance<'_>),
+    (emitted, observer): (&mut Emitted, &mut Instance),
     spec: &Spec,
     plant: &mut Plant,
     law: &Law,

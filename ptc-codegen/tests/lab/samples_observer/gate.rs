@@ -14,15 +14,15 @@ const GATE: &str = "innovation_max = 1e-3\ncoast = 5\n";
 const END: u32 = 800;
 
 /// The stage, moved by the force of the last sample and one that is not known, with its controller.
-struct Stage<'a> {
-    control: Instance<'a>,
+struct Stage {
+    control: Instance,
     x: [f64; 2],
     late: f64,
     tick: u32,
 }
 
-impl<'a> Stage<'a> {
-    fn new(code: &'a Code, x1: f64) -> Self {
+impl Stage {
+    fn new(code: &Code, x1: f64) -> Self {
         let control = Instance::new(code, &[]).expect("legal parameters");
         Self { control, x: [x1, 0.0], late: 0.0, tick: 0 }
     }
@@ -152,13 +152,13 @@ fn extremes() -> impl Iterator<Item = f64> {
 }
 
 /// Calls of `step` with a reading each, behind one another.
-struct Calls<'a> {
-    control: Instance<'a>,
+struct Calls {
+    control: Instance,
     tick: u32,
 }
 
-impl<'a> Calls<'a> {
-    fn new(code: &'a Code) -> Self {
+impl Calls {
+    fn new(code: &Code) -> Self {
         Self { control: Instance::new(code, &[]).expect("legal parameters"), tick: 0 }
     }
 

@@ -33,12 +33,12 @@ fn code(spec: &Spec) -> Code {
     code
 }
 
-fn update(observer: &mut Instance<'_>, k: u32, y: &[f64], u: f64) -> Outcome {
+fn update(observer: &mut Instance, k: u32, y: &[f64], u: f64) -> Outcome {
     observer.call("update", &[("k", &[f64::from(k)]), ("y", y), ("u", &[u])])
 }
 
 /// The estimates, and that of d behind them where there is one.
-fn estimates(instance: &mut Instance<'_>, code: &Code) -> Vec<f64> {
+fn estimates(instance: &mut Instance, code: &Code) -> Vec<f64> {
     let mut all = instance.call("estimate", &[]).results["xhat"].clone();
     if code.function("disturbance").is_some() {
         all.extend(&instance.call("disturbance", &[]).results["d"]);

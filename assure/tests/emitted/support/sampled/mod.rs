@@ -129,7 +129,7 @@ impl Design {
 
     /// Returns the answers of the interpreter.
     pub(crate) fn interpreted(&self, calls: &[Call]) -> Vec<String> {
-        let mut instance: Option<Instance<'_>> = None;
+        let mut instance: Option<Instance> = None;
         let mut lines = Vec::new();
         for call in calls {
             match (call, instance.as_mut()) {

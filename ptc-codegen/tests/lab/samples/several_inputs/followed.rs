@@ -17,7 +17,7 @@ fn number(k: u32, place: usize) -> f64 {
     (f64::from(k) * 0.7 + 1.3 * place as f64).sin() * (1.0 + place as f64)
 }
 
-fn started(code: &Code) -> Instance<'_> {
+fn started(code: &Code) -> Instance {
     Instance::new(code, &[]).expect("legal parameters")
 }
 
@@ -277,7 +277,7 @@ fn time_of_references_counts_from_the_start() {
     let keys = [("poles", "-3,-4"), ("reference", "t^2, sin(t)")];
     for code in [decoupled(&[&TIME[..], &keys].concat()), axes(&[&TIME[..], &keys].concat())] {
         let mut controller = started(&code);
-        let at = |controller: &mut Instance<'_>, k: f64| {
+        let at = |controller: &mut Instance, k: f64| {
             let given = [("k", &[k][..]), ("x", &[1.0, 0.5, -1.0, 2.0])];
             controller.call("step", &given).results["u"].clone()
         };
