@@ -9,6 +9,8 @@ use crate::law::Law;
 use crate::program::digits::{self, Condition};
 use crate::program::{Op, Program};
 use crate::request::Spec;
+#[cfg(feature = "simulate")]
+pub(crate) use code::of_program;
 pub use code::whole;
 use measured::Measured;
 use plan::{Field, Plan};

@@ -68,6 +68,7 @@ impl Continuous {
     /// # Errors
     /// The law is a function of the user's program.
     pub fn of(spec: &Spec, plant: &Plant) -> Result<Run<Self>, Failure> {
+        controller::has_law(spec)?;
         controller::has_text(spec, false)?;
         let mut spec = Spec { precision: Precision::F64, ..spec.clone() };
         spec.close_limits();

@@ -1,48 +1,42 @@
-//! The emitted controller: its own program with the frame around it, bit for bit what the C computes.
+//! The emitted controller: its code, run by the interpreter.
 
 use std::sync::Arc;
 
-use super::inputs::Inputs;
-use super::values::Given;
 use super::{Failure, Values};
-use crate::controller::plan::Plan;
+use crate::check::examine::{greatest, legal};
+use crate::code::{Code, Expr, Handle, Instance, Slot, Test, parameter_name};
+use crate::controller::of_program;
 use crate::law::Law;
 use crate::lower::lower;
-use crate::parameter::{Domain, Parameter, Precision};
-use crate::program::digits::{self, Condition};
-use crate::program::kink::Kink;
-use crate::program::machine::{Machine, Slot};
-use crate::program::{Input, Limits, Program, Stage, Value, passes};
+use crate::parameter::{Parameter, Precision};
+use crate::program::{Program, passes};
 use crate::reference::Status;
-use crate::request::{After, Feedback, Guard, Spec, What};
+use crate::request::{After, Feedback, Spec, What};
+use crate::samples;
 
 /// A controller that runs.
 #[derive(Clone, Debug)]
 pub struct Controller {
-    machine: Machine,
-    /// The same with its kinks held, and these.
-    smooth: Machine,
-    kinks: Vec<Kink>,
-    program: Arc<Program>,
-    limits: Limits,
-    inputs: Inputs,
-    guard: Guard,
-    after: After,
-    time: Option<Slot>,
-    state: Vec<Option<Slot>>,
-    /// Slots of t0 and of the state at the start.
-    begin: (Option<Slot>, Vec<Option<Slot>>),
+    emitted: Arc<Emitted>,
+    instance: Instance,
+}
+
+/// The code of a controller and what is called in it.
+#[derive(Debug)]
+struct Emitted {
     spec: Spec,
+    /// The program of a controller in time.
+    program: Option<Program>,
+    code: Code,
     /// Parameters left to run time.
-    open: Vec<Parameter>,
-    /// Parameters of the machines, and of what computes the checks.
-    given: [Given<Slot>; 2],
-    /// Conditions that `init` checks, and the machine that computes their values.
-    checks: Vec<Condition>,
-    checked: Machine,
-    /// Values that `arm` computes.
-    armed: Vec<Value>,
-    start: f64,
+    open: Vec<(Parameter, Slot)>,
+    arm: Handle,
+    step: Handle,
+}
+
+/// The optimised program of a controller in time.
+pub(super) fn optimised(spec: &Spec) -> Program {
+    passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {})
 }
 
 impl Controller {
@@ -52,55 +46,29 @@ impl Controller {
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec) -> Result<Self, Failure> {
         has_text(spec, true)?;
-        let spec = Spec { what: What::Controller, ..spec.clone() };
-        let mut program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
-        if let (Some(axes), true) = (&spec.axes, spec.joins_axes()) {
-            program = program.of_all_axes(spec.n, axes.count);
-        }
-        let mut outputs = program.outputs();
-        let of_axis = |value: &Value| program.handed_over().any(|handed| handed == value);
-        outputs.retain(|value| Some(*value) != program.axis && !of_axis(value));
-        let inputs = Inputs::new(&program);
-        outputs.extend(inputs.values());
-        let machine = Machine::new(&program, &outputs);
-        let checks = digits::checks(&spec, &program);
-        let checked: Vec<_> = checks.iter().flat_map(Condition::values).collect();
-        let needed = program.needed(&outputs);
-        let fields = Plan::new(&program).fields.into_iter().filter(|field| field.armed);
-        let armed = fields.map(|field| field.value).filter(|value| needed.contains(value));
-        Ok(Self {
-            armed: armed.collect(),
-            checked: Machine::new(&program, &checked),
-            checks,
-            time: machine.slot(Input::Time),
-            state: (1..=spec.states()).map(|j| machine.slot(Input::State(j))).collect(),
-            begin: (
-                machine.slot(Input::StartTime),
-                (1..=spec.states()).map(|j| machine.slot(Input::StateAtStart(j))).collect(),
-            ),
-            open: spec.run_time_parameters().collect(),
-            given: Default::default(),
-            smooth: machine.clone(),
-            kinks: machine.kinks(),
-            machine,
-            limits: program.limits,
-            inputs,
-            guard: spec.guard,
-            after: spec.after,
-            program: Arc::new(program),
-            spec,
-            start: f64::NAN,
-        })
+        let spec = Spec { what: What::Controller, ..spec.clone() }.apart();
+        let (code, program) = match spec.sampled() {
+            Some(sampled) => (samples::controller(&spec, sampled, Vec::new()), None),
+            None => {
+                let program = optimised(&spec);
+                (of_program(&spec, &program, greatest(&spec).as_ref()), Some(program))
+            }
+        };
+        let instance = Instance::blank(&code);
+        let slot = |parameter| Some((parameter, instance.slot(parameter)?));
+        let open = spec.run_time_parameters().filter_map(slot).collect();
+        let [arm, step] = ["arm", "step"].map(|name| instance.handle(name));
+        Ok(Self { emitted: Arc::new(Emitted { spec, program, code, open, arm, step }), instance })
     }
 
-    /// The program and its kinks before the deadline, without those of a bound of u.
-    pub(super) fn program(&self) -> (&Program, &[Kink]) {
-        (&self.program, &self.kinks)
+    /// Returns the spec of the emitted code.
+    pub(super) fn spec(&self) -> &Spec {
+        &self.emitted.spec
     }
 
-    /// Returns the behaviour after the deadline.
-    pub(super) fn after(&self) -> After {
-        self.after
+    /// Returns its program; `None` for a clock in samples.
+    pub(super) fn program(&self) -> Option<&Program> {
+        self.emitted.program.as_ref()
     }
 
     /// `init`: gives the parameters and starts at the t0 of the values, from `x0`.
@@ -108,191 +76,105 @@ impl Controller {
     /// # Errors
     /// A parameter without a value, or outside its domain.
     pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        self.given[0].give(values, &mut self.machine)?;
-        self.given[0].give(values, &mut self.smooth)?;
-        self.inputs.start(&self.spec, values);
-        self.legal(values)?;
-        self.given[1].give(values, &mut self.checked)?;
-        self.checked.run(Stage::Init, None);
-        if !holds(&self.checks, self.spec.precision, |value| self.checked.get(value)) {
-            return Err(self.without_digits());
+        for (parameter, slot) in &self.emitted.open {
+            self.instance.set(*slot, values.number(*parameter)?);
         }
-        for machine in [&mut self.machine, &mut self.smooth] {
-            machine.run(Stage::Init, None);
-        }
-        let start = values.get(Parameter::StartTime);
-        if self.arm(start, x0) { Ok(()) } else { Err(Failure::not_armed(start)) }
+        self.instance.init(x0).map_err(|_| self.emitted.refused(values))
     }
 
-    /// Checks that the parameters that are left to run time are in their domains.
-    ///
-    /// # Errors
-    /// One that is not.
-    pub(super) fn legal(&self, values: &Values) -> Result<(), Failure> {
-        for parameter in self.open.iter().copied() {
-            let value = values.get(parameter);
-            let legal = match self.spec.domain(parameter) {
-                Domain::Finite | Domain::Within => value.is_finite(),
-                Domain::Positive => self.spec.keeps_digits(parameter, value),
-                Domain::PositiveOrInfinite => value > 0.0,
-                Domain::BelowUMax | Domain::AboveUMin => {
-                    let [least, most] = [Parameter::UMin, Parameter::UMax].map(|p| values.get(p));
-                    self.spec.admits_limits(least, most)
-                }
-                Domain::BelowTau => {
-                    self.spec.keeps_digits(parameter, value) && value < values.get(Parameter::Tau)
-                }
-            };
-            if !legal {
-                let name = parameter.spelling();
-                return Err(Failure::input(
-                    format!("{name} = {value} is outside its domain"),
-                    format!(
-                        "{name} ({}) is {}",
-                        self.spec.meaning(parameter),
-                        self.spec.legal(parameter)
-                    ),
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    fn without_digits(&self) -> Failure {
-        let precision = self.spec.precision.name();
-        Failure::input(
-            format!("a coefficient of u leaves the range in which {precision} keeps its digits"),
-            "the parameters and gains are too far from 1 together: take other units, of time for \
-             example"
-                .to_owned(),
-        )
-    }
-
-    /// Returns the conditions that `init` checks, and the values that have to be finite after `arm`.
-    pub(super) fn conditions(&self) -> (&[Condition], &[Value]) {
-        (&self.checks, &self.armed)
-    }
-
-    /// `arm`: starts again at `start` from `x0`; whether all that it computes is finite.
+    /// `arm`: starts again at `start`, a time or the number of a sample, from `x0`; whether all that it computes is
+    /// finite.
     pub fn arm(&mut self, start: f64, x0: &[f64]) -> bool {
-        for machine in [&mut self.machine, &mut self.smooth] {
-            let (of_start, of_state) = &self.begin;
-            machine.set(*of_start, start);
-            for (slot, x) in of_state.iter().zip(x0) {
-                machine.set(*slot, *x);
-            }
-            machine.run(Stage::Arm, None);
-        }
-        self.start = start;
-        self.armed.iter().all(|value| self.machine.get(*value).is_finite())
+        self.instance.perform(self.emitted.arm, &[&[start], x0]).number() >= 0
     }
 
-    /// Every u of `step` before the deadline, with the kinks held as chosen.
-    pub(super) fn held(&mut self, t: f64, x: &[f64]) -> &[f64] {
-        self.smooth.set(self.time, t);
-        self.smooth.run(Stage::Tick, None);
-        for (slot, x) in self.state.iter().zip(x) {
-            self.smooth.set(*slot, *x);
-        }
-        self.smooth.run(Stage::Step, None);
-        self.inputs.held(&self.smooth)
-    }
-
-    /// Every u where they were last held.
-    pub(super) fn acting(&self) -> &[f64] {
-        self.inputs.last()
-    }
-
-    /// Number of its kinks: those of its program, and those of its inputs.
-    pub(super) fn kinks(&self) -> usize {
-        self.kinks.len() + self.inputs.kinks()
-    }
-
-    /// Why no run goes on across a kink, or, without one, where it stops.
-    pub(super) fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
-        match kink {
-            None => self.inputs.barrier(None),
-            Some(kink) => self.inputs.barrier(Some(kink.checked_sub(self.kinks.len())?)),
-        }
-    }
-
-    /// The distances from them where u was last held.
-    pub(super) fn distances(&self, into: &mut Vec<f64>) {
-        into.extend(self.kinks.iter().map(|kink| self.smooth.distance(kink)));
-        self.inputs.distances(&self.smooth, into);
-    }
-
-    /// Holds every kink above or below 0.
-    pub(super) fn choose(&mut self, above: &[bool]) {
-        for (kink, above) in self.kinks.iter().zip(above) {
-            self.smooth.hold(kink, *above);
-        }
-        self.inputs.choose(&above[self.kinks.len()..]);
-    }
-
-    /// `step`: every u and the status; u is 0 where the status is negative.
+    /// `step` at `t`, a time or the number of a sample: every u and the status; u is 0 where the status is negative.
     pub fn step(&mut self, t: f64, x: &[f64]) -> (&[f64], Status) {
-        let status = self.call(t, x);
-        if matches!(status, Status::Input | Status::Range) {
-            self.inputs.rest();
-        }
-        (self.inputs.last(), status)
-    }
-
-    fn call(&mut self, t: f64, x: &[f64]) -> Status {
-        let finite = t.is_finite() && x.iter().all(|x| x.is_finite());
-        if self.guard == Guard::Full && !(finite && t >= self.start) {
-            return Status::Input;
-        }
-        self.machine.set(self.time, t);
-        self.machine.run(Stage::Tick, None);
-        for (slot, x) in self.state.iter().zip(x) {
-            self.machine.set(*slot, *x);
-        }
-        self.machine.run(Stage::Step, None);
-        let get = |value| self.machine.get(value);
-        let over = self.limits.past.is_some_and(|past| get(past) >= 0.0);
-        let ends = over && self.after != After::Hold;
-        let late = get(self.limits.late) >= get(self.limits.hold_from);
-        // All inputs are 0 where one that follows from all outputs is not finite, whatever its limit is.
-        let lost = self.spec.decoupled().is_some() && !self.inputs.are_finite(&self.machine);
-        if lost || (self.guard == Guard::Result && !finite) {
-            return Status::Range;
-        }
-        let saturated = self.inputs.clipped(&self.machine, ends);
-        // One axis that fails ends all, also where another one is clipped.
-        let lost = self.spec.axes.is_some() && !self.inputs.last().iter().all(|u| u.is_finite());
-        match () {
-            () if lost => Status::Range,
-            () if saturated => Status::Saturated,
-            () if !self.inputs.last().iter().all(|u| u.is_finite()) => Status::Range,
-            () if over => Status::After,
-            () if late => Status::Hold,
-            () => Status::Ok,
-        }
+        let status = self.instance.perform(self.emitted.step, &[&[t], x]);
+        (self.instance.result(self.emitted.step), status.into())
     }
 }
 
-/// Returns true if the checks hold for the values that `init` computed.
-pub(super) fn holds(
-    checks: &[Condition],
-    precision: Precision,
-    get: impl Fn(Value) -> f64,
-) -> bool {
-    checks.iter().all(|check| {
-        let numbers: Vec<_> = check.values().into_iter().map(&get).collect();
-        check.holds(&numbers, precision)
-    })
+impl Emitted {
+    /// Why `init` refuses these values.
+    fn refused(&self, values: &Values) -> Failure {
+        let given = self.open.iter().map(|(parameter, _)| (*parameter, values.get(*parameter)));
+        let Some(test) = self.code.refusing(given) else {
+            return Failure::not_armed(values.get(Parameter::StartTime));
+        };
+        match self.tested(test) {
+            Some(parameter) => self.outside(parameter, values),
+            None => without_digits(self.spec.precision),
+        }
+    }
+
+    /// The first parameter of a test of parameters as they are given; `None` for a test of what follows from them.
+    fn tested(&self, test: &Test) -> Option<Parameter> {
+        let (mut given, mut found) = (true, None);
+        test.visit(&mut |value| match value {
+            Expr::Number(_) | Expr::Count(_) | Expr::Neg(_) => {}
+            Expr::Local(_) | Expr::Parameter(_) | Expr::ParameterElement(..) => {
+                let mut open = self.open.iter().map(|(parameter, _)| *parameter);
+                found = found.or_else(|| open.find(|parameter| is_given(value, *parameter)));
+            }
+            _ => given = false,
+        });
+        found.filter(|_| given)
+    }
+
+    /// A parameter outside its domain.
+    fn outside(&self, parameter: Parameter, values: &Values) -> Failure {
+        let (name, value) = (parameter.spelling(), values.get(parameter));
+        let mut domain = match (parameter, self.spec.sampled()) {
+            (Parameter::Samples, Some(sampled)) => {
+                format!("at least {}", sampled.least_samples(self.spec.highest_order()))
+            }
+            _ => legal(&self.spec, parameter),
+        };
+        if parameter == Parameter::Tau && self.spec.sampled().is_none() {
+            domain += ", and greater than eps";
+        }
+        Failure::input(
+            format!("{name} = {value} is outside its domain"),
+            format!("{name} ({}) is {domain}", self.spec.meaning(parameter)),
+        )
+    }
+}
+
+/// Returns true if an expression of `init` is a parameter as it is given.
+fn is_given(value: &Expr, parameter: Parameter) -> bool {
+    match value {
+        Expr::Local(name) => *name == parameter_name(parameter),
+        Expr::Parameter(name) => name == parameter.key() && parameter.index().is_none(),
+        Expr::ParameterElement(name, index) => {
+            name == parameter.key() && parameter.index() == Some(*index)
+        }
+        _ => false,
+    }
+}
+
+fn without_digits(precision: Precision) -> Failure {
+    let precision = precision.name();
+    Failure::input(
+        format!("a coefficient of u leaves the range in which {precision} keeps its digits"),
+        "the parameters and gains are too far from 1 together: take other units, of time for \
+         example",
+    )
+}
+
+/// Checks that a run in continuous time has a law at every instant.
+pub(super) fn has_law(spec: &Spec) -> Result<(), Failure> {
+    match spec.sampled() {
+        None => Ok(()),
+        Some(_) => Err(Failure::input(
+            "a clock in samples has no law between the samples",
+            "simulate its sampled loop",
+        )),
+    }
 }
 
 /// Checks that a simulation has all of the controller: no function of the user's program.
 pub(super) fn has_text(spec: &Spec, after: bool) -> Result<(), Failure> {
-    if spec.sampled().is_some() {
-        return Err(Failure::input(
-            "a clock in samples has no law between the samples".to_owned(),
-            "simulate its sampled loop".to_owned(),
-        ));
-    }
     let key = match (&spec.feedback, spec.after) {
         (Feedback::Extern, _) => "pi0",
         (_, After::Extern) if after => "after",

@@ -5,10 +5,11 @@ use super::method::State;
 use super::outputs::Outputs;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
-use super::{Controller, Failure, Sample, Values};
+use super::smooth::Smooth;
+use super::{Controller, Failure, Sample, Values, controller};
 use crate::parameter::{Parameter, Precision};
 use crate::plant::Plant;
-use crate::request::Spec;
+use crate::request::{Spec, What};
 
 /// The plant's x under the controller, which holds its gains from eps on and clips u.
 ///
@@ -16,9 +17,10 @@ use crate::request::Spec;
 /// deadline u is a staircase, on which no step is accurate to more than that.
 #[derive(Clone, Debug)]
 pub struct Direct {
+    /// The law in f64, which is integrated.
+    law: Smooth,
+    /// The controller, which has to accept every instant that is looked at.
     controller: Controller,
-    /// The program that is emitted in f32: integrated in f64, it has to accept every instant that is looked at.
-    emitted: Option<Controller>,
     motion: Motion,
     /// Inputs of the controller for a plant with other states than the law.
     outputs: Option<Outputs>,
@@ -30,6 +32,7 @@ impl Direct {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn of(spec: &Spec, plant: &Plant) -> Result<Run<Self>, Failure> {
+        controller::has_law(spec)?;
         // No run comes near a limit that is infinite.
         let mut spec = spec.clone();
         spec.close_limits();
@@ -37,11 +40,13 @@ impl Direct {
         if outputs.is_some() {
             spec = spec.apart();
         }
-        let emitted = (spec.precision == Precision::F32).then(|| Controller::new(&spec));
-        let emitted = emitted.transpose()?;
-        spec.precision = Precision::F64;
         let controller = Controller::new(&spec)?;
-        Ok(Run::of(Self { controller, emitted, motion, outputs }))
+        let own = controller.program().filter(|program| program.precision == Precision::F64);
+        spec.precision = Precision::F64;
+        spec.what = What::Controller;
+        let program = own.cloned().unwrap_or_else(|| controller::optimised(&spec));
+        let law = Smooth::new(&spec, program);
+        Ok(Run::of(Self { law, controller, motion, outputs }))
     }
 }
 
@@ -56,11 +61,11 @@ fn given<'a>(outputs: &'a mut Option<Outputs>, t: f64, x: &'a [f64]) -> &'a [f64
 impl Run<Direct> {
     /// The same for many scenarios at once, where the loop is smooth and u within its bound.
     pub fn in_lanes(&self) -> Option<DirectLanes> {
-        let Direct { controller, motion, emitted, outputs } = self.side();
-        if emitted.is_some() || outputs.is_some() {
+        let Direct { law, controller, motion, outputs } = self.side();
+        if controller.spec().precision == Precision::F32 || outputs.is_some() {
             return None;
         }
-        DirectLanes::of(controller, controller.program(), motion.program())
+        DirectLanes::of(controller, law.program(), motion.program())
     }
 }
 
@@ -71,9 +76,7 @@ impl Side for Direct {
         }
         let y = given(&mut self.outputs, values.get(Parameter::StartTime), x0);
         self.controller.init(values, y)?;
-        if let Some(emitted) = &mut self.emitted {
-            emitted.init(values, y)?;
-        }
+        self.law.start(values, y)?;
         self.motion.init(values, x0)?;
         let mut start = State::zeros();
         start.as_mut_slice()[..self.order()].copy_from_slice(x0);
@@ -88,17 +91,17 @@ impl Side for Direct {
     }
 
     fn barrier(&self, kink: Option<usize>) -> Option<Failure> {
-        let behind = self.controller.kinks();
+        let behind = self.law.kinks();
         match kink {
-            None => self.controller.barrier(None).or_else(|| self.motion.barrier(None)),
-            Some(kink) if kink < behind => self.controller.barrier(Some(kink)),
+            None => self.law.barrier(None).or_else(|| self.motion.barrier(None)),
+            Some(kink) if kink < behind => self.law.barrier(Some(kink)),
             Some(kink) => self.motion.barrier(Some(kink - behind)),
         }
     }
 
     fn rates(&mut self, At { t, time_to_go }: At, x: &State, rates: &mut State) {
         let x = &x.as_slice()[..self.order()];
-        let u = self.controller.held(t, given(&mut self.outputs, t, x));
+        let u = self.law.held(t, given(&mut self.outputs, t, x));
         self.motion.rates((t, time_to_go), x, u, rates);
     }
 
@@ -107,33 +110,33 @@ impl Side for Direct {
     }
 
     fn acting<'a>(&'a mut self, _: At, x: &'a State) -> (&'a [f64], &'a [f64]) {
-        (&x.as_slice()[..self.order()], self.controller.acting())
+        (&x.as_slice()[..self.order()], self.law.acting())
     }
 
     fn tell(&mut self, At { t, time_to_go }: At, x: &State, visit: &mut dyn FnMut(Sample<'_>)) {
         let x = &x.as_slice()[..self.order()];
         let measured = given(&mut self.outputs, t, x);
-        let (_, status) = self.emitted.as_mut().unwrap_or(&mut self.controller).step(t, measured);
-        let u = self.controller.held(t, measured);
+        let (_, status) = self.controller.step(t, measured);
+        let u = self.law.held(t, measured);
         let (stretched, integrals) = (f64::NAN, &[][..]);
         visit(Sample { t, time_to_go, stretched, x, measured, u, integrals, status });
     }
 
     fn kinks(&self) -> usize {
-        self.controller.kinks() + self.motion.kinks()
+        self.law.kinks() + self.motion.kinks()
     }
 
     fn distances(&mut self, At { t, .. }: At, x: &State, into: &mut Vec<f64>) {
         let x = &x.as_slice()[..self.order()];
-        let u = self.controller.held(t, given(&mut self.outputs, t, x));
+        let u = self.law.held(t, given(&mut self.outputs, t, x));
         self.motion.at(t, x, u);
-        self.controller.distances(into);
+        self.law.distances(into);
         self.motion.distances(into);
     }
 
     fn choose(&mut self, above: &[bool]) {
-        let (of_controller, of_motion) = above.split_at(self.controller.kinks());
-        self.controller.choose(of_controller);
+        let (of_controller, of_motion) = above.split_at(self.law.kinks());
+        self.law.choose(of_controller);
         self.motion.choose(of_motion);
     }
 

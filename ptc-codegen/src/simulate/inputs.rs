@@ -1,4 +1,4 @@
-//! The inputs that a controller gives: within their limits, and where they stop following from the outputs.
+//! The inputs of a law with their kinks: their limits, and where they stop following from the outputs.
 
 use super::pole::Pole;
 use super::{Failure, Values};
@@ -20,7 +20,7 @@ pub(super) struct Inputs {
     within: Vec<[bool; 2]>,
     /// The determinant of the decoupling matrix, where it is no number.
     determinant: Option<(Value, Pole)>,
-    /// The inputs that were computed last, and the largest of a run.
+    /// The inputs that were last held, and the largest of a run.
     u: Vec<f64>,
     peak: f64,
 }
@@ -86,32 +86,9 @@ impl Inputs {
         &self.u
     }
 
-    /// The inputs where `over` says that none acts any more, or as they are computed, each within its limit;
-    /// and whether one is at it.
-    pub(super) fn clipped(&mut self, machine: &Machine, over: bool) -> bool {
-        let mut saturated = false;
-        for (input, control) in self.controls.iter().enumerate() {
-            let wanted = if over { 0.0 } else { machine.get(*control) };
-            let (u, clipped) = self.limits(input, machine).clip(wanted);
-            self.u[input] = u;
-            saturated |= clipped;
-        }
-        saturated
-    }
-
-    /// Returns true if every u is finite before it is clipped.
-    pub(super) fn are_finite(&self, machine: &Machine) -> bool {
-        self.controls.iter().all(|control| machine.get(*control).is_finite())
-    }
-
-    /// The inputs that were computed last.
+    /// The inputs that were last held.
     pub(super) fn last(&self) -> &[f64] {
         &self.u
-    }
-
-    /// None acts.
-    pub(super) fn rest(&mut self) {
-        self.u.fill(0.0);
     }
 
     /// Number of kinks: two for each u that is clipped, and the determinant.

@@ -35,6 +35,7 @@ mod pole;
 pub mod record;
 mod sampled;
 mod side;
+mod smooth;
 mod solver;
 mod surface;
 mod switching;

@@ -1,7 +1,5 @@
 //! The loop as it will run: the emitted controller at each sample, u held in between.
 
-use std::sync::Arc;
-
 use super::around::SAME;
 use super::between::{BETWEEN, Between, Held, Moved};
 use super::frame::{Frame, Span};
@@ -14,13 +12,10 @@ use super::plant::Motion;
 use super::solver::First;
 use super::switching::Walk;
 use super::{Controller, Failure, Loop, Sample, Values};
-use crate::code::{Code, Instance};
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
-use crate::reference::Status;
 use crate::request::{Spec, What};
-use crate::samples;
 
 /// The plant with a sampled controller.
 #[derive(Clone, Debug)]
@@ -29,54 +24,13 @@ pub struct Sampled {
     inputs: usize,
     /// Number of measured values.
     measured: usize,
-    controller: Kind,
+    controller: Controller,
+    /// True if the clock of the controller is the number of the sample.
+    in_samples: bool,
     moved: Moved,
     /// Inputs of the controller for a plant with other states than the law.
     outputs: Option<Outputs>,
     integrals: Option<Integrals>,
-}
-
-/// Input of the controller beside the measurement.
-#[derive(Clone, Debug)]
-enum Kind {
-    Time(Box<Controller>),
-    Samples(Arc<Code>, Vec<Parameter>),
-}
-
-/// A controller on its way.
-enum Running<'a> {
-    Time(&'a mut Controller),
-    /// With the number of its inputs.
-    Samples(Instance, usize),
-}
-
-impl Running<'_> {
-    /// Arms the controller at sample `index`, time `t`, from a measurement; whether it succeeded.
-    fn arm(&mut self, index: u32, t: f64, measured: &[f64]) -> bool {
-        match self {
-            Self::Time(controller) => controller.arm(t, measured),
-            Self::Samples(controller, _) => {
-                controller.call("arm", &[("k", &[f64::from(index)])]).status.number() >= 0
-            }
-        }
-    }
-
-    /// Every u and the status at sample `index` and time `t`.
-    fn step(&mut self, index: u32, t: f64, measured: &[f64]) -> (Vec<f64>, Status) {
-        match self {
-            Self::Time(controller) => {
-                let (u, status) = controller.step(t, measured);
-                (u.to_vec(), status)
-            }
-            Self::Samples(controller, inputs) => {
-                let given = [("k", &[f64::from(index)][..]), ("x", measured), ("y", measured)];
-                let outcome = controller.call("step", &given);
-                // One that fails gives none.
-                let u = outcome.results.get("u").cloned();
-                (u.unwrap_or_else(|| vec![0.0; *inputs]), outcome.status.into())
-            }
-        }
-    }
 }
 
 /// Bounds of all states and of u below which they count as 0.
@@ -89,45 +43,28 @@ impl Sampled {
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
         let outputs = Outputs::new(spec);
-        // The controller knows nothing of the other states.
-        let emitted = &match &outputs {
-            Some(_) => spec.clone().apart(),
-            None => spec.clone(),
-        };
-        let Some(sampled) = spec.sampled() else {
-            let controller = Kind::Time(Box::new(Controller::new(emitted)?));
-            let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-            return Ok(Self {
-                n: spec.states(),
-                inputs: spec.input_names().len(),
-                measured: spec.measurements(),
-                controller,
-                moved,
-                outputs,
-                integrals: None,
-            });
-        };
         if spec.what == What::Observer {
             let message = "an observer alone closes no loop";
             return Err(Failure::input(message, "leave `what` out: the controller is simulated"));
         }
-        let code = Arc::new(samples::controller(emitted, sampled, Vec::new()));
-        let controller = Kind::Samples(code, spec.run_time_parameters().collect());
-        if let Some(plant) = sampled.linear.as_ref().filter(|_| outputs.is_none()) {
-            let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
-            let moved = Moved::Linear(Linear::new(plant, h));
-            let measured = spec.measurements();
-            let (n, inputs) = (spec.n, 1);
-            return Ok(Self { n, inputs, measured, controller, moved, outputs, integrals: None });
-        }
-        // A chain has the f that the controller knows.
-        let f = spec.drift.clone().unwrap_or(Expression::integer(0));
-        let own = Plant { f, ..Plant::default() };
-        let plant = if *plant == Plant::default() { &own } else { plant };
-        let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
-        let inputs = spec.input_names().len();
-        let (n, measured) = (spec.states(), spec.measurements());
-        Ok(Self { n, inputs, measured, controller, moved, outputs, integrals: None })
+        let linear = spec.sampled().and_then(|sampled| sampled.linear.as_ref());
+        let moved = match linear.filter(|_| outputs.is_none()) {
+            Some(plant) => {
+                let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
+                Moved::Linear(Linear::new(plant, h))
+            }
+            None => Moved::Rates(Box::new(Motion::new(spec, &known(spec, plant)))),
+        };
+        Ok(Self {
+            n: spec.states(),
+            inputs: spec.input_names().len(),
+            measured: spec.measurements(),
+            controller: Controller::new(spec)?,
+            in_samples: spec.sampled().is_some(),
+            moved,
+            outputs,
+            integrals: None,
+        })
     }
 
     /// The same with integrals over the run beside it.
@@ -139,10 +76,8 @@ impl Sampled {
     /// The same for many scenarios at once, where the plant is linear between samples; `None` where it is not,
     /// and for a clock in samples.
     pub fn in_lanes(&self) -> Option<RunningLanes> {
-        match (&self.controller, &self.moved, &self.integrals) {
-            (Kind::Time(controller), Moved::Rates(motion), None) if self.outputs.is_none() => {
-                RunningLanes::of(controller, motion)
-            }
+        match (&self.moved, &self.integrals, &self.outputs) {
+            (Moved::Rates(motion), None, None) => RunningLanes::of(&self.controller, motion),
             _ => None,
         }
     }
@@ -190,16 +125,7 @@ impl Sampled {
             None => x0,
         };
         let behind = self.n + self.integrals.as_ref().map_or(0, Integrals::count);
-        let mut kind = self.controller.clone();
-        let mut controller = match &mut kind {
-            Kind::Time(controller) => {
-                controller.init(values, given)?;
-                Running::Time(controller)
-            }
-            Kind::Samples(code, open) => {
-                Running::Samples(started(code, open, values)?, self.inputs)
-            }
-        };
+        self.controller.init(values, given)?;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let mut frame = Frame::new(around, tau);
         let none = vec![0.0; self.inputs];
@@ -230,17 +156,18 @@ impl Sampled {
             frame.measure(&mut measured);
             // A chain's other states reach no sensor.
             measured.truncate(self.measured);
+            let now = if self.in_samples { f64::from(index) } else { t };
             let mut again = false;
             while armed.next_if(|at| since >= at * (1.0 - SAME)).is_some() {
                 again = true;
             }
             if again {
-                if !controller.arm(index, t, &measured) {
+                if !self.controller.arm(now, &measured) {
                     return Err(Failure::not_armed(t));
                 }
                 deadline = since + tau;
             }
-            let (u, status) = controller.step(index, t, &measured);
+            let (u, status) = self.controller.step(now, &measured);
             late.push_back(u.iter().map(|u| frame.actuated(*u)).collect());
             let u = late.pop_front().unwrap_or_else(|| none.clone());
             let newer = late.front().unwrap_or(&u);
@@ -330,20 +257,10 @@ impl Sampled {
     }
 }
 
-/// The controller in samples with its parameters.
-fn started(
-    code: &Code,
-    open: &[Parameter],
-    values: &Values,
-) -> Result<Instance, Failure> {
-    let given = || open.iter().map(|parameter| (*parameter, values.get(*parameter)));
-    Instance::with_parameters(code, given()).map_err(|_| {
-        let given: Vec<_> = given()
-            .map(|(parameter, value)| format!("{} = {value:?}", parameter.spelling()))
-            .collect();
-        Failure::input(
-            format!("init refuses {}", given.join(", ")),
-            "give parameters within their domains, and enough samples".to_owned(),
-        )
-    })
+/// A chain has the f that its controller knows, where a plant is not given.
+fn known(spec: &Spec, plant: &Plant) -> Plant {
+    match spec.drift.clone().filter(|_| spec.sampled().is_some() && *plant == Plant::default()) {
+        Some(f) => Plant { f, ..Plant::default() },
+        None => plant.clone(),
+    }
 }

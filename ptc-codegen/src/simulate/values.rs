@@ -73,6 +73,14 @@ impl Values {
         self.find(parameter).map_or(f64::NAN, |place| self.numbers[place])
     }
 
+    /// The value of one.
+    ///
+    /// # Errors
+    /// It has none.
+    pub(super) fn number(&self, parameter: Parameter) -> Result<f64, Failure> {
+        self.required(parameter).map(|place| self.numbers[place])
+    }
+
     fn find(&self, parameter: Parameter) -> Option<usize> {
         self.names.binary_search(&parameter).ok()
     }
@@ -119,7 +127,11 @@ impl Values {
             Input::StartTime => Parameter::StartTime,
             _ => return Ok(None),
         };
-        self.find(parameter).map(Some).ok_or_else(|| {
+        self.required(parameter).map(Some)
+    }
+
+    fn required(&self, parameter: Parameter) -> Result<usize, Failure> {
+        self.find(parameter).ok_or_else(|| {
             let name = parameter.spelling();
             Failure::input(
                 format!("{name} ({}) has no value", parameter.meaning()),

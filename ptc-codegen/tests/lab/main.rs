@@ -8,6 +8,8 @@ mod check;
 #[path = "../../../tests/support/command.rs"]
 mod command;
 mod contradictions;
+#[cfg(unix)]
+mod controller_in_c;
 mod design;
 mod digits;
 mod examined;

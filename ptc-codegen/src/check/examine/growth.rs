@@ -8,6 +8,25 @@ use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Spec};
 
+/// The greatest rate of a mapping with which the gains of every axis pass, where the rate is left to run time: `init`
+/// refuses more.
+#[cfg(feature = "simulate")]
+pub(crate) fn greatest(spec: &Spec) -> Option<(Parameter, Fixed)> {
+    spec.run_time_parameters().find(|open| *open == Parameter::A)?;
+    let of_each = spec.designs().into_iter().filter_map(|design| check_growth(&design).1);
+    of_each.min_by_key(|(_, value)| value.number().cloned())
+}
+
+/// Legal values of a parameter in words, with the greatest rate.
+#[cfg(feature = "simulate")]
+pub(crate) fn legal(spec: &Spec, parameter: Parameter) -> String {
+    let legal = spec.legal(parameter);
+    match greatest(spec).filter(|(own, _)| *own == parameter) {
+        Some((_, most)) => format!("{legal}, and at most {most} by the check `growth`"),
+        None => legal,
+    }
+}
+
 /// Checks the gains at the deadline; where the rate is left to run time, also returns the greatest rate with which they
 /// pass.
 pub(super) fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
@@ -53,7 +72,8 @@ pub(super) fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>)
                 Some(Family::Tanh) => Some(0.5),
                 _ => None,
             };
-            let greatest = share.and_then(|share| rounded_down(share * limit));
+            let allowed = spec.promises.allow.iter().any(|name| name == growth::NAME);
+            let greatest = share.and_then(|share| rounded_down(share * limit)).filter(|_| !allowed);
             let by = if greatest.is_some() { "; init refuses more" } else { "" };
             let (outcome, _) = lacks(&format!(
                 "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {text}{by}"

@@ -20,6 +20,8 @@ mod resonance;
 mod rest;
 mod unseen;
 
+#[cfg(feature = "simulate")]
+pub(crate) use growth::{greatest, legal};
 pub(super) use guard::Asked;
 use guard::superseded;
 pub(super) use in_samples::{looped as sampled_loop, open as open_in_samples};
@@ -98,8 +100,6 @@ fn in_time(spec: Spec, known: Option<Looped>, expanded: Option<Expanded>) -> Rep
     let deadline = superseded(deadline, decided);
     let deadline = of_error(&spec, deadline);
     let envelope = envelope::outcome(&spec, forms);
-    let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
-    let greatest = greatest.filter(|_| !allowed);
     let growth = of_error(&spec, of_chain(&spec, growth));
     let mut outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));

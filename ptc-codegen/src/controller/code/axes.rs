@@ -79,7 +79,7 @@ impl Builder<'_> {
     /// them, which compilers turn into vector instructions. Without such sums lines for each axis take fewer
     /// instructions than a loop with -O2; the tests of a quotient are written once.
     fn wanted(&self, count: usize, temporaries: usize) -> Vec<Statement> {
-        let program = self.controller.program;
+        let program = self.program;
         let parts = &program.parts;
         let wanted = |axis| Place::Element(WANTED.to_owned(), axis);
         let array = Statement::Variable(WANTED.to_owned(), Shape::Reals(count));

@@ -18,7 +18,7 @@ impl Builder<'_> {
     /// Returns the statements for the results of each axis, and the status of the call. Most often no v is outside of
     /// its bounds: a loop that only searches for one takes fewer instructions than one that clips.
     pub(super) fn clipped_axes(&self, count: usize) -> Vec<Statement> {
-        let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
+        let Some(axis) = self.program.axis else { fault("gains without an axis") };
         let inputs = self.inputs_of_axis(axis);
         let (limit, mut statements, within) = self.bounds_of_axes();
         let n = self.spec.n;

@@ -16,14 +16,14 @@ impl Builder<'_> {
     /// Returns the values that `tick` computes and `axis` reads.
     pub(super) fn gains(&self) -> Vec<Variable> {
         let n = self.spec.n;
-        if self.controller.program.gains.is_empty() {
+        if self.program.gains.is_empty() {
             return Vec::new();
         }
         let (of, rate) = match self.spec.references() {
             0 => ("x", String::new()),
             _ => ("e", format!(" + r[{n}], e[i] = x[i] - r[i]")),
         };
-        let program = self.controller.program;
+        let program = self.program;
         let shape = |values: &[Value]| match values.len() {
             1 => Shape::Real,
             several => Shape::Reals(several),
@@ -68,7 +68,7 @@ impl Builder<'_> {
     /// The limits of u of an axis: `own` of a name where each has its own.
     pub(super) fn limits_of_axis(&self, own: impl Fn(String) -> Expr) -> Bounds {
         let named = |name: &str| Some(own(name.to_owned()));
-        let program = self.controller.program;
+        let program = self.program;
         match (program.bounds.is_empty(), program.lower.is_empty()) {
             (true, _) => self.bounds(),
             (false, true) => Bounds::symmetric(named("u_max")),
@@ -80,7 +80,7 @@ impl Builder<'_> {
     fn run_time_limits(&self) -> impl Iterator<Item = (Parameter, Value)> {
         let all =
             [(Parameter::UMax, self.limits.u_max), (Parameter::UMin, self.limits.u_min.value())];
-        let shared = self.controller.program.bounds.is_empty();
+        let shared = self.program.bounds.is_empty();
         let of = all.into_iter().filter_map(|(parameter, limit)| Some((parameter, limit?)));
         of.filter(move |(_, limit)| shared && !self.plan.is_literal(*limit))
     }
@@ -117,7 +117,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn axis(&self) -> Function {
-        let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
+        let Some(axis) = self.program.axis else { fault("gains without an axis") };
         let mut inputs = self.inputs_of_axis(axis);
         if let Some(axes) = self.spec.axes.as_ref().filter(|axes| axes.differ()) {
             // Whatever is trusted, no element beyond the gains is read.

@@ -52,7 +52,7 @@ impl Builder<'_> {
             false => inputs.first.extend(finite),
         }
         inputs.first.extend(started);
-        self.states_of(self.controller.program.step, &mut inputs);
+        self.states_of(self.program.step, &mut inputs);
         inputs
     }
 
@@ -66,7 +66,7 @@ impl Builder<'_> {
     }
 
     fn states_of(&self, value: Value, inputs: &mut Inputs) {
-        let program = self.controller.program;
+        let program = self.program;
         let waits = |input: Input| {
             let source = program.input(input);
             self.callbacks().is_empty()
@@ -86,7 +86,7 @@ impl Builder<'_> {
     /// Returns true if the law depends on time through [`Limits::late`](crate::program::Limits::late) alone, which is
     /// held from `hold_from` on for any t that is infinite.
     fn time_is_late(&self) -> bool {
-        let program = self.controller.program;
+        let program = self.program;
         let late = self.limits.late;
         let held = match program.get(late).op {
             Op::Min(past, from) => from == self.limits.hold_from && program.is_shifted_time(past),

@@ -15,22 +15,33 @@ use super::Controller;
 use super::plan::{Field, Plan, Routine};
 use crate::code::{Callback, Cell, Code, Expr, Index, Shape, Statement, Test, Variable};
 use crate::internal::fault;
-use crate::parameter::Parameter;
-use crate::program::{Input, Op, Value};
+use crate::parameter::{Fixed, Parameter};
+use crate::program::{Input, Limits, Op, Program, Value};
 use crate::request::{After, Feedback, Guard, Spec, What};
 use body::{Body, body};
 use given::Given;
 
 /// The controller as a program that the interpreter runs.
 pub fn whole(controller: &Controller<'_>) -> Code {
-    let parameters: Vec<_> = controller.spec().run_time_parameters().collect();
+    let greatest = controller.report.greatest.as_ref();
+    of_program(controller.spec(), controller.program, greatest)
+}
+
+/// The same of an optimised program, with the greatest value of a parameter that `init` accepts.
+pub(crate) fn of_program(
+    spec: &Spec,
+    program: &Program,
+    greatest: Option<&(Parameter, Fixed)>,
+) -> Code {
+    let parameters: Vec<_> = spec.run_time_parameters().collect();
     let variable = |group: &[Parameter]| {
         let first = group.first()?;
         let shape = first.index().map_or(Shape::Real, |_| Shape::Reals(group.len()));
         Some(Variable::new(first.key(), shape, first.meaning()))
     };
     let groups = parameters.chunk_by(|a, b| a.key() == b.key());
-    code(controller, Vec::new(), groups.filter_map(variable).collect())
+    let parameters = groups.filter_map(variable).collect();
+    Builder::new(spec, program, greatest).code(Vec::new(), parameters)
 }
 
 /// The controller as a program, with the head of its file and its parameters as they are declared.
@@ -39,35 +50,41 @@ pub(crate) fn code(
     head: Vec<String>,
     parameters: Vec<Variable>,
 ) -> Code {
-    let builder = Builder {
-        controller,
-        spec: controller.spec(),
-        plan: Plan::new(controller.program),
-        limits: controller.program.limits,
-    };
-    let field = |of: &Field| Variable::new(of.name.clone(), Shape::Real, of.meaning.clone());
-    let code = Code {
-        name: builder.spec.name(),
-        precision: builder.spec.precision,
-        head,
-        parameters,
-        fields: builder.plan.fields.iter().map(field).collect(),
-        gains: builder.gains(),
-        init: builder.init(),
-        start: Some(builder.start()),
-        functions: builder.functions(),
-    };
-    match code.check() {
-        Ok(()) => code,
-        Err(error) => fault(error),
-    }
+    let greatest = controller.report.greatest.as_ref();
+    Builder::new(controller.spec(), controller.program, greatest).code(head, parameters)
 }
 
 struct Builder<'a> {
-    controller: &'a Controller<'a>,
     spec: &'a Spec,
+    program: &'a Program,
+    greatest: Option<&'a (Parameter, Fixed)>,
     plan: Plan<'a>,
-    limits: crate::program::Limits,
+    limits: Limits,
+}
+
+impl<'a> Builder<'a> {
+    fn new(spec: &'a Spec, program: &'a Program, greatest: Option<&'a (Parameter, Fixed)>) -> Self {
+        Self { spec, program, greatest, plan: Plan::new(program), limits: program.limits }
+    }
+
+    fn code(&self, head: Vec<String>, parameters: Vec<Variable>) -> Code {
+        let field = |of: &Field| Variable::new(of.name.clone(), Shape::Real, of.meaning.clone());
+        let code = Code {
+            name: self.spec.name(),
+            precision: self.spec.precision,
+            head,
+            parameters,
+            fields: self.plan.fields.iter().map(field).collect(),
+            gains: self.gains(),
+            init: self.init(),
+            start: Some(self.start()),
+            functions: self.functions(),
+        };
+        match code.check() {
+            Ok(()) => code,
+            Err(error) => fault(error),
+        }
+    }
 }
 
 impl Builder<'_> {
@@ -88,7 +105,7 @@ impl Builder<'_> {
             }
             None => functions.push(self.step()),
         }
-        if !self.controller.program.gains.is_empty() {
+        if !self.program.gains.is_empty() {
             functions.extend([self.tick(), self.axis()]);
         }
         functions
@@ -175,7 +192,7 @@ impl Builder<'_> {
 
     /// A value that `init` or `arm` has left.
     fn field(&self, value: Value) -> Expr {
-        match &self.controller.program.get(value).op {
+        match &self.program.get(value).op {
             Op::Number(number) => Expr::Number(number.clone()),
             _ => match self.plan.name(value) {
                 Some(name) => Expr::field(name),

@@ -32,7 +32,7 @@ impl Builder<'_> {
         if !domain.is_empty() {
             statements.push(Statement::Require(Test::All(domain), Status::Param));
         }
-        let checks = digits::checks(self.spec, self.controller.program);
+        let checks = digits::checks(self.spec, self.program);
         let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
         let mut body =
             body(&self.plan, Routine::Init, Given { further: &values, ..Given::default() });
@@ -54,7 +54,7 @@ impl Builder<'_> {
         let mut set = Vec::new();
         for (field, value) in fields.zip(body.roots) {
             let mut value = value;
-            if is_derived(self.controller.program, field) {
+            if is_derived(self.program, field) {
                 if !matches!(value, Expr::Local(_)) {
                     let name = field.name.clone();
                     statements.push(Statement::Let(name.clone(), Shape::Real, value));
@@ -182,7 +182,7 @@ impl Builder<'_> {
                 }
             }
         }
-        if let Some((parameter, greatest)) = &self.controller.report.greatest
+        if let Some((parameter, greatest)) = self.greatest
             && let Some(number) = greatest.number()
         {
             let value = Expr::local(parameter_name(*parameter));

@@ -12,11 +12,10 @@ use super::plants::{Plants, Times};
 use super::ticks::Ticks;
 use super::{Instants, See};
 use crate::linear::Delay;
-use crate::parameter::{Parameter, Precision};
+use crate::parameter::Parameter;
 use crate::program::lanes::{LANES, Pack};
 use crate::program::{Limits, Value};
 use crate::request::After;
-use crate::simulate::controller::holds;
 use crate::simulate::pieces::{Changes, Piece};
 use crate::simulate::plant::Motion;
 use crate::simulate::{Controller, Loop, Values};
@@ -70,24 +69,19 @@ struct Under<'a> {
 impl RunningLanes {
     /// `None` where the loop does not run in lanes.
     pub(in crate::simulate) fn of(controller: &Controller, motion: &Motion) -> Option<Self> {
-        let ((program, _), after) = (controller.program(), controller.after());
-        let single = program.others.is_empty() && program.determinant.is_none();
-        if !single || !motion.is_held() {
-            return None;
-        }
+        let spec = controller.spec();
+        let several = spec.axes.is_some() || spec.coupled.is_some();
+        let program = controller.program().filter(|_| !several && motion.is_held())?;
         let limits = program.limits;
-        let (checks, armed) = controller.conditions();
-        let looked_at =
-            [Some(program.step), limits.past].into_iter().flatten().chain(limits.of_u());
-        let checked = checks.iter().flat_map(|check| check.values());
-        let outputs: Vec<_> = looked_at.chain(checked).chain(armed.iter().copied()).collect();
+        let outputs = [Some(program.step), limits.past].into_iter().flatten().chain(limits.of_u());
+        let outputs: Vec<_> = outputs.collect();
         let law = Abreast::new(program, &outputs, motion.order())?;
         Some(Self {
             ticks: Ticks::of(&law, &outputs),
             law,
             step: program.step,
             limits,
-            after,
+            after: spec.after,
             controller: controller.clone(),
             plants: Plants::of(motion),
             x: vec![Pack::all(0.0); motion.order()],
@@ -132,11 +126,6 @@ impl RunningLanes {
         }
         self.law.settle();
         self.ticks.iter_mut().for_each(|ticks| ticks.begin(&self.law));
-        for lane in 0..LANES {
-            if !self.is_armed(lane) {
-                under.leave(lane);
-            }
-        }
         under
     }
 
@@ -146,18 +135,11 @@ impl RunningLanes {
         if !alike || around.parts != 1 || !around.arm_at.is_empty() {
             return None;
         }
-        self.controller.legal(values).ok()?;
+        self.controller.init(values, x0).ok()?;
         self.law.start(lane, values, x0).ok()?;
         self.plants.start(lane, values, x0).ok()?;
         self.x.iter_mut().zip(x0).for_each(|(x, own)| x.0[lane] = *own);
         Some(())
-    }
-
-    /// Returns true if `init` and `arm` succeed in a lane.
-    fn is_armed(&self, lane: usize) -> bool {
-        let get = |value: Value| self.law.lanes.get(value).0[lane];
-        let (checks, armed) = self.controller.conditions();
-        holds(checks, Precision::F64, get) && armed.iter().all(|value| get(*value).is_finite())
     }
 
     /// Takes a sample in every lane, and goes on to the next one.

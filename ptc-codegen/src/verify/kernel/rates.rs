@@ -23,6 +23,7 @@ impl Rates {
     pub(in crate::verify) fn new(campaign: &Campaign) -> Option<Self> {
         let spec = Spec { precision: Precision::F64, ..campaign.spec.clone() };
         let plant = &campaign.plant;
+        spec.sampled().is_none().then_some(())?;
         let own = || spec.input_gain.clone().unwrap_or(Expression::integer(1));
         let g = plant.g.clone().unwrap_or_else(own);
         let program = lower::observed(&spec, &[&plant.f, &g]);

@@ -4,7 +4,6 @@
 mod barrier;
 mod by_hand;
 mod campaigns;
-mod code;
 mod ends;
 mod of_axes;
 mod runs;

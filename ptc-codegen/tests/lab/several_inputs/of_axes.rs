@@ -4,12 +4,12 @@ use super::support::run_in;
 use super::{folder_with, near, run};
 
 /// Axes with gains, limits and input gains of their own.
-pub(super) const GANTRY: &str = "name = \"gantry\"\nn = 2\naxes = 3\nmu = \"exp(a=1)\"\n\
+const GANTRY: &str = "name = \"gantry\"\nn = 2\naxes = 3\nmu = \"exp(a=1)\"\n\
     poles = [[-4, -5], [-3, -6], [-6, -7]]\ng = [\"1/m1\", \"0.5\", \"1 + m1\"]\nlimits = [9, 8, 7]\n\
     [params]\ntau = 1.5\nt0 = 0.25\neps = 0.02\nm1 = 1.5\n";
 
 /// Axes that share all.
-pub(super) const SHARED: &str = "n = 2\naxes = 2\nmu = \"rational(a=1)\"\npoles = [-4, -5]\n[params]\n\
+const SHARED: &str = "n = 2\naxes = 2\nmu = \"rational(a=1)\"\npoles = [-4, -5]\n[params]\n\
     tau = 1\nt0 = 0\neps = 0.01\nu_max = inf\n";
 
 const PLANT: &str = "[plant]\nf = \"0.3*sin(3*t) - 0.4*x2*abs(x1)\"\n";
