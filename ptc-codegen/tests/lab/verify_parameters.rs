@@ -174,3 +174,15 @@ fn intervals_over_compiled_in_values_are_refused() {
         }
     }
 }
+
+/// `init` refuses a rate above that of the check `growth`, so no loop with it runs.
+#[test]
+fn rates_that_init_refuses_are_no_interval() {
+    let text = "n = 2\nmu = \"tanh\"\ngains = [6, 5]\n[params]\nt0 = 0\neps = 0.01\nu_max = inf\n[plant]\nf = 0\n\
+                [verify]\nx1 = 1\nx2 = 0\ntau = 1\na = [0.2, 0.6]\n[[objective]]\nbound = \"attractive\"\nerror = 0.1\n";
+    let wrong = read(text).expect_err("a rate above 0.499");
+    assert!(wrong.contains("a (rate of stretched time) leaves its domain"), "{wrong}");
+    assert!(wrong.contains("at most 4.99e-1 by the check `growth`"), "{wrong}");
+    let allowed = text.replace("n = 2", "n = 2\nallow = [\"growth\"]");
+    assert!(read(&allowed).is_ok() && read(&text.replace("0.6", "0.4")).is_ok());
+}

@@ -1,6 +1,7 @@
 //! Parameters of the controller that are uncertain: the start time, and those of mapping and law.
 
 use super::{Given, Interval, Reader, to_f64};
+use crate::check::examine::{greatest, legal};
 use crate::keys::verify::KEYS;
 use crate::parameter::Parameter;
 use crate::plant::TABLE;
@@ -96,18 +97,21 @@ impl Reader<'_> {
             return false;
         }
         let spec = self.spec;
+        let most = greatest(spec).filter(|(own, _)| *own == parameter);
+        let most = most.and_then(|(_, most)| to_f64(&most));
         let within = |value: f64| {
             let bounds = spec.bounds.get(&parameter);
             let bounds = bounds.and_then(|(low, high)| Some((to_f64(low)?, to_f64(high)?)));
-            bounds.map_or(spec.keeps_digits(parameter, value), |(low, high)| {
+            let own = bounds.map_or(spec.keeps_digits(parameter, value), |(low, high)| {
                 (low..=high).contains(&value)
-            })
+            });
+            own && most.is_none_or(|most| value <= most)
         };
         if within(ends.0) && within(ends.1) {
             return true;
         }
         let message = format!("{name} ({}) leaves its domain", parameter.meaning());
-        self.wrong(&key, place, message, &format!("{name} is {}", spec.legal(parameter)));
+        self.wrong(&key, place, message, &format!("{name} is {}", legal(spec, parameter)));
         false
     }
 
