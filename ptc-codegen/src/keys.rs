@@ -1,8 +1,10 @@
 //! The keys of a design: tables that feed the reader, the help, the docs and the diagnostics.
 
+mod group;
 mod plant;
 pub mod verify;
 
+pub use group::{GROUPS, Group};
 pub use plant::PLANT_KEYS;
 
 /// A key of a spec.

@@ -55,6 +55,7 @@ pub(crate) enum Command {
     /// Run the closed loop of a design with its plant
     #[command(
         after_help = with_exit_codes(super::lab::SIMULATE_EXAMPLES),
+        after_long_help = with_exit_codes(&[super::lab::SIMULATE_ABOUT, super::lab::SIMULATE_EXAMPLES].join("\n\n")),
         override_usage = "ptc-codegen simulate <DESIGN> --x0 <X1,...,XN> [OPTIONS]\n       \
                           ptc-codegen simulate --n <N> --mu <MU> --plant <NAME=VALUE> --x0 <X1,...,XN> [OPTIONS]"
     )]
@@ -106,6 +107,8 @@ mod tests {
         for own in command.get_subcommands().chain([&command]) {
             let told = own.get_after_help().map(ToString::to_string).unwrap_or_default();
             assert!(told.contains("Exit codes"), "{}", own.get_name());
+            let long = own.get_after_long_help().map(ToString::to_string).unwrap_or_default();
+            let told = format!("{told}\n{long}");
             for line in told.lines() {
                 assert!(line.chars().count() <= 100, "{}: {line}", own.get_name());
             }

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use crate::keys::{KEYS, KeyInfo};
+use crate::keys::{GROUPS, Group, KEYS, KeyInfo};
 use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches, ValueEnum};
 
 use super::engine::Engine;
@@ -14,7 +14,7 @@ use super::source::{Source, flag};
 #[derive(Debug, Args)]
 pub(crate) struct EngineFlag {
     /// What expands the closed forms; see docs/engines.md
-    #[arg(long, value_enum, value_name = "ENGINE", default_value = "ptc")]
+    #[arg(long, value_enum, value_name = "ENGINE", default_value = "ptc", hide_short_help = true)]
     pub(crate) engine: Engine,
 }
 
@@ -25,6 +25,9 @@ pub(crate) struct Design {
     #[arg(value_name = "DESIGN")]
     pub(crate) design: Option<PathBuf>,
 }
+
+/// Place of the flags of help among the others.
+const LAST: usize = 999;
 
 /// The flag of parameters by name.
 const PARAM: &str = "param";
@@ -55,29 +58,41 @@ impl FromArgMatches for SpecFlags {
 
 impl Args for SpecFlags {
     fn augment_args(command: clap::Command) -> clap::Command {
-        let keys = KEYS.iter().map(|info| {
-            let flag = Arg::new(info.key)
-                .long(flag(info.key).trim_start_matches('-').to_owned())
-                .value_name(info.key.to_uppercase())
-                .allow_hyphen_values(true)
-                .help(help(info.key));
-            match info.is_switch() {
-                true => flag.num_args(0..=1).require_equals(true).default_missing_value("true"),
-                false => flag,
-            }
-        });
-        command.args(keys).arg(
-            Arg::new(PARAM)
-                .long(PARAM)
-                .value_name("NAME=VALUE")
-                .action(ArgAction::Append)
-                .help("A parameter by its name, as under [params] in a design file; repeatable"),
-        )
+        let keys = GROUPS.iter().flat_map(|group| group.keys().map(|key| key_flag(group, key)));
+        let parameter = Arg::new(PARAM)
+            .long(PARAM)
+            .value_name("NAME=VALUE")
+            .action(ArgAction::Append)
+            .help("A parameter by its name, as under [params] in a design file; repeatable");
+        command.disable_help_flag(true).args(keys).arg(parameter).args(help_flags())
     }
 
     fn augment_args_for_update(command: clap::Command) -> clap::Command {
         Self::augment_args(command)
     }
+}
+
+/// The flag of a key.
+fn key_flag(group: &Group, key: &KeyInfo) -> Arg {
+    let flag = Arg::new(key.key)
+        .long(flag(key.key).trim_start_matches('-').to_owned())
+        .value_name(key.key.to_uppercase())
+        .allow_hyphen_values(true)
+        .help_heading(group.title)
+        .hide_short_help(group.is_rare(key))
+        .help(help(key.key));
+    match key.is_switch() {
+        true => flag.num_args(0..=1).require_equals(true).default_missing_value("true"),
+        false => flag,
+    }
+}
+
+/// The flags of help, after all others: the short one omits the rare flags.
+fn help_flags() -> [Arg; 2] {
+    let short = Arg::new("help").short('h').long("help").action(ArgAction::HelpShort);
+    let long = Arg::new("help-all").long("help-all").action(ArgAction::HelpLong);
+    [short.help("Print help"), long.help("Print help on every flag, the rare ones too")]
+        .map(|flag| flag.display_order(LAST))
 }
 
 /// The help of a key's flag.

@@ -4,7 +4,9 @@ use super::report::Failure;
 use crate::verify::threaded;
 
 pub(crate) use super::design::{EXAMPLES as DESIGN_EXAMPLES, Request as Design};
-pub(crate) use super::simulate::{EXAMPLES as SIMULATE_EXAMPLES, Simulate, simulate};
+pub(crate) use super::simulate::{
+    ABOUT as SIMULATE_ABOUT, EXAMPLES as SIMULATE_EXAMPLES, Simulate, simulate,
+};
 pub(crate) use super::verify::{EXAMPLES as VERIFY_EXAMPLES, Verify};
 
 /// Runs `verify` on all cores.

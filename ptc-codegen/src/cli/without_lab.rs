@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::report::Failure;
 
+pub(crate) const SIMULATE_ABOUT: &str = "The plant is in the design, under [plant].";
 pub(crate) const SIMULATE_EXAMPLES: &str = NEEDS;
 pub(crate) const VERIFY_EXAMPLES: &str = NEEDS;
 pub(crate) const DESIGN_EXAMPLES: &str = NEEDS;

@@ -9,6 +9,7 @@ mod environment;
 mod explained;
 #[cfg(all(unix, feature = "lab"))]
 mod files;
+mod help;
 mod line;
 mod manual;
 #[cfg(unix)]

@@ -59,7 +59,7 @@ pub(crate) struct Emit {
     pub(crate) out: Option<PathBuf>,
     /// With --lang c: add ACSL contracts to the header, and write NAME_eva.c, with which Frama-C
     /// proves that the code has no run-time error
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) acsl: bool,
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
@@ -68,14 +68,19 @@ pub(crate) struct Emit {
     #[arg(long, conflicts_with = "dump")]
     pub(crate) selftest: bool,
     /// State the cost of one step in the head of the files, from a table of `cargo assure cost`
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["dump", "acsl"])]
+    #[arg(long, value_name = "FILE", hide_short_help = true, conflicts_with_all = ["dump", "acsl"])]
     pub(crate) cost: Option<PathBuf>,
     /// Also write the resolved design: the design file with what flags give and what the checks chose, which
     /// emits the same files
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["dump", "check", "engine"])]
+    #[arg(
+        long,
+        value_name = "FILE",
+        hide_short_help = true,
+        conflicts_with_all = ["dump", "check", "engine"]
+    )]
     pub(crate) resolved: Option<PathBuf>,
     /// Print the program after PASS instead of any source (lower: before the first)
-    #[arg(long, value_name = "PASS", value_parser = pass_names())]
+    #[arg(long, value_name = "PASS", hide_short_help = true, value_parser = pass_names())]
     pub(crate) dump: Option<String>,
 }
 

@@ -6,7 +6,7 @@ use clap::{ArgAction, ArgGroup, Args};
 
 use crate::cli::flags::{Design, SpecFlags};
 
-pub(crate) const EXAMPLES: &str = "\
+pub(crate) const ABOUT: &str = "\
 The plant xn' = f + g*u is in the design, under [plant]: f and g are expressions in x1..xn, t
 and, f only, u. Every other name in them is a symbol of the plant, with its value there too.
 Without [plant], f is 0. With a [model] the plant is the model; [plant] may give other values of its
@@ -26,8 +26,9 @@ all in one picture.
 CSV: a line `tau,t,x1,...,xn,u`, of a model the names of its states and inputs, then one line for
 each instant; all numbers read back as they were. With several --x0 or --mu the first column is the
 number of the run.
-The sampled loop adds the measurements y1,...,ym and the status of step; u is the input that acts.
+The sampled loop adds the measurements y1,...,ym and the status of step; u is the input that acts.";
 
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
   ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at-fraction 0.1,0.5,0.9
@@ -37,6 +38,10 @@ Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --noise 1e-4,1e-3 --seed 7
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --until 3 --arm-at 2
   ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --gains 12,7 --tau 1 --plant f=-0.5*x2 --x0 1,0";
+
+/// Headings of the help.
+const RUN: &str = "Run";
+const OUTPUT: &str = "Output";
 
 /// The flags of `simulate`.
 #[derive(Debug, Args)]
@@ -51,34 +56,46 @@ pub(crate) struct Simulate {
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
     /// A key of [plant]: f, g, dynamics, inertia, bias, or a symbol that they use; repeatable
-    #[arg(long, value_name = "NAME=VALUE")]
+    #[arg(help_heading = RUN, long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
     /// Report only at these fractions of tau, each from 0 to below 1
-    #[arg(long, alias = "at", value_name = "FRACTIONS", allow_hyphen_values = true)]
+    #[arg(
+        help_heading = OUTPUT,
+        long,
+        alias = "at",
+        value_name = "FRACTIONS",
+        allow_hyphen_values = true
+    )]
     pub(crate) at_fraction: Option<String>,
     /// Report only at these times after t0, in s, each before the deadline
-    #[arg(long, value_name = "TIMES", allow_hyphen_values = true, conflicts_with = "at_fraction")]
+    #[arg(
+        help_heading = OUTPUT,
+        long,
+        value_name = "TIMES",
+        allow_hyphen_values = true,
+        conflicts_with = "at_fraction"
+    )]
     pub(crate) at_time: Option<String>,
     /// File for the CSV, its folder made if it is missing; `-` is the standard output
-    #[arg(short, long, value_name = "FILE", default_value = "-")]
+    #[arg(help_heading = OUTPUT, short, long, value_name = "FILE", default_value = "-")]
     pub(crate) out: PathBuf,
     /// Picture of the runs: states, u and bounds over time and, of a continuous run, x1 in stretched
     /// time; .svg, .png or .pdf
-    #[arg(long, value_name = "FILE")]
+    #[arg(help_heading = OUTPUT, long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
     /// Report of design, formulas, checks, runs and code, as one self-contained page of HTML
-    #[arg(long, value_name = "FILE")]
+    #[arg(help_heading = OUTPUT, long, value_name = "FILE")]
     pub(crate) report: Option<PathBuf>,
     /// Draw |x_i| and |u| on logarithmic axes in the picture and the report
-    #[arg(long, requires = "drawn")]
+    #[arg(help_heading = OUTPUT, long, requires = "drawn")]
     pub(crate) log: bool,
     /// Sampled loop: seed of the noise
-    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    #[arg(help_heading = RUN, long, value_name = "SEED", default_value_t = 0)]
     pub(crate) seed: u64,
     /// Sampled loop: time after t0 at which the run ends, in s [default: tau]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    #[arg(help_heading = RUN, long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) until: Option<String>,
     /// Sampled loop: times after t0, in s, at whose next sample the controller is armed again
-    #[arg(long, value_name = "TIMES", allow_hyphen_values = true)]
+    #[arg(help_heading = RUN, long, value_name = "TIMES", allow_hyphen_values = true)]
     pub(crate) arm_at: Option<String>,
 }

@@ -13,7 +13,7 @@ use crate::check::resolved::Resolved;
 use crate::diagnostic::visible_line;
 use crate::parameter::Precision;
 use crate::plant::{self, Plant};
-pub(crate) use args::{EXAMPLES, Simulate};
+pub(crate) use args::{ABOUT, EXAMPLES, Simulate};
 use csv::Csv;
 use page::Drawn;
 use picture::Kind;
