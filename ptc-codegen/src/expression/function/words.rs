@@ -5,7 +5,8 @@ use super::Function;
 /// Notation of a function.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Words {
-    /// LaTeX before and after the argument.
+    /// LaTeX before and after the argument, for `show`.
+    #[cfg_attr(not(feature = "cli"), allow(dead_code))]
     pub(crate) latex: [&'static str; 2],
     /// True if Structured Text has it.
     pub(crate) structured_text: bool,
