@@ -420,6 +420,11 @@ impl KeyInfo {
         self.legal == SWITCH
     }
 
+    /// Returns the meaning in a few words, for a comment beside a value.
+    pub fn brief(&self) -> &'static str {
+        self.meaning.split(';').next().unwrap_or(self.meaning)
+    }
+
     /// The key called `name`.
     pub fn find(name: &str) -> Option<&'static Self> {
         KEYS.iter().find(|info| info.key == name)

@@ -74,7 +74,7 @@ pub(crate) enum Command {
         override_usage = "ptc-codegen design <DESIGN> [-o <FILE>] [--tries <COUNT>]"
     )]
     Design(super::lab::Design),
-    /// Write a starting design file that explains every key
+    /// Write a design file to start from
     #[command(after_help = with_exit_codes(super::new::EXAMPLES))]
     New(super::new::New),
     /// Explain a message, a check or a status: what it means, an example, and its fix

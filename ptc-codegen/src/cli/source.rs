@@ -89,7 +89,6 @@ impl Source {
     }
 
     /// Notes a flag of another name than its key's.
-    #[cfg(feature = "lab")]
     pub(crate) fn give_key(&mut self, key: &str, name: &str, text: &str) {
         let flag =
             Flag { key: key.to_owned(), name: name.to_owned(), text: text.to_owned(), value: 0 };
@@ -180,9 +179,15 @@ impl Source {
         if let Some(path) = path {
             let text =
                 design::load(path).map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
-            source.file = Some((path.to_owned(), text));
+            source = source.with_text(path, text);
         }
         Ok(source)
+    }
+
+    /// The same flags over the keys of `text`, the design file at `path`.
+    pub(crate) fn with_text(mut self, path: &Path, text: String) -> Self {
+        self.file = Some((path.to_owned(), text));
+        self
     }
 
     /// The values of the file and the flags. A flag stands for the file's entry of its key.

@@ -18,6 +18,7 @@ mod mistakes;
 mod over;
 mod quote;
 mod reader;
+mod start;
 mod statement;
 mod template;
 mod value;
@@ -27,6 +28,7 @@ pub use file::load;
 pub use mistakes::{independent, mistakes, root};
 pub use over::overrides;
 pub use quote::Quote;
+pub use start::{STARTS, Start};
 pub use template::{template, written};
 
 use std::ops::Range;

@@ -2,12 +2,19 @@
 
 use super::TABLES;
 use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
-use crate::keys::{KEYS, KeyInfo, PLANT_KEYS};
+use crate::keys::{GROUPS, KEYS, KeyInfo, PLANT_KEYS};
 use crate::plant;
 use crate::syntax::number;
 
-/// Keys without which there is no controller: their examples are no comments.
-const NEEDED: [&str; 2] = ["n", "mu"];
+/// Keys that are given, with their values: with them it is a controller. All others are comments.
+const GIVEN: [(&str, &str); 6] = [
+    ("n", "3"),
+    ("mu", "exp(a=1)"),
+    ("clock", "samples"),
+    ("poles", "least-energy"),
+    ("sample_time", "1e-3"),
+    ("tau", "2"),
+];
 
 const HEAD: &str = "\
 # A controller for ptc-codegen, as TOML: `ptc-codegen emit --lang c FILE`.
@@ -17,20 +24,29 @@ const HEAD: &str = "\
 /// The text of a design file that shows every key; `name` is the controller's.
 pub fn template(name: Option<&str>) -> String {
     let mut text = HEAD.to_owned();
-    for table in std::iter::once("").chain(TABLES) {
-        let keys: Vec<_> = KEYS.iter().filter(|info| info.table().unwrap_or("") == table).collect();
-        if !table.is_empty() && !keys.is_empty() {
-            text.push_str(&format!("\n[{table}]\n"));
+    for group in &GROUPS {
+        text.push_str(&heading(group.title));
+        let keys = group.keys().filter(|info| info.table().is_none());
+        text.extend(keys.map(|info| entry(info, given(info, name))));
+    }
+    for table in TABLES {
+        let keys: Vec<_> = KEYS.iter().filter(|info| info.table() == Some(table)).collect();
+        if keys.is_empty() {
+            continue;
         }
-        for info in keys {
-            text.push_str(&entry(info, name));
-        }
+        text.push_str(&format!("\n[{table}]\n"));
+        text.extend(keys.into_iter().map(|info| entry(info, given(info, name))));
         if table == plant::TABLE {
             text.extend(PLANT_KEYS.iter().map(|info| entry(info, None)));
         }
     }
+    text.push_str(&heading("Campaign"));
     text.push_str(&of_verify());
     text
+}
+
+fn heading(title: &str) -> String {
+    format!("\n# ---- {title} ----\n")
 }
 
 /// The tables of `verify`, and of `design`.
@@ -44,10 +60,16 @@ fn of_verify() -> String {
     text
 }
 
-fn entry(info: &KeyInfo, name: Option<&str>) -> String {
+/// Returns the value of a key of the controller called `name`, where the file gives one.
+fn given<'a>(info: &KeyInfo, name: Option<&'a str>) -> Option<&'a str> {
+    let fixed = GIVEN.iter().find(|(key, _)| *key == info.key).map(|(_, value)| *value);
+    name.filter(|_| info.key == "name").or(fixed)
+}
+
+/// Returns the lines of a key, its example in a comment where no value is `given`.
+fn entry(info: &KeyInfo, given: Option<&str>) -> String {
     let (key, meaning, legal) = (info.key, info.meaning, info.legal);
-    let given = name.filter(|_| key == "name");
-    let comment = if given.is_some() || NEEDED.contains(&key) { "" } else { "# " };
+    let comment = if given.is_some() { "" } else { "# " };
     let value = value(info, given.unwrap_or(info.example));
     format!("\n# {meaning}\n# legal: {legal}\n{comment}{key} = {value}\n")
 }

@@ -111,29 +111,3 @@ fn what_is_no_design_is_told() {
     let told = stderr(&folder, &["show", "law", "no.toml"]);
     assert!(told.contains("ptc-codegen new"), "{told}");
 }
-
-#[test]
-fn new_writes_a_design_that_can_be_emitted() {
-    let folder = folder("new", b"");
-    fs::remove_file(folder.join("design.toml")).expect("an empty folder");
-    for (arguments, file, emitted) in [
-        (&["new"][..], "design.toml", "ptc_exp3.rs"),
-        (&["new", "roll"], "roll.toml", "roll.rs"),
-        (&["new", "sub/yaw.toml"], "sub/yaw.toml", "yaw.rs"),
-        (&["new", "if", "-o", "made"], "made/if.toml", "ptc_exp3.rs"),
-    ] {
-        assert_eq!(stdout(&folder, arguments).matches("wrote").count(), 1);
-        stdout(&folder, &["emit", file, "--lang=rust", "-oout"]);
-        assert!(folder.join("out").join(emitted).exists(), "{arguments:?}");
-    }
-    fs::write(folder.join("roll.toml"), "mine").expect("a file");
-    assert!(stderr(&folder, &["new", "roll"]).contains("roll.toml is there already"));
-    assert_eq!(fs::read(folder.join("roll.toml")).expect("a file"), b"mine");
-    assert!(stderr(&folder, &["new", ".."]).contains("names no file"));
-
-    let printed = stdout(&folder, &["new", "-"]);
-    assert_eq!(stdout(&folder, &["new", "--out", "-"]), printed);
-    assert_eq!(fs::read_to_string(folder.join("design.toml")).expect("a file"), printed);
-    let left: Vec<_> = fs::read_dir(&folder).expect("a folder").collect();
-    assert_eq!(left.len(), 5, "{left:?}");
-}

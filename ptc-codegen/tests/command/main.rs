@@ -12,6 +12,7 @@ mod files;
 mod help;
 mod line;
 mod manual;
+mod new;
 #[cfg(unix)]
 mod projects;
 mod proof;

@@ -44,6 +44,7 @@ mod several_inputs;
 mod simulate;
 mod simulate_command;
 mod stability_margins;
+mod started;
 #[path = "../support/mod.rs"]
 mod support;
 mod transcripts;

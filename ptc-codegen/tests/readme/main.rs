@@ -218,7 +218,6 @@ fn tutorial_runs_from_plant_to_firmware() {
         assert!(folder.join(file).is_file(), "{file}");
     }
     walk(START, &folder);
-    assert!(folder.join("pitch.toml").is_file());
     let [shown] = &blocks_of(README, "text")[..] else { panic!("one output") };
     let all = blocks_of(START, "text").concat();
     assert!(shown.lines().all(|line| all.contains(line)), "{shown}");

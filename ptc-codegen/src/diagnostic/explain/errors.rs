@@ -48,7 +48,7 @@ pub(super) static ERRORS: [Explanation; 29] = [
         "bad-value",
         "A value is of the wrong type or outside the domain of its key.",
         "ptc-codegen check --n 0 --mu exp",
-        "the help below the message says what is legal; `ptc-codegen new -` explains every key",
+        "the help below the message says what is legal; `ptc-codegen new --all -` explains every key",
     ),
     file(
         "clock",
@@ -171,7 +171,7 @@ pub(super) static ERRORS: [Explanation; 29] = [
         "unknown-key",
         "There is no key of this name.",
         ("n = 2\nmu = \"exp\"\ngain = [6, 5]\n", CHECK),
-        "correct its spelling; `ptc-codegen new -` lists every key, and `ptc-codegen schema` lets an editor complete them",
+        "correct its spelling; `ptc-codegen new --all -` lists every key, and `ptc-codegen schema` lets an editor complete them",
     ),
     flags(
         "unknown-parameter",
