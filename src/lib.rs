@@ -136,6 +136,7 @@ pub use error::Error;
 /// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
 /// | `u_step` | step of the actuator | a number >= 0 | |
 /// | `delay` | samples between a measurement and the input that follows from it | a number from 0 to 16; with clock = time an integer | |
+/// | `delay_law` | law of a delay: the plant predicted over it, or the order raised by its samples; with `clock = samples` | `predict` or `extend` | by the number of poles |
 /// | `deadbeat` | samples to go at which deadbeat takes over; with `clock = samples` | an integer of at least the order of the loop | |
 /// | `poles_end` | poles of the law that takes over towards the end; with `clock = samples` | `least-energy`, `least-energy(weight = W)` or a list of them | none, or as soft as the law |
 /// | `end_samples` | samples to go from which on these are the poles | an integer of at least the order of the loop | from the poles |

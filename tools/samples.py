@@ -8,6 +8,8 @@
     python3 tools/samples.py plants COMMAND  the same of random linear plants
     python3 tools/samples.py gains COMMAND   tests/data/sampled_plants.json: gains of linear plants, without COMMAND's help
     python3 tools/samples.py stage COMMAND   examples/encoder.toml with its encoder, by the gains held
+    python3 tools/samples.py energy COMMAND  peak and energy of u, by the poles
+    python3 tools/samples.py delays COMMAND  the two laws of a delay side by side
 
 COMMAND is the path of ptc-codegen. Needs mpmath and a C compiler called cc.
 `rest`, `alone`, `follow` and `machines` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
@@ -98,20 +100,23 @@ class Linear:
 
     def __init__(self, h, a, b, x, delay=0, force=0, gain="1"):
         n = len(x)
-        whole = zeros(n + 1, n + 1)
+        rates = zeros(n + 1, n + 1)
         for i in range(n):
-            whole[i, n] = mpf(gain) * mpf(b[i]) * mpf(h)
+            rates[i, n] = mpf(gain) * mpf(b[i]) * mpf(h)
             for j in range(n):
-                whole[i, j] = mpf(a[i][j]) * mpf(h)
-        self.whole = expm(whole, method="taylor")
-        self.x, self.force, self.late = [mpf(value) for value in x], mpf(force), [mpf(0)] * delay
+                rates[i, j] = mpf(a[i][j]) * mpf(h)
+        inputs = int(ceil(mpf(delay)))
+        part = mpf(delay) - inputs + 1
+        self.parts = [expm(length * rates, method="taylor") for length in (part, 1 - part) if length]
+        self.x, self.force, self.late = [mpf(value) for value in x], mpf(force), [mpf(0)] * inputs
         self.most = max(map(abs, self.x))
 
     def step(self, u):
         self.late.append(mpf(u))
-        given = [*self.x, self.late.pop(0) + self.force]
-        n = len(self.x)
-        self.x = [sum(self.whole[i, j] * given[j] for j in range(n + 1)) for i in range(n)]
+        older, n = self.late.pop(0), len(self.x)
+        for part, u in zip(self.parts, (older, *self.late[:1])):
+            given = [*self.x, u + self.force]
+            self.x = [sum(part[i, j] * given[j] for j in range(n + 1)) for i in range(n)]
         self.most = max(self.most, *map(abs, self.x))
 
 
@@ -201,6 +206,34 @@ def energy(command, _):
         print(f"| {name} | {peak:.4g} | {spent:.4g} | {shown(max(map(abs, chain.x)))} |", flush=True)
 
 
+def delays(command, _):
+    """Rows of Markdown: both laws of a delay, for a chain alone and for the loop of examples/encoder.toml."""
+    for delay in (1, 2, 4, 8):
+        for law, weight in (("extend", 0), ("predict", 0), ("predict", 1)):
+            if law == "extend" and delay > 4:
+                continue
+            named = "least-energy" + f"(weight={weight})" * (weight > 0)
+            flags = [f"--delay-law={law}", f"--poles={named}"]
+            controller = Controller(command, "--n=2", "--mu=exp(a=1)", "--clock=samples", "--sample-time=1e-3",
+                                    "--tau=0.8", "--eps=0", f"--delay={delay}", *flags)
+            controller.init()
+            chain, peak, spent = Chain("0.001", [1, 0], delay), 0.0, 0.0
+            for k in range(800):
+                u = controller.step(k, chain.x)
+                peak, spent = max(peak, abs(u)), spent + u * u * 1e-3
+                chain.step(u)
+            report = subprocess.run(
+                [command, "check", Path(__file__).parent.parent / "examples/encoder.toml", "--delay", str(delay),
+                 "--x0-max=0.1,0", f"--poles-end={named}", "--end-samples=20", "--format=json", *flags],
+                check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+            report = json.loads(report.stdout)
+            worst = next(check["worst"] for check in report["checks"] if check["name"] == "loop")
+            margins = report["stability"]
+            cells = [delay, law, named, f"{peak:.4g}", f"{spent:.4g}", f"{1e6 * worst['total'][0]:.3g}",
+                     f"{margins['gain'][1]:.3g}", margins["delay"]]
+            print("|", " | ".join(map(str, cells)), "|", flush=True)
+
+
 def poles(rng, count, low):
     """Poles -p with p at least `low`: distinct, a complex pair, or equal ones."""
     p = [round(rng.uniform(low, low + 6), 2) for _ in range(count)]
@@ -213,10 +246,11 @@ def poles(rng, count, low):
     return ",".join(text)
 
 
-def run(command, rng, n, delay, samples, measured=None, force=0, rounds=0, gain="1"):
+def run(command, rng, n, delay, samples, measured=None, force=0, rounds=0, predicts=False, gain="1"):
     """What is left at sample N, in parts of the largest |x_i| on the way."""
     h = rng.choice(["0.001", "0.4"])
-    order = n + int(ceil(mpf(delay)))
+    late = int(ceil(mpf(delay)))
+    order = n if predicts else n + late
     flags = ["--n", str(n), "--mu", "exp(a=1)", "--clock", "samples", "--sample-time", h,
              "--tau", nstr(samples * mpf(h), 30), "--delay", str(delay),
              f"--poles={poles(rng, order, order)}"]
@@ -225,7 +259,7 @@ def run(command, rng, n, delay, samples, measured=None, force=0, rounds=0, gain=
         count = n + 1 - measured + (force != 0)
         flags += ["--measured", states, f"--observer-poles={poles(rng, count, count)}"]
         flags += ["--disturbance", "constant"] if force else []
-        flags += ["--deadbeat", str(rounds * (order + count))] if rounds else []
+        flags += ["--deadbeat", str(rounds * (n + late + count))] if rounds else []
     controller = Controller(command, *flags)
     controller.init()
     chain = Chain(h, [rng.uniform(-1, 1) for _ in range(n)], delay, force, gain=gain)
@@ -250,7 +284,8 @@ def rest(command, gain):
     """Rows of Markdown: the most that is left. 1 where it is above what the page claims."""
     rng, found = random.Random(1), {}
     claimed = ("all states, N >= 2 (n + d)", "all states, d = 0.3 and 1.75",
-               "observer, N = 1000, two rounds", "observer, d = 0.3 and 1.75, two rounds")
+               "observer, N = 1000, two rounds", "observer, d = 0.3 and 1.75, two rounds",
+               "all states, predicted, N >= 4 (n + d)", "observer, predicted, two rounds")
 
     def loop(group, *arguments):
         left = run(command, rng, *arguments, gain=gain)
@@ -276,6 +311,11 @@ def rest(command, gain):
             loop("observer, d = 0.3 and 1.75, two rounds", n, delay, 1000, 1, 0, 2)
     for n, delay in ((2, 1), (3, 0)):
         loop("observer and force, N = 100000, two rounds", n, delay, 100000, 1, 0.3, 2)
+    for n, delay in ((n, delay) for n in range(1, 5) for delay in ("0.3", 1, "1.75", 2, 5, "7.1", 16)):
+        for samples in (4 * (n + 16), 1000):
+            loop("all states, predicted, N >= 4 (n + d)", n, delay, samples, None, 0, 0, True)
+        if n > 1:
+            loop("observer, predicted, two rounds", n, delay, 1000, 1, 0, 2, True)
     for group, left in sorted(found.items()):
         print(row(group, left))
     return int(max(max(found[group]) for group in claimed) > LEFT)
@@ -326,16 +366,17 @@ def alone(command, gain):
     return int(max(map(max, found.values())) > OFF)
 
 
-def followed(command, n, delay, h, samples, r, text=None, measured=None, force=0, gain="1"):
+def followed(command, n, delay, h, samples, r, text=None, measured=None, force=0, predicts=False, gain="1"):
     """|e_i| h^(i-1) at sample N, of the reference `text` with the derivatives r(i, t), which calls are given without it."""
-    order = n + int(ceil(mpf(delay)))
+    late = int(ceil(mpf(delay)))
+    order = n if predicts else n + late
     own = lambda count: ",".join(str(-count - 1 - i) for i in range(count))
     flags = ["--n", str(n), "--mu", "exp(a=1)", "--clock", "samples", "--sample-time", h, "--delay", delay,
              "--tau", nstr(samples * mpf(h), 30), f"--poles={own(order)}", "--reference", text or "input"]
     if measured:
         count = n + 1 - measured + (force != 0)
         flags += ["--measured", ",".join(f"x{i + 1}" for i in range(measured)), f"--observer-poles={own(count)}",
-                  "--deadbeat", str(2 * (order + count)), *(["--disturbance", "constant"] if force else [])]
+                  "--deadbeat", str(2 * (n + late + count)), *(["--disturbance", "constant"] if force else [])]
     controller = Controller(command, *flags)
     controller.init()
     period = mpf(h)
@@ -358,8 +399,10 @@ def follow(command, gain):
         text = "+".join(f"{j + 1}/{j + 2}*t^{j}" for j in range(n + 1))
         for known, words in ((text, "known"), (None, "given with each call")):
             for measured, force, group in ((None, 0, "all states"), (1, 0.25, "x1 and a force")):
-                left = followed(command, n, delay, "0.001", 200, polynomial, known, measured, force, gain)
-                found.setdefault(f"polynomial, {words}, {group}", []).append(max(left))
+                for predicts in (False, True)[: 1 + (delay != "0")]:
+                    left = followed(command, n, delay, "0.001", 200, polynomial, known, measured, force, predicts, gain)
+                    law = ", predicted" * predicts
+                    found.setdefault(f"polynomial{law}, {words}, {group}", []).append(max(left))
     print("| reference | number | largest abs(e_i) h^(i-1) |\n| --- | --- | --- |")
     for group, left in sorted(found.items()):
         print(row(group, left))
@@ -390,15 +433,15 @@ def output_rows(a, n):
     return found
 
 
-def followed_by(command, rng, n, delay, h, samples, r, text=None, observes=False, gain="1", of=None):
+def followed_by(command, rng, n, delay, h, samples, r, text=None, observes=False, predicts=False, gain="1", of=None):
     """|y^(i) - r^(i)| h^i at sample N, of a random linear plant or that of `of`, and the largest of it before."""
     a, b = of or machine(rng, n)
-    order = n + delay
+    order = n if predicts else n + delay
     own = lambda count: ",".join(str(-count - 1 - i) for i in range(count))
     flags = [f"--A={rows(a)}", f"--B={[*b]}", f"--C={[1] + [0] * (n - 1)}" if observes else "--output=" + str([1] + [0] * (n - 1)),
              "--mu", "exp(a=1)", "--clock", "samples", "--sample-time", h, "--delay", str(delay),
              "--tau", nstr(samples * mpf(h), 30), f"--poles={own(order)}", "--reference", text or "input"]
-    flags += [f"--observer-poles={own(n)}", "--deadbeat", str(2 * (order + n))] if observes and n > 1 else []
+    flags += [f"--observer-poles={own(n)}", "--deadbeat", str(2 * (2 * n + delay))] if observes and n > 1 else []
     controller = Controller(command, *flags)
     controller.init()
     period, y = mpf(h), output_rows(a, n)
@@ -424,8 +467,14 @@ def machines(command, gain):
         for delay in range(3):
             for known, words in (("3/4", "known"), (None, "given with each call")):
                 for observes, group in ((False, "all states"), (True, "x1 alone")):
-                    left, most = followed_by(command, rng, n, delay, "0.005", 200, constant, known, observes, gain)
+                    left, most = followed_by(
+                        command, rng, n, delay, "0.005", 200, constant, known, observes, gain=gain)
                     found.setdefault(f"constant, {words}, {group}", []).append(max(left) / most)
+    for n, delay in ((n, delay) for n in range(1, 5) for delay in (1, 2)):
+        for observes, group in ((False, "all states"), (True, "x1 alone")):
+            left, most = followed_by(
+                command, rng, n, delay, "0.005", 200, constant, "3/4", observes, True, gain)
+            found.setdefault(f"constant, predicted, {group}", []).append(max(left) / most)
     print("| reference | number | largest abs(y^(i-1) - r^(i-1)) h^(i-1), in parts of the largest before |\n| --- | --- | --- |")
     for group, left in sorted(found.items()):
         print(row(group, left))
@@ -467,11 +516,11 @@ def rows(matrix):
     return "[" + ",".join("[" + ",".join(map(repr, row)) + "]" for row in matrix) + "]"
 
 
-def one_plant(command, rng, n, kind, delay, samples, outputs=None, force=0, gain="1"):
+def one_plant(command, rng, n, kind, delay, samples, outputs=None, force=0, predicts=False, gain="1"):
     """What is left of a random plant at sample N; None where the generator refuses it."""
     h = rng.choice([0.001, 0.05])
     a, b = plant(rng, n, kind, h)
-    order = n + delay
+    order = n if predicts else n + int(ceil(mpf(delay)))
     flags = [f"--A={rows(a)}", f"--B={[*b]}", "--mu", "exp(a=1)", "--clock", "samples",
              "--sample-time", str(h), "--tau", nstr(samples * mpf(str(h)), 30), "--delay", str(delay),
              f"--poles={poles(rng, order, order)}"]
@@ -516,6 +565,10 @@ def plants(command, gain):
             for outputs in range(1, n + 1):
                 loop("C of several rows, N = 200" if outputs > 1 else "C of one row, N = 200", n, kind, 1, 200, outputs)
                 loop("observer and disturbance, N = 200", n, kind, 0, 200, outputs, 0.3)
+    for kind in ("slow", "unstable", "complex", "stiff"):
+        for n, delay in ((n, delay) for n in range(1, 5) for delay in ("0.3", 1, "2.75", 8)):
+            loop("all states, predicted, N = 200", n, kind, delay, 200, None, 0, True)
+            loop("C of one row, predicted, N = 200", n, kind, delay, 200, 1, 0, True)
     for group, left in sorted(found.items()):
         left.sort()
         ends = f"{float(left[len(left) // 2]):.1e} | {float(left[-1]):.1e}"
@@ -615,7 +668,7 @@ def stage(command, _):
 
 
 if __name__ == "__main__":
-    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "machines": machines, "plants": plants, "gains": gains, "stage": stage, "energy": energy}
+    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "machines": machines, "plants": plants, "gains": gains, "stage": stage, "energy": energy, "delays": delays}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("what", choices=commands)
     parser.add_argument("command", metavar="COMMAND")

@@ -37,7 +37,7 @@ impl Count {
 }
 
 fn case(n: usize, delay: usize, bare: bool) -> Result<Case> {
-    let poles: Vec<_> = (0..n + delay).map(|i| format!("-{}", n + delay + i)).collect();
+    let poles: Vec<_> = (0..n).map(|i| format!("-{}", n + i)).collect();
     let guard = if bare { "none" } else { "full" };
     let keys = [
         ("name", format!("samples_n{n}_d{delay}_{guard}")),

@@ -24,7 +24,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 62] = [
+pub static KEYS: [KeyInfo; 63] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -301,6 +301,12 @@ pub static KEYS: [KeyInfo; 62] = [
         meaning: "samples between a measurement and the input computed from it",
         legal: "a number from 0 to 16; with clock = time an integer",
         example: "1",
+    },
+    KeyInfo {
+        key: "delay_law",
+        meaning: "law of a delay: the order raised by its samples, or the plant predicted over it; with clock = samples",
+        legal: "extend or predict",
+        example: "predict",
     },
     KeyInfo {
         key: "deadbeat",

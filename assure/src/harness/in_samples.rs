@@ -229,9 +229,9 @@ const DESIGNS: [Keys; 25] = [
     ],
 ];
 
-/// Limits of u that are not symmetric: left to run time, around 0, and above it. Behind them observers with a gate, and
-/// one whose sensor has a range.
-const APART: [Keys; 6] = [
+/// Limits of u that are not symmetric: left to run time, around 0, and above it. Behind them observers with a gate, one
+/// whose sensor has a range, and laws that predict over their delay.
+const APART: [Keys; 9] = [
     &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
     &[
         ("n", "2"),
@@ -286,6 +286,39 @@ const APART: [Keys; 6] = [
         ("observer_poles", "-4,-5"),
         ("measurement_max", "1.5"),
         ("after", "zero"),
+    ],
+    &[
+        ("n", "3"),
+        ("mu", "exp(a=1)"),
+        ("poles", "least-energy(weight=1)"),
+        ("sample_time", "1e-2"),
+        ("tau", "0.4"),
+        ("delay", "2.75"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6,-7"),
+        ("u_max", "6"),
+        ("reference", "sin(t)"),
+    ],
+    &[
+        ("A", "[[0,1,0],[0,-0.5,15],[0,-15,-60]]"),
+        ("B", "[0,0,50]"),
+        ("C", "[[1,0,0]]"),
+        ("mu", "exp(a=1)"),
+        ("poles", "-3,-4,-5"),
+        ("sample_time", "0.01"),
+        ("delay", "1.5"),
+        ("delay_law", "predict"),
+        ("observer_poles", "-4,-5,-6"),
+        ("eps", "0.06"),
+    ],
+    &[
+        ("n", "2"),
+        ("mu", "exp"),
+        ("delay", "5"),
+        ("delay_law", "predict"),
+        ("precision", "f32"),
+        ("guard", "none"),
     ],
 ];
 

@@ -123,6 +123,34 @@ impl Pair {
         }
     }
 
+    /// The same over `part` of the sample, of a chain.
+    #[must_use]
+    pub(crate) fn over(&self, part: &BigRational) -> Self {
+        let scale = |power: i64| num_traits::pow(part.clone(), usize::try_from(power).unwrap_or(0));
+        let (n, powers) = (self.order(), &self.powers);
+        let entry = |i: usize, j: usize| self.phi.at(i, j) * scale(powers[i] - powers[j]);
+        Self {
+            phi: Matrix::new(n, n, entry),
+            gamma: (0..n).map(|i| &self.gamma[i] * scale(powers[i])).collect(),
+            newer: vec![BigRational::zero(); n],
+            powers: powers.clone(),
+        }
+    }
+
+    /// The states at the time from which the input of now acts, by the states of [`delayed`](Self::delayed); `part` is
+    /// the plant over the part of a sample in which the oldest input acts.
+    pub(crate) fn predicted(&self, inputs: usize, part: &Self) -> Matrix {
+        let n = self.order();
+        let late = self.delayed(inputs).phi;
+        let all = (1..inputs).fold(Matrix::identity(n + inputs), |all, _| late.times(&all));
+        // The input of the last sample is the oldest by then.
+        let last = n + inputs - 1;
+        Matrix::new(n, n + inputs, |i, j| {
+            let moved = (0..n).map(|k| part.phi.at(i, k) * all.at(k, j));
+            moved.sum::<BigRational>() + &part.gamma[i] * all.at(last, j)
+        })
+    }
+
     /// D = Phi - 1.
     pub(crate) fn step(&self) -> Matrix {
         self.phi.plus(&-BigRational::one(), &Matrix::identity(self.order()))

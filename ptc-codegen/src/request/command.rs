@@ -3,7 +3,9 @@
 use std::fmt;
 
 use super::RUNTIME;
-use super::{After, Axes, Clock, Feedback, Gate, Guard, Reference, Sampled, Spec, What};
+use super::{
+    After, Axes, Clock, Feedback, Gate, Guard, LeastEnergy, Reference, Sampled, Spec, What,
+};
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Subject};
 use crate::family::Family;
@@ -170,6 +172,11 @@ impl Spec {
             words.extend(
                 follows.map(|own| format!("--output=\"{}\"", row_of("output", own.output()))),
             );
+        }
+        // A list of a pole for each state and each sample of delay extends by itself.
+        let named = self.written.get("poles").is_some_and(|own| own.starts_with(LeastEnergy::NAME));
+        if sampled.predicts() || (sampled.late_states() > 0 && named) {
+            words.push(word("--delay-law", &sampled.delay_law.name()));
         }
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
         words.extend(deadbeat.map(|count| word("--deadbeat", count)));

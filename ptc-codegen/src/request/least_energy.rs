@@ -13,6 +13,9 @@ pub struct LeastEnergy {
 }
 
 impl LeastEnergy {
+    /// Name of these laws.
+    pub(crate) const NAME: &str = "least-energy";
+
     /// Greatest weight; with a greater one the gains leave the range of numbers.
     pub const MAX_WEIGHT: u32 = 1000;
 
@@ -38,8 +41,8 @@ impl LeastEnergy {
 impl fmt::Display for LeastEnergy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.weight {
-            0 => f.write_str("least-energy"),
-            weight => write!(f, "least-energy(weight={weight})"),
+            0 => f.write_str(Self::NAME),
+            weight => write!(f, "{}(weight={weight})", Self::NAME),
         }
     }
 }

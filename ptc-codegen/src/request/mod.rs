@@ -33,7 +33,7 @@ pub(crate) use read::derivatives;
 pub use read::{Entry, read};
 pub(crate) use read::{items, known, meant, state_name};
 pub use reference::Reference;
-pub use sampled::{Exact, Exponents, Gate, Observer, Sampled};
+pub use sampled::{DelayLaw, Exact, Exponents, Gate, Observer, Sampled};
 pub use spec::Spec;
 #[cfg(feature = "files")]
 pub(crate) use units::chain_unit;

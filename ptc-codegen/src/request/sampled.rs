@@ -15,6 +15,8 @@ use crate::parameter::{Fixed, Parameter};
 pub struct Sampled {
     /// The time between a measurement and the input that follows from it.
     pub delay: Delay,
+    /// The way in which the law knows the inputs under way.
+    pub delay_law: DelayLaw,
     /// The plant where it is not a chain.
     pub linear: Option<Linear>,
     /// State and input for which its output follows a reference.
@@ -35,8 +37,43 @@ pub struct Sampled {
     pub end: Option<EndLaw>,
     /// The observer; `None` if every state is measured.
     pub observer: Option<Observer>,
+    /// True if the law of the delay follows from the poles because it was left open.
+    pub leaves_delay_law: bool,
     /// True if eps is 0 because it was left open.
     pub leaves_eps: bool,
+}
+
+/// The law of a loop with a delay.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DelayLaw {
+    /// That of a loop of a higher order, in which the inputs under way are states.
+    Extend,
+    /// That of the plant alone, of the state predicted for the time from which the input acts.
+    Predict,
+}
+
+impl DelayLaw {
+    /// The name of the law of a higher order.
+    pub(crate) const EXTEND: &str = "extend";
+
+    /// The name of the law that predicts.
+    pub(crate) const PREDICT: &str = "predict";
+
+    /// Returns its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Extend => Self::EXTEND,
+            Self::Predict => Self::PREDICT,
+        }
+    }
+
+    /// Returns the states that a delay of so many inputs under way adds to the loop.
+    pub(crate) fn states(self, inputs: usize) -> usize {
+        match self {
+            Self::Extend => inputs,
+            Self::Predict => 0,
+        }
+    }
 }
 
 /// A linear plant with several inputs, and the chains of its outputs that inputs move exactly which are held for a
@@ -69,7 +106,7 @@ impl Sampled {
         let mut all = vec![Samples, SampleTime, Eps, UMax];
         all.extend(spec.u_min.then_some(UMin));
         all.push(A);
-        all.extend((1..=spec.n + self.delay.inputs()).map(Gain));
+        all.extend((1..=spec.n + self.late_states()).map(Gain));
         // Known exponents need none, or give the end of their law.
         all.extend(self.exponents.is_none().then_some(Deadbeat));
         all
@@ -103,6 +140,16 @@ impl Sampled {
     /// not that of the states.
     pub fn followed_letters(&self) -> [&'static str; 2] {
         if self.follows.is_some() { ["x_r", "u_r"] } else { ["reference", "rho"] }
+    }
+
+    /// Returns the states that the delay adds to the loop.
+    pub(crate) fn late_states(&self) -> usize {
+        self.delay_law.states(self.delay.inputs())
+    }
+
+    /// Returns true if the law is that of a predicted state.
+    pub(crate) fn predicts(&self) -> bool {
+        self.delay_law == DelayLaw::Predict && self.delay.inputs() > 0
     }
 
     /// Returns true if there is an observer.
@@ -140,12 +187,11 @@ impl Sampled {
 }
 
 impl Spec {
-    /// Order of the loop that the gains close: a sample of delay that a controller in samples
-    /// keeps is a state more.
+    /// Order of the loop that the gains close: a sample of delay is a state more, unless the law predicts over it.
     pub fn loop_order(&self) -> usize {
         match &self.clock {
             Clock::Time => self.n,
-            Clock::Samples(sampled) => self.n + sampled.delay.inputs(),
+            Clock::Samples(sampled) => self.n + sampled.late_states(),
         }
     }
 

@@ -45,10 +45,13 @@ impl Ending {
     /// Returns the ending of the law of one loop.
     pub(crate) fn of(spec: &Spec) -> Option<Self> {
         let (order, sampled) = (spec.loop_order(), spec.sampled()?);
+        let count = |states: usize| u32::try_from(states).unwrap_or(u32::MAX);
+        // A law of a predicted state is to be at rest when the last of its inputs begins to act.
+        let late = if sampled.predicts() { count(sampled.delay.inputs()) } else { 0 };
         let given = spec.fixed.get(&Parameter::Deadbeat).and_then(Fixed::number);
         let Some(exponents) = sampled.exponents.as_ref().filter(|_| given.is_none()) else {
             let terminal = Terminal::Deadbeat(given.map(BigRational::to_integer));
-            return Some(Self { shift: 0, spare: 0, terminal });
+            return Some(Self { shift: 0, spare: late, terminal });
         };
         let own = own_shift(order, exponents);
         let terminal = match (sampled.end, own) {
@@ -57,7 +60,7 @@ impl Ending {
             (None, None) => Terminal::LeastEnergy(softly(order, exponents)),
         };
         // The plant moves between samples in proportion to u, which is small in a second round of deadbeat.
-        let spare = if sampled.early { u32::try_from(order).unwrap_or(0) } else { 0 };
+        let spare = if sampled.early { count(order) } else { late };
         Some(Self { shift: own.unwrap_or(0), spare, terminal })
     }
 

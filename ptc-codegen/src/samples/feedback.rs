@@ -35,14 +35,6 @@ impl Builder<'_> {
         (!eps.is_zero()).then(|| eps.div(self.parameter(Parameter::SampleTime)))
     }
 
-    /// The plant as the controller knows it, undelayed.
-    pub(super) fn plant(&self) -> Pair {
-        match &self.sampled.linear {
-            Some(plant) => self.sampled_plant(plant),
-            None => Pair::chain(self.spec.n, &self.sampled.gain, &self.sampled.delay.part()),
-        }
-    }
-
     /// A plant of a spec, which its reader has found controllable.
     pub(super) fn sampled_plant(&self, plant: &Linear) -> Pair {
         let pair = self.fixed(Parameter::SampleTime);
@@ -54,7 +46,7 @@ impl Builder<'_> {
     pub(super) fn law(&mut self, samples: &Expr) -> Vec<Statement> {
         let order = self.spec.loop_order();
         let Some(ending) = Ending::of(self.spec) else { fault("a law in samples without a clock") };
-        let flat = self.flat(order);
+        let flat = self.flat();
         let law = self.wanted();
         let mut count = self.count_down(&ending, samples);
         let mut statements = std::mem::take(&mut count.before);

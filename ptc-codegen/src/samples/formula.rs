@@ -3,19 +3,17 @@
 use std::ops::{Add, Div, Mul, Sub};
 
 use super::controller::Builder;
+use super::coordinates::Coordinates;
 use super::rows::deadbeat;
 use crate::algebra::BigRational;
 use crate::code::{Expr, Shape, Statement};
 use crate::internal::fault;
-use crate::linear::{Matrix, dot};
+use crate::linear::dot;
+use crate::parameter::Parameter;
 
-/// Flat coordinates z = S x of a loop.
+/// Flat coordinates z = S x of a loop, by its states.
 pub(super) struct Flat {
-    s: Matrix,
-    /// Coefficients of z in the rate of the last one.
-    drift: Vec<BigRational>,
-    /// Powers of the period in the units of the states.
-    powers: Vec<i64>,
+    of: Coordinates,
     /// The states, and the inputs under way.
     states: Vec<Expr>,
 }
@@ -23,12 +21,12 @@ pub(super) struct Flat {
 impl Flat {
     /// The number of coordinates.
     pub(super) fn order(&self) -> usize {
-        self.states.len()
+        self.of.drift.len()
     }
 
     /// The factor of state `j` in a sum of coordinates, each times its factor.
     fn column(&self, factors: &[BigRational], j: usize) -> BigRational {
-        dot(factors.iter().enumerate().map(|(i, factor)| (factor, self.s.at(i, j))))
+        dot(factors.iter().enumerate().map(|(i, factor)| (factor, self.of.s.at(i, j))))
     }
 }
 
@@ -42,12 +40,12 @@ pub(super) struct Now {
 
 impl Builder<'_> {
     /// The flat coordinates of the plant with its inputs under way.
-    pub(super) fn flat(&mut self, order: usize) -> Flat {
-        let pair = self.plant().delayed(self.sampled.delay.inputs());
-        let Some((s, drift)) = pair.flat() else { fault("a plant is not controllable") };
+    pub(super) fn flat(&mut self) -> Flat {
+        let of = Coordinates::of(self.spec.n, self.sampled, self.fixed(Parameter::SampleTime));
+        let Some(of) = of else { fault("a plant is not controllable") };
         let offset = self.offset();
         // The inputs under way as they act, with what is added to them.
-        let states = (0..order)
+        let states = (0..of.powers.len())
             .map(|j| match j.checked_sub(self.spec.n) {
                 None => self.coordinate(j + 1),
                 Some(i) => {
@@ -56,7 +54,7 @@ impl Builder<'_> {
                 }
             })
             .collect();
-        Flat { s, drift, powers: pair.powers, states }
+        Flat { of, states }
     }
 
     /// Returns statements of the flat coordinates, each times its row, and the law of `rows` with as many samples to go as `now`
@@ -68,11 +66,10 @@ impl Builder<'_> {
         [z, weight]: [&str; 2],
         now: &Now,
     ) -> (Vec<Statement>, Expr) {
-        let order = rows.len();
-        let mut statements = Vec::with_capacity(order);
+        let mut statements = Vec::with_capacity(rows.len());
         for (i, row) in rows.iter().enumerate() {
-            let numbers =
-                (0..order).map(|j| row.clone().mul(Expr::Number(flat.s.at(i, j).clone())));
+            let numbers = (0..flat.states.len())
+                .map(|j| row.clone().mul(Expr::Number(flat.of.s.at(i, j).clone())));
             let value = self.combine(flat, &format!("{weight}{}", i + 1), numbers.collect());
             statements.push(Statement::Let(
                 self.named(&format!("{z}{}", i + 1)),
@@ -80,22 +77,23 @@ impl Builder<'_> {
                 value,
             ));
         }
-        let horner = (0..order).fold(Expr::integer(0), |sum, i| {
+        let horner = (0..rows.len()).fold(Expr::integer(0), |sum, i| {
             let own = Expr::local(self.named(&format!("{z}{}", i + 1)));
             let beyond = i64::from(now.shift) - i64::try_from(i).unwrap_or(0);
             sum.add(own).div(now.left.clone().add(Expr::integer(beyond)))
         });
-        let drifts: Vec<_> = flat.drift.iter().map(|a| -a).collect();
-        let drifts = (0..order).map(|j| Expr::Number(flat.column(&drifts, j))).collect();
+        let drifts: Vec<_> = flat.of.drift.iter().map(|a| -a).collect();
+        let drifts = (0..flat.states.len()).map(|j| Expr::Number(flat.column(&drifts, j)));
+        let drifts = drifts.collect();
         let drifts = self.combine(flat, "c", drifts);
         (statements, horner.add(drifts))
     }
 
     /// Deadbeat: the drift is in its gains.
     pub(super) fn deadbeat(&mut self, flat: &Flat) -> Expr {
-        let order = flat.order();
-        let dead: Vec<_> = deadbeat(order).iter().zip(&flat.drift).map(|(b, a)| b - a).collect();
-        let dead = (0..order).map(|j| Expr::Number(flat.column(&dead, j))).collect();
+        let gains = deadbeat(flat.order());
+        let dead: Vec<_> = gains.iter().zip(&flat.of.drift).map(|(b, a)| b - a).collect();
+        let dead = (0..flat.states.len()).map(|j| Expr::Number(flat.column(&dead, j))).collect();
         self.combine(flat, "b", dead)
     }
 
@@ -104,7 +102,7 @@ impl Builder<'_> {
         let used = numbers.into_iter().enumerate().filter(|(_, number)| !number.is_zero());
         let terms: Vec<_> = used
             .map(|(j, number)| {
-                let value = number.mul(self.period(-flat.powers[j]));
+                let value = number.mul(self.period(-flat.of.powers[j]));
                 let name = self.named(&format!("{name}_{}", j + 1));
                 let weight = self.keep(&name, "weight of a state in the law", value);
                 weight.mul(flat.states[j].clone())

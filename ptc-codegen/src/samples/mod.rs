@@ -12,6 +12,7 @@
 mod alone;
 mod chains;
 mod controller;
+mod coordinates;
 mod ends;
 mod estimates;
 mod feedback;

@@ -2,9 +2,9 @@
 
 use num_traits::ToPrimitive;
 
+use super::coordinates::Coordinates;
 use super::rows::rows_of_numbers;
 use crate::algebra::BigRational;
-use crate::linear::Pair;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
@@ -25,19 +25,15 @@ impl Numbers {
         let sampled = spec.sampled().filter(|_| spec.axes.is_none())?;
         let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
         let h = number(Parameter::SampleTime)?;
-        let pair = match &sampled.linear {
-            Some(plant) => Pair::linear(plant, h, &sampled.delay.part())?,
-            None => Pair::chain(spec.n, &sampled.gain, &sampled.delay.part()),
-        };
+        let flat = Coordinates::of(spec.n, sampled, Some(h))?;
         let order = spec.loop_order();
-        let pair = pair.delayed(sampled.delay.inputs());
-        let (s, _) = pair.flat()?;
         let h = h.to_f64()?;
         let entry = |i: usize, j: usize| {
-            let power = i32::try_from(pair.powers[j]).unwrap_or(0);
-            s.at(i, j).to_f64().map(|value| value * h.powi(-power))
+            let power = i32::try_from(flat.powers[j]).unwrap_or(0);
+            flat.s.at(i, j).to_f64().map(|value| value * h.powi(-power))
         };
-        let row = |i: usize| (0..order).map(|j| entry(i, j)).collect::<Option<Vec<_>>>();
+        let row =
+            |i: usize| (0..flat.powers.len()).map(|j| entry(i, j)).collect::<Option<Vec<_>>>();
         let gains: Option<Vec<_>> =
             (1..=order).map(|i| number(Parameter::Gain(i)).cloned()).collect();
         Some(Self {

@@ -39,6 +39,13 @@ pub(super) struct Countdown {
     goes_on: Test,
 }
 
+impl Ending {
+    /// The samples to go to rest as it is planned, where those to sample N are a local value.
+    pub(super) fn planned(&self) -> Expr {
+        Expr::local("left").real().sub(Expr::integer(self.spare.into()))
+    }
+}
+
 impl Builder<'_> {
     /// Statements of the law of the last samples.
     pub(super) fn terminal(
@@ -143,7 +150,7 @@ impl Builder<'_> {
         let order = self.spec.loop_order();
         let left = samples.clone().count_left(Expr::local("elapsed"));
         let mut before = vec![Statement::Let("left".to_owned(), Shape::Count, left)];
-        let planned = Expr::local("left").real().sub(Expr::integer(ending.spare.into()));
+        let planned = ending.planned();
         let known = hold.as_ref().and_then(Expr::number).cloned();
         let mut left = planned.clone();
         if let Some(hold) = hold {

@@ -12,7 +12,7 @@ use crate::keys::KeyInfo;
 use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant;
-use crate::request::{self, Entry, Feedback, Spec};
+use crate::request::{self, DelayLaw, Entry, Feedback, Spec};
 use crate::syntax::{Node, Value, number, parse};
 use crate::verify::{self, Campaign};
 
@@ -317,8 +317,12 @@ fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnosti
             _ => None,
         }
     };
-    // A law in samples places a pole for each input under way too.
-    let late = if in_samples { count("delay").unwrap_or(0).min(request::MAX_ORDER) } else { 0 };
+    // A law of a higher order places a pole for each input under way too.
+    let extends = entries.iter().any(|entry| {
+        entry.key == "delay_law" && entry.value.value == Value::Word(DelayLaw::EXTEND.to_owned())
+    });
+    let late = if in_samples && extends { count("delay").unwrap_or(0) } else { 0 };
+    let late = late.min(request::MAX_ORDER);
     let order = count("n").unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
     choice.poles = Some(for_each(&[order], &|i| format!("-{}", order + 1 + i)));
     Ok(choice)

@@ -144,6 +144,8 @@ pub(super) fn keys(random: &mut Random, name: &str) -> Keys {
         Some((_, delay_samples)) if delay && in_samples => delay_samples.parse().unwrap_or(0),
         _ => 0,
     };
+    let predicts = kept > 0 && draw.perhaps(2, "delay_law", &["predict"]);
+    let kept = if predicts { 0 } else { kept };
     law(&mut draw, &orders, kept, is_chain && !in_samples);
     times(&mut draw, in_samples);
     let outputs = orders.len();

@@ -6,7 +6,7 @@ use super::Choice;
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::counted;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Observer, Spec, What};
+use crate::request::{DelayLaw, Observer, Spec, What};
 use crate::samples::{self, Ending, Terminal, held_samples};
 use crate::syntax::constant;
 
@@ -19,6 +19,7 @@ pub fn follows(spec: &Spec) -> Vec<Choice> {
     if spec.what == What::Observer {
         return all;
     }
+    all.extend(delay_law(spec));
     all.extend(end(spec));
     all.extend(observer(spec));
     all
@@ -27,6 +28,19 @@ pub fn follows(spec: &Spec) -> Vec<Choice> {
 /// A number of a fixed parameter; `None` where it is left to run time.
 fn number(spec: &Spec, parameter: Parameter) -> Option<&BigRational> {
     spec.fixed.get(&parameter).and_then(Fixed::number)
+}
+
+/// The law of a delay, which the number of poles decides.
+fn delay_law(spec: &Spec) -> Option<Choice> {
+    let sampled = spec.sampled().filter(|own| own.leaves_delay_law && own.delay.inputs() > 0)?;
+    let reason = match sampled.delay_law {
+        DelayLaw::Predict => {
+            "the poles are those of the plant; its state is predicted over the delay"
+        }
+        DelayLaw::Extend => "the loop has a pole, or a gain, for each sample of delay too",
+    };
+    let value = sampled.delay_law.name().to_owned();
+    Some(Choice { key: "delay_law", value, reason: reason.to_owned() })
 }
 
 /// The gains of the poles, of each output where there are several.

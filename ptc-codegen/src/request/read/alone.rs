@@ -6,16 +6,19 @@ use super::{Reader, shown, whole};
 use crate::algebra::BigRational;
 use crate::expression::constant::real;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Promises, Spec};
+use crate::request::{After, Clock, DelayLaw, Promises, Spec};
 
 /// The keys of a law, and what stands for each with an observer.
-const OF_LAW: [(&str, &str); 8] = [
+const OF_LAW: [(&str, &str); 11] = [
     ("tau", "the estimates are exact from sample `observer_samples` on"),
     ("eps", "`observer_eps` holds the gains of an observer"),
     ("u_max", "the observer is given u as it was applied"),
     ("u_min", "the observer is given u as it was applied"),
     ("after", "`after_observer` says what follows sample `observer_samples`"),
     ("deadbeat", "an observer takes it from its poles"),
+    ("delay_law", "an observer keeps the inputs under way for any law"),
+    ("poles_end", "an observer ends in deadbeat or by `observer_eps`"),
+    ("end_samples", "an observer ends in deadbeat or by `observer_eps`"),
     ("error", "no check judges an observer alone"),
     ("reference", "an observer estimates the state itself"),
 ];
@@ -74,6 +77,9 @@ impl Reader<'_> {
             }
         }
         spec.fixed.retain(|parameter, _| matches!(parameter, Parameter::SampleTime | Parameter::A));
+        if let Clock::Samples(sampled) = &mut spec.clock {
+            (sampled.end, sampled.delay_law) = (None, DelayLaw::Extend);
+        }
         spec.u_min = false;
         spec.poles.clear();
         spec.written.remove("poles");

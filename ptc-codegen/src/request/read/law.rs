@@ -14,7 +14,7 @@ use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::model::{Coupled, Model, own_names};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Feedback, Pole, Spec, gains};
+use crate::request::{DelayLaw, Feedback, Pole, Spec, gains};
 use crate::syntax::{Node, Value, constant};
 
 /// Values of the keys of the law.
@@ -126,6 +126,21 @@ impl<'a> Reader<'a> {
         law
     }
 
+    /// The law of a delay. Left open it predicts, unless there are no poles or gains, or not one for each state of a
+    /// plant of `n`.
+    pub(super) fn delay_law(&mut self, n: Option<usize>) -> DelayLaw {
+        let laws = [(DelayLaw::EXTEND, DelayLaw::Extend), (DelayLaw::PREDICT, DelayLaw::Predict)];
+        if let Some(given) = self.choice("delay_law", &laws) {
+            return given;
+        }
+        let given = ["poles", "gains"].into_iter().find_map(|key| self.keys.get(key));
+        let of_plant = |node: &Node| is_least_energy(node) || Some(items(node).len()) == n;
+        match given.is_some_and(|node| of_plant(node)) {
+            true => DelayLaw::Predict,
+            false => DelayLaw::Extend,
+        }
+    }
+
     /// Refuses r_k of the mapping in pi0 beside a parameter of that name.
     pub(super) fn fits_r(&mut self, spec: &Spec) {
         let is_parameter = |name: &String| {
@@ -197,7 +212,9 @@ impl<'a> Reader<'a> {
                     counted(&n, "value"),
                     if n == 1 { "is" } else { "are" }
                 ),
-                _ if late > 0 => format!("n + delay = {n}"),
+                _ if late > 0 => {
+                    format!("n + delay = {n}, or order n = {} with delay_law = predict", n - late)
+                }
                 _ => format!("order n = {n}"),
             };
             let message = format!("{} for {wanted}", counted(&items.len(), "pole"));

@@ -70,7 +70,9 @@ impl<'a> Reader<'a> {
         // A sample of delay is a state more of a chain, or of a plant that is linear.
         let one = !self.has_model() && !self.keys.contains_key("axes");
         let keeps = samples && (whole || one);
+        let delay_law = self.delay_law(n);
         let late = promises.delay.as_ref().filter(|_| keeps).map_or(0, Delay::inputs);
+        let late = delay_law.states(late);
         let orders = (n.map(|n| n + late), order + late);
         let of_model = model.as_ref().map(|read| &read.model);
         let law = self.law(orders, late, &known, (of_model, coupled.as_ref()));
@@ -142,7 +144,7 @@ impl<'a> Reader<'a> {
         self.reference_exists(&spec, samples);
         match samples {
             true if whole => {}
-            true => self.sampled(&mut spec),
+            true => self.sampled(&mut spec, delay_law),
             false => self.not_sampled(&spec),
         }
         // A plant that is refused leaves a spec with another clock than requested.

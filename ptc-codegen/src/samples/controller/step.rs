@@ -1,10 +1,12 @@
 //! The function `step`: u from what is measured, and its status.
 
+use super::super::ends::Ending;
 use super::super::model::AtSample;
 use super::Builder;
 use crate::code::{
     Access, Bounds, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
+use crate::internal::fault;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::After;
 
@@ -113,7 +115,8 @@ impl Builder<'_> {
         let mut finish = match self.hold() {
             Some(hold) => {
                 let hold = self.keep("hold", "samples to go at which the gains are held", hold);
-                Finish::choose(Test::AtMost(Expr::local("left").real(), hold), held, tracks)
+                let Some(ending) = Ending::of(self.spec) else { fault("no clock in samples") };
+                Finish::choose(Test::AtMost(ending.planned(), hold), held, tracks)
             }
             None if zero => tracks,
             None => Finish::choose(going(), tracks, held),

@@ -48,7 +48,7 @@ fn solution(mut rows: Vec<Vec<BigRational>>) -> Vec<BigRational> {
 
 /// The first input of the sequence that brings x to 0 in `left` samples with the least sum of u^2/w, w = M (M + 1) ..
 /// (M + weight - 1): w_M B' W^-1 (-Phi^M x) with the Gramian W = sum of w B B' over the effects B.
-fn least(x: &[BigRational], left: u32, weight: u32, h: &BigRational) -> BigRational {
+pub(super) fn least(x: &[BigRational], left: u32, weight: u32, h: &BigRational) -> BigRational {
     let n = x.len();
     let rising = |left: u32| (0..weight).fold(whole(1), |product, i| product * whole(left + i));
     let mut rows = vec![vec![whole(0); n + 1]; n];

@@ -4,6 +4,7 @@
 mod calls;
 mod followed;
 mod least_energy;
+mod predicted;
 mod reference;
 mod refusals;
 mod rest;

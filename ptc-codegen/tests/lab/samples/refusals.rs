@@ -35,7 +35,7 @@ fn mistakes_are_named() {
         ("sample_time", "0.01"),
         ("poles", "-3,-4"),
     ];
-    let cases: [(&str, &str, &str); 21] = [
+    let cases: [(&str, &str, &str); 20] = [
         ("sample_time", "0.3", "the nearest are 0.9 and 1.2"),
         ("tau", "0.01", "too few to come to rest"),
         ("mu", "tanh(a=1)", "exact law for the mapping exp alone"),
@@ -43,9 +43,7 @@ fn mistakes_are_named() {
         ("measured", "x1", "`observer_poles` is missing"),
         ("observer_poles", "-3,-4", "`observer_poles` without an observer"),
         ("disturbance", "ramp", "is not one of none, constant"),
-        ("delay", "4.5", "at most 4 samples of delay"),
         ("delay", "-0.5", "delay is a number from 0 to 16"),
-        ("delay", "1", "give 3 poles"),
         ("deadbeat", "1", "give an integer of at least 2"),
         ("g", "x1", "takes a constant input gain"),
         ("f", "x1", "f is the known constant"),
@@ -56,6 +54,7 @@ fn mistakes_are_named() {
         ("after", "extern", "no user-defined law after the deadline"),
         ("guard", "result", "has the guards full and none"),
         ("eps", "2", "not below tau"),
+        ("delay_law", "smith", "is not one of extend, predict"),
         ("clock", "ticks", "is not one of time, samples"),
     ];
     for (key, value, wanted) in cases {
@@ -63,6 +62,16 @@ fn mistakes_are_named() {
         keys.push((key, value));
         let found = read(&keys).expect_err(&format!("{key} = {value}"));
         assert!(found.contains(wanted), "{key} = {value}: {found}");
+    }
+    // A law that extends its loop has a pole for each input under way, and knows four of them.
+    for (delay, law, wanted) in [
+        ("1", "extend", "2 poles for n + delay = 3, or order n = 2 with delay_law = predict"),
+        ("4.5", "extend", "at most 4 samples of delay here, or any with `delay_law` = predict"),
+        ("17", "predict", "delay is a number from 0 to 16"),
+    ] {
+        let found = read(&[&stage[..], &[("delay", delay), ("delay_law", law)]].concat());
+        let found = found.expect_err(wanted);
+        assert!(found.contains(wanted), "{delay}: {found}");
     }
     let mut keys: Vec<_> = stage.iter().copied().filter(|(own, _)| *own != "clock").collect();
     keys.push(("measured", "x1"));

@@ -82,7 +82,7 @@ fn mistakes_are_named() {
         ("measured = [\"x1\"]\n", plant, "`observer_poles` is missing"),
         ("g = 2\n", plant, "`g` beside `A`"),
         ("f = 2\n", plant, "`f` beside `A`"),
-        ("delay = 1\npoles = [-3,-4]\n", plant, "2 poles for n + delay = 3"),
+        ("delay = 1\npoles = [-3]\n", plant, "1 pole for n + delay = 3"),
         ("observer_poles = [-3,-4]\n", plant, "`observer_poles` without an observer"),
         (
             "measured = [\"x1\"]\nobserver_poles = [-3,-4]\nafter_observer = [-3]\n",

@@ -80,10 +80,7 @@ fn in_samples(draft: &mut Draft<'_>) {
     let delay = draft.random.below(3) as usize;
     draft.chain(n);
     draft.samples();
-    draft.poles("poles", n + delay);
-    if delay > 0 {
-        draft.plain("delay", delay.to_string());
-    }
+    late(draft, n, delay);
     if draft.chance(30) {
         draft.word("g", "1/3.5");
     }
@@ -94,8 +91,7 @@ fn observer(draft: &mut Draft<'_>, disturbance: bool) {
     let delay = draft.random.below(2) as usize;
     draft.chain(n);
     draft.samples();
-    draft.poles("poles", n + delay);
-    draft.plain("delay", delay.to_string());
+    late(draft, n, delay);
     draft.plain("measured", "[\"x1\"]");
     draft.poles("observer_poles", n + usize::from(disturbance));
     if disturbance {
@@ -114,6 +110,15 @@ fn observer(draft: &mut Draft<'_>, disturbance: bool) {
     }
 }
 
+/// A delay in samples, and the poles of a plant of `n` states for one of its two laws.
+fn late(draft: &mut Draft<'_>, n: usize, delay: usize) {
+    let predicts = draft.chance(50);
+    draft.poles("poles", if predicts { n } else { n + delay });
+    if delay > 0 {
+        draft.plain("delay", delay.to_string());
+    }
+}
+
 fn observed(draft: &mut Draft<'_>) {
     observer(draft, false);
 }
@@ -126,8 +131,7 @@ fn linear(draft: &mut Draft<'_>) {
     draft.samples();
     draft.states = vec!["x1".to_owned(), "x2".to_owned()];
     let delay = draft.random.below(2) as usize;
-    draft.poles("poles", 2 + delay);
-    draft.plain("delay", delay.to_string());
+    late(draft, 2, delay);
     let (a, b) = [
         ("[[0, 1], [0, -0.5]]", "[0, 2]"),
         ("[[0, 1], [4, -0.1]]", "[0.1, -1.3]"),

@@ -19,7 +19,7 @@ pub(super) fn law(report: &Report) -> Group {
     let mut formulas = vec![equal(name("z"), product(s, name("x")))];
     let row = |(j, row)| equal(sub(name("row"), number(j)), number(row));
     formulas.extend((1..).zip(&numbers.rows).map(row));
-    if spec.loop_order() > spec.n {
+    if spec.sampled().is_some_and(|own| own.delay.inputs() > 0) {
         told.push_str(" Behind the states x holds the inputs under way, the latest first.");
     }
     Group { title: "Law in samples", told, formulas }

@@ -2,7 +2,7 @@
 
 use crate::algebra::integer;
 use crate::diagnostic::counted;
-use crate::request::Spec;
+use crate::request::{Sampled, Spec};
 use crate::samples::{Ending, Terminal, held_samples};
 use crate::syntax::constant;
 
@@ -36,15 +36,19 @@ pub(super) fn of_loop(spec: &Spec, order: usize) -> [String; 2] {
         }
         _ => String::new(),
     };
-    let least = counted(&order, "sample");
+    let predicts = spec.sampled().is_some_and(Sampled::predicts);
+    // The predicted state has so many samples less to go.
+    let late = if predicts { ending.spare } else { 0 };
+    let least = counted(&(order + late as usize), "sample");
     let last = match held {
         None => format!("The gains of time-to-go eps stay, or those of {least} to go."),
         Some(held) if ending.is_held(order, &held) => {
+            let held = held + integer(late.into());
             format!("The gains of {} samples to go stay.", constant::text(&held))
         }
         _ => format!("The gains of {least} to go stay: they are deadbeat."),
     };
-    let early = match ending.spare {
+    let early = match ending.spare - late {
         0 => String::new(),
         spare => format!(
             " Rest is planned {} early, and the last gains bring down what f and g did between samples.",

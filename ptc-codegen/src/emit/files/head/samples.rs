@@ -117,6 +117,10 @@ fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     [plant, followed::lines(spec, sampled)].concat()
 }
 
+/// The state of a law that predicts over its delay.
+const PREDICTED: &str =
+    " of the state x predicted for the time from which u acts, by x and the inputs under way";
+
 fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
     let (n, order) = (spec.n, spec.loop_order());
     let [to_go, end] = end::of_loop(spec, order);
@@ -133,13 +137,14 @@ fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
         ];
     }
     let goal = "Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
+    let of = if sampled.predicts() { PREDICTED } else { "" };
     let law = match &sampled.linear {
         Some(_) => format!(
-            "Law: with {to_go} and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. {end}",
+            "Law{of}: with {to_go} and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. {end}",
             order - 1
         ),
         None => format!(
-            "Law: with {to_go} and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. {end}",
+            "Law{of}: with {to_go} and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. {end}",
             order - 1
         ),
     };

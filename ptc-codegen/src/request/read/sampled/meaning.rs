@@ -6,11 +6,12 @@ use crate::parameter::Parameter;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 15] = [
+const OWN: [&str; 16] = [
     "A",
     "B",
     "C",
     "deadbeat",
+    "delay_law",
     "poles_end",
     "end_samples",
     "measured",

@@ -16,13 +16,14 @@ use crate::diagnostic::{self, counted};
 use crate::expression::constant::real;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Node};
+use crate::linear::Delay;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Clock, MAX_ORDER, Sampled, Spec, What};
+use crate::request::{Clock, DelayLaw, MAX_ORDER, Sampled, Spec, What};
 use crate::syntax::{Value, constant};
 use exponent::exponents_of_all;
 
-/// Most samples of delay that a controller keeps.
-const MAX_KEPT: usize = 4;
+/// Most samples of delay that raise the order of a loop.
+const MAX_RAISED: usize = 4;
 
 /// Most samples to the deadline.
 const MAX_SAMPLES: u32 = 1 << 31;
@@ -34,7 +35,7 @@ impl Reader<'_> {
     }
 
     /// Completes a spec whose clock is in samples.
-    pub(super) fn sampled(&mut self, spec: &mut Spec) {
+    pub(super) fn sampled(&mut self, spec: &mut Spec, delay_law: DelayLaw) {
         self.has_no_meaning(spec);
         self.period(spec);
         self.reference_in_samples(spec);
@@ -44,20 +45,13 @@ impl Reader<'_> {
         // That of a model, or of axes, is refused.
         let one = !has_model && spec.axes.is_none();
         let late = spec.promises.delay.clone().filter(|_| one).unwrap_or_default();
-        let delay = late.inputs();
-        if delay > MAX_KEPT || spec.n + delay > MAX_ORDER {
-            let place = self.keys.get("delay").map(|node| node.place);
-            let message = format!("delay = {late}: the controller keeps the inputs under way");
-            let most = MAX_KEPT.min(MAX_ORDER.saturating_sub(spec.n));
-            self.wrong(
-                "delay",
-                place,
-                message,
-                format!("at most {} of delay here", counted(&most, "sample")),
-            );
-        }
+        // An observer alone keeps them for any law.
+        let has_law = spec.what != What::Observer;
+        let delay = if has_law { delay_law.states(late.inputs()) } else { 0 };
+        self.raises(spec.n, delay, &late);
         let disturbance = self.disturbed();
-        let linear = self.linear(spec, &late, disturbance);
+        let to_reach = if delay > 0 { late.clone() } else { Delay::default() };
+        let linear = self.linear(spec, &to_reach, disturbance);
         if linear.is_none() && self.keys.contains_key("A") {
             return;
         }
@@ -91,6 +85,7 @@ impl Reader<'_> {
         let exact = self.exact(spec);
         let mut sampled = Sampled {
             delay: late,
+            delay_law,
             follows,
             linear: linear.map(|(plant, _)| plant),
             early: exact.is_none() && varies(spec),
@@ -101,6 +96,7 @@ impl Reader<'_> {
             end: self.end_law(spec, delay, a.as_ref().zip(exponents.as_ref())),
             exponents,
             observer: self.observer(spec, estimates, &blocks, a.as_ref()),
+            leaves_delay_law: !self.keys.contains_key("delay_law"),
             leaves_eps: !self.keys.contains_key("eps"),
         };
         if let Some(gate) = sampled.observes().then(|| self.gate(spec, &sampled)) {
@@ -126,6 +122,19 @@ impl Reader<'_> {
         if spec.what == What::Observer {
             self.observer_alone(spec);
         }
+    }
+
+    /// Refuses a delay that raises the order of a chain of `n` by more than a law can have.
+    fn raises(&mut self, n: usize, states: usize, late: &Delay) {
+        let most = MAX_RAISED.min(MAX_ORDER.saturating_sub(n));
+        if states <= most {
+            return;
+        }
+        let place = self.keys.get("delay").map(|node| node.place);
+        let message = format!("delay = {late}: each sample of it raises the order of the loop");
+        let most = counted(&most, "sample");
+        let help = format!("at most {most} of delay here, or any with `delay_law` = predict");
+        self.wrong("delay", place, message, help);
     }
 
     /// g, that of the first of several axes.
