@@ -9,6 +9,7 @@
 mod between;
 mod cells;
 mod chain;
+mod compared;
 mod emitted;
 mod eps;
 mod followed;

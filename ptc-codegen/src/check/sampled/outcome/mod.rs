@@ -9,6 +9,7 @@ pub(super) use causes::split;
 pub(super) use gate::closed;
 
 use super::cells::Worst;
+use super::compared::compared;
 use super::eps::Candidate;
 use super::followed::Followed;
 use super::judge::Loop;
@@ -36,7 +37,9 @@ pub(crate) const NAME: &str = "loop";
 
 /// The check of a design whose loop is known, and its worst case.
 pub(crate) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
-    outcome_of(spec, expanded, true)
+    let (mut outcome, worst) = outcome_of(spec, expanded, true);
+    outcome.details.extend(compared(spec, expanded));
+    (outcome, worst)
 }
 
 /// The same with bounds on the way only if `way` is set, or u may be clipped.
