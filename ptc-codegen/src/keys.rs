@@ -24,7 +24,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 63] = [
+pub static KEYS: [KeyInfo; 65] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -339,6 +339,18 @@ pub static KEYS: [KeyInfo; 63] = [
         example: "constant",
     },
     KeyInfo {
+        key: "observer",
+        meaning: "law of the observer's gains: a round, or those of a Kalman filter from the first sample on; with clock = samples",
+        legal: "prescribed or stationary",
+        example: "stationary",
+    },
+    KeyInfo {
+        key: "disturbance_walk",
+        meaning: "how far the unknown disturbance drifts in a second, as a standard deviation; for a stationary observer",
+        legal: "a finite number > 0, in the unit of u",
+        example: "1",
+    },
+    KeyInfo {
         key: "observer_poles",
         meaning: "poles of the observer in stretched time; with clock = samples",
         legal: "one for each state that is estimated; complex ones in pairs",
@@ -358,8 +370,8 @@ pub static KEYS: [KeyInfo; 63] = [
     },
     KeyInfo {
         key: "after_observer",
-        meaning: "poles of the observer in 1/s, in place of its last gains, once the estimates are exact; with clock = samples",
-        legal: "one for each state that is estimated, with real parts < 0; complex ones in pairs",
+        meaning: "poles of the observer in 1/s, in place of its last gains, once the estimates are exact, or stationary; with clock = samples",
+        legal: "one for each state that is estimated, with real parts < 0, complex ones in pairs; or stationary",
         example: "-100,-120,-150",
     },
     KeyInfo {

@@ -230,8 +230,8 @@ const DESIGNS: [Keys; 25] = [
 ];
 
 /// Limits of u that are not symmetric: left to run time, around 0, and above it. Behind them observers with a gate, one
-/// whose sensor has a range, and laws that predict over their delay.
-const APART: [Keys; 9] = [
+/// whose sensor has a range, laws that predict over their delay, and stationary observers.
+const APART: [Keys; 11] = [
     &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
     &[
         ("n", "2"),
@@ -319,6 +319,35 @@ const APART: [Keys; 9] = [
         ("delay_law", "predict"),
         ("precision", "f32"),
         ("guard", "none"),
+    ],
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("poles", "least-energy"),
+        ("sample_time", "1e-3"),
+        ("tau", "0.04"),
+        ("delay", "1"),
+        ("measured", "x1"),
+        ("sensor_step", "[1e-6,0]"),
+        ("disturbance", "constant"),
+        ("observer", "stationary"),
+        ("disturbance_walk", "1"),
+        ("u_max", "6"),
+    ],
+    &[
+        ("A", "[[0,1,0],[0,-0.5,15],[0,-15,-60]]"),
+        ("B", "[0,0,50]"),
+        ("C", "[[1,0,0],[0,0,1]]"),
+        ("mu", "exp(a=1)"),
+        ("poles", "-3,-4,-5"),
+        ("sample_time", "0.01"),
+        ("noise", "[1e-5,1e-3]"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6,-7"),
+        ("observer_samples", "20"),
+        ("after_observer", "stationary"),
+        ("disturbance_walk", "1/2"),
+        ("eps", "0.06"),
     ],
 ];
 

@@ -38,6 +38,7 @@ pub static GROUPS: [Group; 6] = [
             "u_min",
             "limits",
             "after",
+            "delay_law",
             "poles_end",
             "end_samples",
             "deadbeat",
@@ -51,7 +52,15 @@ pub static GROUPS: [Group; 6] = [
     Group {
         title: "Observer",
         common: &["measured", "disturbance", "observer_poles", "observer_samples"],
-        rare: &["observer_eps", "after_observer", "innovation_max", "measurement_max", "coast"],
+        rare: &[
+            "observer",
+            "disturbance_walk",
+            "observer_eps",
+            "after_observer",
+            "innovation_max",
+            "measurement_max",
+            "coast",
+        ],
     },
     Group {
         title: "Checks",

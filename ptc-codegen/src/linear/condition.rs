@@ -126,7 +126,7 @@ fn powers(a: &Matrix, row: &[BigRational], count: usize) -> Vec<Vec<BigRational>
 }
 
 /// A row to 2^-400 of its largest entry: without, its digits grow with each power.
-fn rounded(row: Vec<BigRational>) -> Vec<BigRational> {
+pub(super) fn rounded(row: Vec<BigRational>) -> Vec<BigRational> {
     let most = row.iter().map(Signed::abs).max().unwrap_or_default();
     if most.is_zero() {
         return row;

@@ -16,6 +16,7 @@ mod roots;
 mod several;
 mod singular;
 mod spring;
+mod stationary;
 
 pub(crate) use between::{Between, Part, drift};
 pub use complex::Complex;
@@ -34,6 +35,7 @@ pub use several::{Chains, Several};
 pub(crate) use several::{IllSampled, Left, Moving, scaled, sizes};
 pub use spring::Side;
 pub(crate) use spring::{Joint, Spring, Twist};
+pub(crate) use stationary::Noisy;
 
 use crate::algebra::{BigRational, integer};
 

@@ -70,6 +70,18 @@ impl Pair {
         self.gamma.len()
     }
 
+    /// Phi in the units of the states, for a period `h`.
+    pub(crate) fn in_units(&self, h: &BigRational) -> Matrix {
+        let factor = |power: i64| {
+            let size = usize::try_from(power.unsigned_abs()).unwrap_or(0);
+            let size = num_traits::pow(h.clone(), size);
+            if power < 0 { BigRational::one() / size } else { size }
+        };
+        let entry =
+            |i: usize, j: usize| self.phi.at(i, j) * factor(self.powers[i] - self.powers[j]);
+        Matrix::new(self.order(), self.order(), entry)
+    }
+
     /// The same with a constant that is added to u as its last state.
     #[must_use]
     pub(crate) fn with_disturbance(&self) -> Self {

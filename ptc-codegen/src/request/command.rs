@@ -4,7 +4,8 @@ use std::fmt;
 
 use super::RUNTIME;
 use super::{
-    After, Axes, Clock, Feedback, Gate, Guard, LeastEnergy, Reference, Sampled, Spec, What,
+    After, Axes, Clock, Feedback, Gate, Guard, Lasting, LeastEnergy, Observer, Reference, Sampled,
+    Spec, What,
 };
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Subject};
@@ -192,17 +193,32 @@ impl Spec {
             words.push("--disturbance constant".to_owned());
         }
         if let Some(observer) = &sampled.observer {
-            let poles = self.list_written("observer_poles", || written(&observer.poles));
+            words.extend(self.observer_words(observer));
+        }
+        words
+    }
+
+    fn observer_words(&self, observer: &Observer) -> Vec<String> {
+        let mut words = Vec::new();
+        if let Some(round) = &observer.round {
+            let poles = self.list_written("observer_poles", || written(&round.poles));
             words.push(word("--observer-poles", &poles));
-            let samples = observer.samples;
-            words.extend(samples.map(|samples| format!("--observer-samples={samples}")));
-            words.extend(observer.eps.iter().map(|eps| word("--observer-eps", eps)));
-            if !observer.after.is_empty() {
-                let poles = self.list_written("after_observer", || written(&observer.after));
+            words.extend(round.samples.map(|samples| format!("--observer-samples={samples}")));
+            words.extend(round.eps.iter().map(|eps| word("--observer-eps", eps)));
+        }
+        match &observer.lasting {
+            Lasting::Held => {}
+            Lasting::Poles(poles) => {
+                let poles = self.list_written("after_observer", || written(poles));
                 words.push(word("--after-observer", &poles));
             }
-            words.extend(gate_words(&observer.gate));
+            Lasting::Stationary(own) => {
+                let key = if observer.round.is_some() { "after-observer" } else { "observer" };
+                words.push(format!("--{key}=stationary"));
+                words.push(word("--disturbance-walk", &own.walk));
+            }
         }
+        words.extend(gate_words(&observer.gate));
         words
     }
 

@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{Clock, EndLaw, Spec};
+use super::{Clock, EndLaw, Observer, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
@@ -171,18 +171,18 @@ impl Sampled {
     pub fn least_samples(&self, n: usize) -> u32 {
         let count = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         let order = count(n + self.delay.inputs());
-        match &self.observer {
+        match self.observer.as_ref().and_then(|observer| observer.round.as_ref()) {
             None => order,
-            Some(observer) => match observer.samples {
+            Some(round) => match round.samples {
                 Some(samples) => samples.saturating_add(order),
-                None => 2 * order.max(count(observer.poles.len())),
+                None => 2 * order.max(count(round.poles.len())),
             },
         }
     }
 
     /// Samples after which the estimates are exact, where they are given.
     pub fn observer_samples(&self) -> Option<u32> {
-        self.observer.as_ref().and_then(|observer| observer.samples)
+        self.observer.as_ref().and_then(Observer::samples)
     }
 }
 
@@ -246,59 +246,5 @@ impl Spec {
         if let Clock::Samples(sampled) = &mut self.clock {
             sampled.leaves_eps = false;
         }
-    }
-}
-
-/// The observer of a controller in samples.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Observer {
-    /// Its poles in stretched time.
-    pub poles: Vec<(BigRational, BigRational)>,
-    /// Number of poles for each measured value.
-    pub blocks: Vec<usize>,
-    /// The gains that its poles give; of a linear plant those of each row of C, one after the other.
-    pub gains: Vec<BigRational>,
-    /// The greatest exponent p = -Re(pole)/a.
-    pub greatest: BigRational,
-    /// Samples after which the estimates are exact; `None` for the default.
-    pub samples: Option<u32>,
-    /// Time-to-go at which its gains are held; `None` ends in deadbeat.
-    pub eps: Option<Fixed>,
-    /// The poles of the observer from there on, in 1/s and in the order of those before; empty where
-    /// its last gains stay.
-    pub after: Vec<(BigRational, BigRational)>,
-    /// Gate for the readings that correct the estimates.
-    pub gate: Gate,
-}
-
-/// Gate for the readings of an observer; the default accepts every finite one.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Gate {
-    /// Bounds of |y - predicted y|, one for all measured values or one for each; empty without.
-    pub innovation: Vec<Fixed>,
-    /// Bounds of |y|, one for all measured values or one for each; empty without.
-    pub range: Vec<Fixed>,
-    /// Consecutive samples for which the observer predicts alone.
-    pub coast: u32,
-}
-
-impl Gate {
-    /// Returns the bound of |y_l - predicted y_l|, with l from 0.
-    pub fn innovation(&self, l: usize) -> Option<&BigRational> {
-        Self::one_or_each(&self.innovation, l)
-    }
-
-    /// Returns the bound of |y_l|, with l from 0.
-    pub fn range(&self, l: usize) -> Option<&BigRational> {
-        Self::one_or_each(&self.range, l)
-    }
-
-    fn one_or_each(bounds: &[Fixed], l: usize) -> Option<&BigRational> {
-        bounds.get(if bounds.len() == 1 { 0 } else { l }).and_then(Fixed::number)
-    }
-
-    /// Returns true if the observer can predict alone.
-    pub fn coasts(&self) -> bool {
-        self.coast > 0
     }
 }

@@ -5,7 +5,7 @@ use num_traits::{ToPrimitive, Zero};
 use super::rows::{deadbeat_from, rows_of_least_energy};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{EndLaw, Exponents, LeastEnergy, Observer, Spec};
+use crate::request::{EndLaw, Exponents, LeastEnergy, Round, Spec};
 
 /// A part of its round at which the gains of an observer stay once it is through.
 pub(super) const HELD_PART: i64 = 8;
@@ -124,15 +124,15 @@ pub(crate) fn end_of_law(m: usize) -> BigRational {
 }
 
 /// Samples to the end of its round at which deadbeat takes over from the gains of an observer.
-pub(super) fn switch(observer: &Observer) -> BigInt {
-    let of_block = |size: &usize| deadbeat_from(*size, &observer.greatest);
-    observer.blocks.iter().map(of_block).max().unwrap_or_default()
+pub(super) fn switch(round: &Round) -> BigInt {
+    let of_block = |size: &usize| deadbeat_from(*size, &round.greatest);
+    round.blocks.iter().map(of_block).max().unwrap_or_default()
 }
 
 /// Samples to go at which the gains of an observer stay after a round of `samples`.
-pub(crate) fn observer_held(observer: &Observer, samples: u32) -> BigRational {
+pub(crate) fn observer_held(round: &Round, samples: u32) -> BigRational {
     let part = BigRational::new(samples.into(), HELD_PART.into());
-    part.max(BigRational::from_integer(switch(observer) + BigInt::from(1)))
+    part.max(BigRational::from_integer(switch(round) + BigInt::from(1)))
 }
 
 /// Returns true if the measurement is known to be inexact.

@@ -17,6 +17,7 @@ mod ends;
 mod estimates;
 mod feedback;
 mod formula;
+mod gains;
 mod gate;
 mod inputs;
 mod model;

@@ -9,10 +9,9 @@ use std::ops::{Add, Mul, Sub};
 use num_traits::Zero;
 
 use super::controller::Builder;
-use super::ends::switch;
-use super::estimates::Named;
+use super::gains::{InRound, Named};
 use super::observer::Injection;
-use crate::algebra::{BigInt, BigRational};
+use crate::algebra::BigRational;
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::internal::fault;
 use crate::linear::{Linear, Matrix, Outputs};
@@ -73,12 +72,12 @@ impl Builder<'_> {
         let measurements: Vec<_> = (0..count).map(|l| (l, format!("{}", l + 1))).collect();
         body.extend(self.believe(&measurements));
         let miss = |l: usize| Expr::local(format!("miss{}", l + 1));
-        let mixed: Vec<_> = (0..count).map(|i| combination(&outputs.mixing, i, &miss)).collect();
-        let (injections, switch) = self.injections(&outputs);
+        let (injections, mixing) = self.injections(&outputs);
+        let mixed: Vec<_> = (0..count).map(|i| combination(&mixing, i, &miss)).collect();
         for (mixed, l) in mixed.into_iter().zip(1..) {
             body.push(Statement::Let(format!("off{l}"), real, mixed));
         }
-        body.extend(self.gains(&injections, &switch, end));
+        body.extend(self.gains(&injections, end));
         for (i, name) in names.iter().enumerate() {
             let mut sum = Expr::integer(0);
             for j in 0..names.len() {
@@ -97,22 +96,51 @@ impl Builder<'_> {
         body
     }
 
-    /// The injections of all blocks, which end together, and where deadbeat takes over.
-    fn injections(&self, outputs: &Outputs) -> (Vec<Named>, BigInt) {
-        let observer = self.observer();
-        let switch = switch(observer);
+    /// The gains of all blocks, which end together, and what they are gains of, by the distance of each measured value
+    /// from its prediction.
+    fn injections(&self, outputs: &Outputs) -> (Vec<Named>, Matrix) {
+        let Some(round) = self.round() else {
+            let count = outputs.blocks.len();
+            let named = (0..count).map(|l| Named {
+                of: name_of(l, count),
+                round: None,
+                lasting: self.stationary().map(|gains| column(gains, l)),
+            });
+            return (named.collect(), Matrix::identity(count));
+        };
         let mut first = 0;
         let mut injections = Vec::new();
         for (i, size) in outputs.blocks.iter().enumerate() {
-            let recurrence = self.recurrence(first..first + size, &switch);
+            let recurrence = self.recurrence(round, first..first + size);
             first += size;
             let injection = Injection::of_block(outputs, i, &recurrence);
-            let of = if outputs.blocks.len() == 1 { String::new() } else { format!("{}_", i + 1) };
             let units = vec![Expr::integer(1); injection.law.len()];
-            injections.push(Named { of, injection, units });
+            let round = InRound { injection, units };
+            let lasting = match self.stationary() {
+                Some(gains) => Some(column(&unmixed(gains, &outputs.mixing), i)),
+                None => round.lasting(),
+            };
+            let of = name_of(i, outputs.blocks.len());
+            injections.push(Named { of, round: Some(round), lasting });
         }
-        (injections, switch)
+        (injections, outputs.mixing.clone())
     }
+}
+
+/// The words in the names of the gains for value `l` of so many.
+fn name_of(l: usize, count: usize) -> String {
+    if count == 1 { String::new() } else { format!("{}_", l + 1) }
+}
+
+/// The gains for value `l`.
+fn column(gains: &[Vec<BigRational>], l: usize) -> Vec<Expr> {
+    gains.iter().map(|row| Expr::Number(row[l].clone())).collect()
+}
+
+/// The same gains of mixed values.
+fn unmixed(gains: &[Vec<BigRational>], mixing: &Matrix) -> Vec<Vec<BigRational>> {
+    let back = mixing.inverse().unwrap_or_else(|| fault("outputs are mixed to fewer"));
+    Matrix::of(gains.to_vec()).times(&back).rows().to_vec()
 }
 
 /// C^T (C C^T)^-1: the least x that shows y.

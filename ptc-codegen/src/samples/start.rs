@@ -91,7 +91,7 @@ impl Builder<'_> {
         }
         // Below this the gains of the observer do not exist.
         if self.fields.iter().any(|field| field.name == "hold_o") {
-            let order = self.sampled.observer.as_ref().map_or(0, |observer| observer.poles.len());
+            let order = self.round().map_or(0, |round| round.poles.len());
             let least = integer(i64::try_from(order).unwrap_or(0));
             finite.push(Test::AtMost(Expr::Number(least), Expr::local("hold_o")));
         }

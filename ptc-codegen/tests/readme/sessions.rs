@@ -59,7 +59,12 @@ fn pages_show_what_is_printed() {
     let [wish] = &blocks_of(DESIGN, "toml")[..] else { panic!("one wish") };
     fs::write(folder.join("wish.toml"), wish).expect("writable");
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
-    let [gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("a gate and a motor") };
+    let [settled, gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("three designs") };
+    let of_round = ["observer_poles", "observer_samples", "observer_eps"];
+    let lines = ENCODER.lines().filter(|line| !of_round.iter().any(|key| line.starts_with(key)));
+    let lines: Vec<_> = lines.collect();
+    let stationary = lines.join("\n").replace("[params]", &format!("{settled}\n[params]"));
+    fs::write(folder.join("stationary.toml"), stationary).expect("writable");
     let gated = ENCODER.replace("[params]", &format!("{gate}\n[params]"));
     fs::write(folder.join("gated.toml"), gated).expect("writable");
     assert_eq!(motor, MOTOR);

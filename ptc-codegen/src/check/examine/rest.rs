@@ -54,10 +54,11 @@ pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
 /// Says so if the exponents of an observer are too small for its gains alone: the error of its last estimate is the
 /// (m-1)-th difference of the T^(p), which does not fall with p <= m - 1.
 fn late_estimates(spec: &Spec, own: &Sampled) -> Option<String> {
-    let (observer, a) = (own.observer.as_ref()?, spec.fixed.get(&Parameter::A)?.number()?);
-    let mut poles = observer.poles.iter();
-    let all = [observer.poles.len()];
-    let blocks = if observer.blocks.is_empty() { &all[..] } else { &observer.blocks };
+    let round = own.observer.as_ref()?.round.as_ref()?;
+    let a = spec.fixed.get(&Parameter::A)?.number()?;
+    let mut poles = round.poles.iter();
+    let all = [round.poles.len()];
+    let blocks = if round.blocks.is_empty() { &all[..] } else { &round.blocks };
     let late = blocks.iter().find_map(|size| {
         let least = -a * BigRational::from_integer((*size).saturating_sub(1).into());
         let slow = poles.by_ref().take(*size).any(|(real, _)| *real >= least);
@@ -82,8 +83,12 @@ fn last(spec: &Spec) -> String {
 /// Names the error that the theorem leaves at sample N; `None` if it is 0.
 fn off(spec: &Spec, own: &Sampled) -> Option<&'static str> {
     let is_held = |eps: &Fixed| eps.number().is_some_and(Signed::is_positive);
-    if own.observer.as_ref().is_some_and(|observer| observer.eps.as_ref().is_some_and(is_held)) {
-        return Some("what the held observer leaves of its error");
+    match own.observer.as_ref().map(|observer| &observer.round) {
+        Some(None) => return Some("what the stationary observer leaves of its error"),
+        Some(Some(round)) if round.eps.as_ref().is_some_and(is_held) => {
+            return Some("what the held observer leaves of its error");
+        }
+        _ => {}
     }
     let moves = spec.reference.as_ref().is_some_and(Reference::moves);
     match (spec.model_in_samples().is_some() && own.exact.is_none(), moves) {

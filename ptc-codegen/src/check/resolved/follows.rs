@@ -1,12 +1,12 @@
 //! Consequences of a resolved design: the gains of its poles, and where gains are held.
 
-use num_traits::Zero;
+use num_traits::{ToPrimitive, Zero};
 
 use super::Choice;
 use crate::algebra::{BigRational, integer};
-use crate::diagnostic::counted;
+use crate::diagnostic::{counted, digits};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{DelayLaw, Observer, Spec, What};
+use crate::request::{DelayLaw, Lasting, Observer, Spec, Stationary, What};
 use crate::samples::{self, Ending, Terminal, held_samples};
 use crate::syntax::constant;
 
@@ -103,22 +103,34 @@ fn ends_of_outputs(endings: &[Ending]) -> Option<Choice> {
     Some(Choice { key: END, value: format!("[{}]", all.join(", ")), reason })
 }
 
+/// The gains of a stationary observer.
+fn stationary(own: &Stationary) -> Choice {
+    let shown = |gain: &BigRational| digits(gain.to_f64().unwrap_or(f64::NAN));
+    let row = |row: &Vec<BigRational>| row.iter().map(shown).collect::<Vec<_>>().join(", ");
+    let rows: Vec<_> = own.gains.iter().map(row).collect();
+    let reason =
+        "those of the stationary Kalman filter for the noise and disturbance_walk".to_owned();
+    Choice { key: "observer_gains", value: format!("[{}]", rows.join("; ")), reason }
+}
+
 /// Returns the samples to go from which the gains of an observer without its own eps stay.
 fn observer(spec: &Spec) -> Option<Choice> {
     let observer: &Observer = spec.sampled()?.observer.as_ref()?;
-    if observer.eps.is_some() || !observer.after.is_empty() {
-        return None;
-    }
+    let round = match (&observer.lasting, &observer.round) {
+        (Lasting::Stationary(own), _) => return Some(stationary(own)),
+        (Lasting::Held, Some(round)) if round.eps.is_none() => round,
+        _ => return None,
+    };
     let key = "observer_eps";
     if !samples::is_noisy(spec) {
         let reason = "the measurement is exact, and the observer ends in deadbeat";
         return Some(Choice { key, value: "not used".to_owned(), reason: reason.to_owned() });
     }
-    let held = samples::observer_held(observer, observer.samples?);
+    let held = samples::observer_held(round, round.samples?);
     let count = counted(&constant::text(&held), "sample");
     let reason = format!(
         "with an inexact measurement the observer's gains of {count} to go stay, once its round of {} is over",
-        counted(&observer.samples?, "sample")
+        counted(&round.samples?, "sample")
     );
     let value = match number(spec, Parameter::SampleTime) {
         Some(h) => constant::text(&(held * h)),

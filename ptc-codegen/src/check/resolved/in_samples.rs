@@ -47,11 +47,10 @@ fn choose_observer_samples(resolved: &mut Resolved) {
     let all = resolved.spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
     let Some(all) = all.and_then(ToPrimitive::to_u32) else { return };
     let Clock::Samples(sampled) = &mut resolved.spec.clock else { return };
-    let Some(observer) = sampled.observer.as_mut().filter(|own| own.samples.is_none()) else {
-        return;
-    };
+    let round = sampled.observer.as_mut().and_then(|own| own.round.as_mut());
+    let Some(round) = round.filter(|own| own.samples.is_none()) else { return };
     let half = all / 2;
-    observer.samples = Some(half);
+    round.samples = Some(half);
     let reason =
         format!("half of the {all} samples to the deadline; the other half is for the controller");
     resolved.note("observer_samples", &half.to_string(), reason);

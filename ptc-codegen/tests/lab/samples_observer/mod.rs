@@ -8,6 +8,7 @@ mod gate_costs;
 use crate::support::exact_plant as plant;
 mod requests;
 mod same;
+mod stationary;
 use crate::support;
 
 use ptc_codegen::code::{Code, Instance, Outcome};

@@ -53,7 +53,7 @@ fn mistakes_are_named() {
         (&[("deadbeat", "9")], &["`deadbeat` is of a law"]),
         (&[("error", "0.1"), ("x0_max", "[1, 1]")], &["`error` is of a law"]),
         (&[("poles", "[-4]")], &["1 pole for order n = 2"]),
-        (&[("delay", "5")], &["at most 4 samples of delay"]),
+        (&[("delay", "17")], &["delay is a number from 0 to 16"]),
         (&[("pi0", "\"-xi1^3\"")], &["needs a linear law"]),
         (
             &[("what", "\"observe\"")],

@@ -6,13 +6,14 @@ use crate::request::{Observer, Sampled, Spec};
 
 /// The sample from which on the estimates of an observer alone are exact.
 fn end(observer: &Observer) -> u32 {
-    observer.samples.unwrap_or_else(|| fault("an observer alone without an end"))
+    observer.samples().unwrap_or_else(|| fault("an observer alone without an end"))
 }
 
 /// Describes the goal of the estimates, and how it is reached.
 pub(super) fn purpose(sampled: &Sampled, observer: &Observer) -> [String; 2] {
     let end = end(observer);
-    let exact = match observer.eps {
+    let held = observer.round.as_ref().and_then(|round| round.eps.as_ref());
+    let exact = match held {
         None => "exact up to rounding",
         Some(_) => "as near as the hold at observer_eps leaves them",
     };

@@ -9,7 +9,7 @@ use crate::diagnostic::counted;
 use crate::model::Coupled;
 use crate::parameter::Fixed;
 use crate::parameter::Name;
-use crate::request::{After, Exact, Guard, Observer, Sampled, Spec, What};
+use crate::request::{After, Exact, Guard, Lasting, Observer, Sampled, Spec, What};
 
 /// Describes the goal of the plant and the law; empty for a stand-alone observer.
 pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
@@ -206,8 +206,11 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
 
 /// From when on the estimates are exact, and what follows.
 fn estimates(observer: &Observer) -> String {
-    let until = observer.samples.map_or("N/2".to_owned(), |samples| samples.to_string());
     let then = then(observer);
+    let Some(round) = &observer.round else {
+        return format!("The estimates approach the state from the first sample on: {then}.");
+    };
+    let until = round.samples.map_or("N/2".to_owned(), |samples| samples.to_string());
     format!(
         "The estimates are exact from sample {until} after the start on where the measurement is; {then}."
     )
@@ -241,11 +244,17 @@ pub(super) fn gate(observer: &Observer) -> Option<String> {
 
 /// Describes the phase after an observer has converged.
 pub(super) fn then(observer: &Observer) -> &'static str {
-    match observer.after.is_empty() {
-        true => {
+    match (&observer.lasting, &observer.round) {
+        (Lasting::Held, _) => {
             "with noise or sensor_step given, or observer_eps, the gains of the observer are then held below deadbeat"
         }
-        false => "from there on the observer has the poles after_observer",
+        (Lasting::Poles(_), _) => "from there on the observer has the poles after_observer",
+        (Lasting::Stationary(_), Some(_)) => {
+            "from there on the observer has the gains of the stationary Kalman filter for the noise and disturbance_walk"
+        }
+        (Lasting::Stationary(_), None) => {
+            "the observer has the gains of the stationary Kalman filter for the noise and disturbance_walk"
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::parameter::Parameter;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 16] = [
+const OWN: [&str; 18] = [
     "A",
     "B",
     "C",
@@ -23,6 +23,8 @@ const OWN: [&str; 16] = [
     "innovation_max",
     "measurement_max",
     "coast",
+    "observer",
+    "disturbance_walk",
 ];
 
 impl Reader<'_> {

@@ -7,6 +7,7 @@ mod gate;
 mod meaning;
 mod observer;
 mod several;
+mod stationary;
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -21,6 +22,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, DelayLaw, MAX_ORDER, Sampled, Spec, What};
 use crate::syntax::{Value, constant};
 use exponent::exponents_of_all;
+use stationary::Observed;
 
 /// Most samples of delay that raise the order of a loop.
 const MAX_RAISED: usize = 4;
@@ -95,10 +97,18 @@ impl Reader<'_> {
             disturbance,
             end: self.end_law(spec, delay, a.as_ref().zip(exponents.as_ref())),
             exponents,
-            observer: self.observer(spec, estimates, &blocks, a.as_ref()),
+            observer: None,
             leaves_delay_law: !self.keys.contains_key("delay_law"),
             leaves_eps: !self.keys.contains_key("eps"),
         };
+        let plant = Observed {
+            linear: sampled.linear.as_ref(),
+            gain: &sampled.gain,
+            measured,
+            disturbance,
+        };
+        let observer = self.observer(spec, estimates, plant, &blocks, a.as_ref());
+        sampled.observer = observer;
         if let Some(gate) = sampled.observes().then(|| self.gate(spec, &sampled)) {
             sampled.observer.iter_mut().for_each(|observer| observer.gate = gate.clone());
         }

@@ -3,6 +3,7 @@
 use num_traits::{Signed, ToPrimitive};
 
 use super::MAX_SAMPLES;
+use super::stationary::{Observed, STATIONARY};
 use crate::algebra::{BigInt, BigRational};
 use crate::diagnostic::counted;
 use crate::expression::constant::real;
@@ -10,11 +11,13 @@ use crate::linear::{self, Delay};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::promises::finite_positive;
 use crate::request::read::{Reader, shown, whole};
-use crate::request::{Gate, Observer, Spec, What};
-use crate::syntax::constant;
+use crate::request::{Gate, Lasting, Observer, Round, Spec, What};
+use crate::syntax::{Value, constant};
 
 /// The keys that have a meaning for an observer alone.
-const OF_OBSERVER: [&str; 7] = [
+const OF_OBSERVER: [&str; 9] = [
+    "observer",
+    "disturbance_walk",
     "observer_poles",
     "observer_samples",
     "observer_eps",
@@ -24,12 +27,19 @@ const OF_OBSERVER: [&str; 7] = [
     "coast",
 ];
 
+/// The keys of the round of an observer, and what follows it.
+const OF_ROUND: [&str; 4] = ["observer_poles", "observer_samples", "observer_eps", AFTER];
+
+/// The key of the gains behind a round.
+const AFTER: &str = "after_observer";
+
 impl Reader<'_> {
     /// The observer of `estimates` states, where there are any.
     pub(super) fn observer(
         &mut self,
         spec: &Spec,
         estimates: Option<usize>,
+        plant: Observed<'_>,
         blocks: &[usize],
         a: Option<&BigRational>,
     ) -> Option<Observer> {
@@ -47,6 +57,38 @@ impl Reader<'_> {
             }
             return None;
         };
+        let is_stationary = self.choice("observer", &[("prescribed", false), (STATIONARY, true)]);
+        if is_stationary == Some(true) && spec.what == What::Observer {
+            let place = self.keys.get("observer").map(|node| node.place);
+            let message = "a stationary observer alone".to_owned();
+            let help = "an observer alone has a round, whose end its status tells: give `observer_poles`, and after_observer = stationary behind it";
+            self.wrong("observer", place, message, help.to_owned());
+            return None;
+        }
+        if is_stationary == Some(true) {
+            for key in OF_ROUND {
+                if let Some(node) = self.keys.get(key).copied() {
+                    let message = format!("`{key}` beside a stationary observer");
+                    let help = "its gains are the same from the first sample on: leave it out, or `observer`; after_observer = stationary is one behind a round";
+                    self.wrong(key, Some(node.place), message, help.to_owned());
+                }
+            }
+            let lasting = Lasting::Stationary(self.stationary(spec, plant)?);
+            return Some(Observer { round: None, lasting, gate: Gate::default() });
+        }
+        let lasting = self.after_observer(spec, plant, blocks);
+        let round = self.round(spec, estimates, blocks, a)?;
+        Some(Observer { round: Some(round), lasting: lasting?, gate: Gate::default() })
+    }
+
+    /// The round in which `estimates` states become exact.
+    fn round(
+        &mut self,
+        spec: &Spec,
+        estimates: usize,
+        blocks: &[usize],
+        a: Option<&BigRational>,
+    ) -> Option<Round> {
         let (samples, eps) =
             (self.observer_samples(spec, estimates), self.observer_eps(spec, estimates));
         let Some(node) = self.keys.get("observer_poles").copied() else {
@@ -74,15 +116,28 @@ impl Reader<'_> {
             return None;
         };
         let greatest = poles.iter().map(|(re, _)| -re / a).max()?;
-        let after = self.after_observer(spec, blocks);
-        let blocks = blocks.to_vec();
-        let gate = Gate::default();
-        Some(Observer { poles, blocks, gains, greatest, samples, eps, after, gate })
+        Some(Round { poles, blocks: blocks.to_vec(), gains, greatest, samples, eps })
     }
 
-    /// The poles of the observer once the estimates are exact.
-    fn after_observer(&mut self, spec: &Spec, blocks: &[usize]) -> Vec<(BigRational, BigRational)> {
-        let key = "after_observer";
+    /// The gains of the observer once the estimates are exact.
+    fn after_observer(
+        &mut self,
+        spec: &Spec,
+        plant: Observed<'_>,
+        blocks: &[usize],
+    ) -> Option<Lasting> {
+        match self.keys.get(AFTER).map(|node| &node.value) {
+            None => Some(Lasting::Held),
+            Some(Value::Word(word)) if word == STATIONARY => {
+                self.stationary(spec, plant).map(Lasting::Stationary)
+            }
+            Some(_) => Some(Lasting::Poles(self.poles_after(spec, blocks))),
+        }
+    }
+
+    /// The poles in 1/s of the observer behind its round.
+    fn poles_after(&mut self, spec: &Spec, blocks: &[usize]) -> Vec<(BigRational, BigRational)> {
+        let key = AFTER;
         let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
         let (poles, _) = self.pole_gains(key, Some(blocks.iter().sum()), 0, node);
         if poles.is_empty() {
