@@ -113,15 +113,21 @@ ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
             const double x2 = p2 + (l2 * miss);
             const double d = p3 + (l3 * miss);
             const uint32_t left = (elapsed < 800U) ? (800U - elapsed) : 0U;
-            const double m0 = ((double)left < 20.0) ? 20.0 : (double)left;
+            const double s4 = ((double)left) - 1.0;
+            const double m0 = (s4 < 20.0) ? 20.0 : s4;
             double v;
-
-            /* The exact law in samples. */
-            const double z1 = ((-90000000.0) * x1) + (45000.0 * x2);
-            const double z2 = (-54000.0) * x2;
-            const double z3 = (-9.0) * (self->u1 + d);
-            const double s4 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0;
-            v = (s4 + (self->u1 + d)) - d;
+            if (250.0 < m0) {
+                /* The exact law in samples. */
+                const double z1 = ((-9000000.0) * x1) - (4500.0 * x2);
+                const double z2 = ((-6000.0) * x2) - (4.0 * (self->u1 + d));
+                v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+            } else {
+                /* The law of least energy to the end. */
+                const double m1 = (m0 < 2.0) ? 2.0 : m0;
+                const double y1 = ((-18000000.0) * x1) - (9000.0 * x2);
+                const double y2 = ((-9000.0) * x2) - (6.0 * (self->u1 + d));
+                v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+            }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
@@ -141,7 +147,7 @@ ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
                 *u = u_now;
                 if ((6.0 < v) || (v < -6.0)) {
                     status = PTC_SATURATED;
-                } else if ((double)left <= 20.0) {
+                } else if (((double)left) - 1.0 <= 20.0) {
                     status = PTC_HOLD;
                 } else {
                     status = PTC_OK;

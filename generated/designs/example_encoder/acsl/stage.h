@@ -2,16 +2,18 @@
  * Prescribed-time controller stage: order n = 2, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage --clock samples --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0.02 --u-max=6 --poles=least-energy --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
- * Version 0.1.0, design 844c50f7cf1e.
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage --clock samples --delay-law=predict --poles-end="least-energy(weight=1)" --end-samples=250 --measured=x1 --disturbance constant --observer-poles=-4,-5,-6 --observer-samples=200 --observer-eps=0.03 --tau=0.8 --eps=0.02 --u-max=6 --poles=least-energy --g="2/3" --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+ * Version 0.1.0, design 87cdac884d95.
  *
  * Plant: x1' = x2, x2' = g (u + d), d constant and unknown; u held from sample to sample, one
  *       sample late.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M - 2 samples to go and z = S x, u h^3 = sum of row_j z_j
- *       h^(j-1)/((M-j+1)...(M-2)); the rows are those of Theorem 1 for the mapping exp. The
- *       gains of 20 samples to go stay.
+ * Law of the state x predicted for the time from which u acts, by x and the inputs under way:
+ *       with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. From 250 samples to go on these
+ *       are M - 2 and the exponents 3, 4, those of least energy. The gains of 21 samples to
+ *       go stay.
  *
  * Parameters:
  *   samples = 800 [samples], fixed: samples N from the start to rest
@@ -19,9 +21,8 @@
  *   eps = 0.02 [s], fixed: time-to-go at which the gains are held
  *   u_max = 6 [unit of u], fixed: bound of |u|
  *   a = 1 [1/s], fixed: rate of stretched time
- *   k_1 = 60 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
- *   k_2 = 47 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
- *   k_3 = 12 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_1 = 6 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 5 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
  *
  * k counts samples and may wrap; arm again within 2^32 - N samples.
  * From sample N on the last gains are held (status HOLD).
@@ -44,8 +45,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_013D5F4D_H
-#define STAGE_013D5F4D_H
+#ifndef STAGE_BDD1C3BD_H
+#define STAGE_BDD1C3BD_H
 
 #include <stdint.h>
 

@@ -56,14 +56,20 @@ x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);
 left = uint32(800) - elapsed;
-m0 = pick(double(left) < 20.0, 20.0, double(left));
-
-% The exact law in samples.
-z1 = ((-90000000.0) * x1) + (45000.0 * x2);
-z2 = (-54000.0) * x2;
-z3 = (-9.0) * (self.u1 + d);
-s4 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0;
-v = (s4 + (self.u1 + d)) - d;
+s4 = double(left) - 1.0;
+m0 = pick(s4 < 20.0, 20.0, s4);
+if 250.0 < m0
+    % The exact law in samples.
+    z1 = ((-9000000.0) * x1) - (4500.0 * x2);
+    z2 = ((-6000.0) * x2) - (4.0 * (self.u1 + d));
+    v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+else
+    % The law of least energy to the end.
+    m1 = pick(m0 < 2.0, 2.0, m0);
+    y1 = ((-18000000.0) * x1) - (9000.0 * x2);
+    y2 = ((-9000.0) * x2) - (6.0 * (self.u1 + d));
+    v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+end
 if ~isfinite(v)
     status = int32(-3);
     return;
@@ -84,7 +90,7 @@ self.seen = uint32(1);
 if (6.0 < v) || (v < -6.0)
     u = u_now;
     status = int32(2);
-elseif double(left) <= 20.0
+elseif double(left) - 1.0 <= 20.0
     u = u_now;
     status = int32(1);
 else

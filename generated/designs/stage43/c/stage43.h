@@ -1,0 +1,127 @@
+/*
+ * Prescribed-time controller stage43: order n = 3, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="sin(t)" --sample-time=1e-2 --delay=2.75
+ * Version 0.1.0, design 8cdbee71ff51.
+ *
+ * Plant: x1' = x2, ..., x3' = (u + d), d constant and unknown; u held from sample to sample,
+ *       2.75 samples late.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law of the state x predicted for the time from which u acts, by x and the inputs under way:
+ *       with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+ *       the rows are those of Theorem 1 for the mapping exp. The gains of 6 samples to go
+ *       stay: they are deadbeat.
+ * With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = w + rho/g,
+ *       where the inputs under way count less the rho of their own samples. At sample N e is
+ *       0 where r^(n) is constant over each sample; else an error of order h^(5-i) is left in
+ *       e_i.
+ * t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in
+ *       which u acts:
+ *   e_i = x_i - r^(i-1), with the reference r = sin(t)
+ *   r^(1) = cos(t)
+ *   r^(2) = -sin(t)
+ *   r^(3) = -cos(t)
+ *
+ * Parameters:
+ *   samples = 40 [samples], fixed: samples N from the start to rest
+ *   h = 1e-2 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 6 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates are exact from sample 20 after the start on where the measurement is; with
+ *       noise or sensor_step given, or observer_eps, the gains of the observer are then held
+ *       below deadbeat.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+ *       mathematical library.
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample 40 from any state, but for what r does between samples,
+ *       whatever the poles, and |u| is bounded.
+ *   sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE43_E55DCFBE_H
+#define STAGE43_E55DCFBE_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage43_params {
+    char none; /* every parameter is fixed */
+} stage43_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage43 {
+    uint32_t start; /* tick at which it was armed */
+    double u1; /* input of the last sample */
+    double u2; /* input of 2 samples ago */
+    double u3; /* input of 3 samples ago */
+    double u4; /* input of 4 samples ago */
+    uint32_t seen; /* 1 once y has been measured */
+    double x1_hat; /* estimate of x1 */
+    double x2_hat; /* estimate of x2 */
+    double x3_hat; /* estimate of x3 */
+    double d_hat; /* estimate of d */
+} stage43;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stage43_init(stage43 *self, const stage43_params *params);
+
+/*
+ * Starts again: the deadline is N samples after tick `k`. The time of the reference counts from
+ * there. Estimates and inputs under way are kept. Estimates too large to compute with begin anew.
+ */
+ptc_status stage43_arm(stage43 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
+ */
+ptc_status stage43_step(stage43 *self, uint32_t k, const double y[1], double *u);
+
+/* The estimate of the state at the last sample. */
+ptc_status stage43_estimate(const stage43 *self, double xhat[3]);
+
+/* The estimate of the constant that is added to u. */
+ptc_status stage43_disturbance(const stage43 *self, double *d);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

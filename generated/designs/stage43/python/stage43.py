@@ -1,0 +1,268 @@
+"""
+Prescribed-time controller stage43: order n = 3, clock in samples.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="sin(t)" --sample-time=1e-2 --delay=2.75
+Version 0.1.0, design 8cdbee71ff51.
+
+Plant: x1' = x2, ..., x3' = (u + d), d constant and unknown; u held from sample to sample,
+      2.75 samples late.
+Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+      sample period, as long as u is not clipped and nothing else acts on the plant.
+Law of the state x predicted for the time from which u acts, by x and the inputs under way:
+      with M samples to go and z = S x, u h^3 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-2));
+      the rows are those of Theorem 1 for the mapping exp. The gains of 6 samples to go
+      stay: they are deadbeat.
+With the reference r, e_i = x_i - r^(i-1) is in place of x_i above, and u = w + rho/g,
+      where the inputs under way count less the rho of their own samples. At sample N e is
+      0 where r^(n) is constant over each sample; else an error of order h^(5-i) is left in
+      e_i.
+t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in
+      which u acts:
+  e_i = x_i - r^(i-1), with the reference r = sin(t)
+  r^(1) = cos(t)
+  r^(2) = -sin(t)
+  r^(3) = -cos(t)
+
+Parameters:
+  samples = 40 [samples], fixed: samples N from the start to rest
+  h = 1e-2 [s], fixed: sample period
+  eps = 0 [s], fixed: time-to-go at which the gains are held
+  u_max = 6 [unit of u], fixed: bound of |u|
+  a = 1 [1/s], fixed: rate of stretched time
+  k_1 = 120 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_2 = 74 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+  k_3 = 15 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+
+k counts samples and may wrap; arm again within 2^32 - N samples.
+From sample N on the last gains are held (status HOLD).
+The estimates are exact from sample 20 after the start on where the measurement is; with
+      noise or sensor_step given, or observer_eps, the gains of the observer are then held
+      below deadbeat.
+|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+      lasts.
+Guard full: what is measured is finite, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+      mathematical library.
+
+Checks of the design (details: ptc-codegen check):
+  membership: sound: exp is of class M for all its parameters.
+  growth: sound: at rest at sample 40 from any state, but for what r does between samples,
+      whatever the poles, and |u| is bounded.
+  sampling: not checked: `loop` bounds what the period leaves of a reference that moves.
+  deadline: not checked: `loop` bounds what the period leaves of a reference that moves.
+  loop: not checked: `x0_max` is not given.
+  envelope: not checked: it does not examine a clock in samples.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "Stage43", "Status"]
+
+_R = np.float64
+_WRAP = 0xFFFFFFFF
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """Status of u, which is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to its limits; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over: u is 0 or that of the user-defined law."""
+    GATED = 4
+    """A reading was not believed: u by prediction alone; wins over all above."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """Result of a step."""
+
+    u: np.float64
+    """Input of the plant."""
+    status: Status
+    """Its Status."""
+
+@dataclass(frozen=True, kw_only=True)
+class Params:
+    """Run-time parameters."""
+
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
+class Stage43:
+    """The controller. Takes the parameters and arms at tick 0.
+
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            self._start = 0
+            self._u1 = _R(0.0)
+            self._u2 = _R(0.0)
+            self._u3 = _R(0.0)
+            self._u4 = _R(0.0)
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._x3_hat = _R(0.0)
+            self._d_hat = _R(0.0)
+
+    def arm(self, k: int) -> None:
+        """Starts again: the deadline is N samples after tick `k`. The time of the reference counts
+        from there. Estimates and inputs under way are kept. Estimates too large to compute with
+        begin anew.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        k = k.__index__() & _WRAP
+        self._start = k
+        s1 = np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._x3_hat)
+        size = s1 + np.abs(self._d_hat)
+        if not (size <= 1e150):
+            self._seen = 0
+            self._x1_hat = _R(0.0)
+            self._x2_hat = _R(0.0)
+            self._x3_hat = _R(0.0)
+            self._d_hat = _R(0.0)
+
+    def step(self, k: int, y: ArrayLike) -> Control:
+        """u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for
+        each tick.
+
+        On a negative status u is 0 and nothing has changed.
+        """
+        with np.errstate(all="ignore"):
+            k = k.__index__() & _WRAP
+            y = _numbers(y, 1, "y")
+            if not np.isfinite(y[0]):
+                return Control(_R(0.0), Status.INPUT)
+            elapsed = (k - self._start) & _WRAP
+
+            # Predict.
+            s1 = self._x1_hat + (0.01 * self._x2_hat) + (5e-5 * self._x3_hat)
+            s2 = (1.640625e-7 * self._u4) + (2.604166666666667e-9 * self._u3)
+            p1 = s1 + (1.6666666666666668e-7 * self._d_hat) + s2
+            s3 = self._x2_hat + (0.01 * self._x3_hat) + (5e-5 * self._d_hat)
+            p2 = s3 + ((4.6875e-5 * self._u4) + (3.125e-6 * self._u3))
+            s4 = (0.0075 * self._u4) + (0.0025 * self._u3)
+            p3 = self._x3_hat + (0.01 * self._d_hat) + s4
+            p4 = self._d_hat
+
+            # Correct by what is measured.
+            if self._seen == 0:
+                base = y[0]
+                miss = _R(0.0)
+            else:
+                base = p1
+                miss = y[0] - p1
+            left_o = max(20 - elapsed, 0)
+            o0 = _R(left_o)
+            if 10.0 < o0:
+                r0 = 1.0 / o0
+                r1 = 1.0 / (o0 - 1.0)
+                r2 = 1.0 / (o0 - 2.0)
+                r3 = 1.0 / (o0 - 3.0)
+                l1 = (((((((-840.0) * r0) + 480.0) * r1) - 120.0) * r2) + 16.0) * r3
+                l2 = ((((90800.0 * r0) - 43200.0) * r1) + 7200.0) * r2 * r3
+                l3 = (((-3360000.0) * r0) + 960000.0) * r1 * r2 * r3
+                l4 = 24000000.0 * r0 * r1 * r2 * r3
+            elif left_o == 10:
+                l1 = _R(1.0)
+                l2 = _R(47.77777777777778)
+                l3 = _R(2666.6666666666665)
+                l4 = _R(-66666.66666666667)
+            elif left_o == 9:
+                l1 = _R(1.0)
+                l2 = _R(81.48148148148148)
+                l3 = _R(-2222.222222222222)
+                l4 = _R(444444.44444444444)
+            elif left_o == 8:
+                l1 = _R(1.0)
+                l2 = _R(116.66666666666667)
+                l3 = _R(0.0)
+                l4 = _R(-1000000.0)
+            else:
+                l1 = _R(1.0)
+                l2 = _R(183.33333333333334)
+                l3 = _R(20000.0)
+                l4 = _R(1000000.0)
+            x1 = base + (l1 * miss)
+            x2 = p2 + (l2 * miss)
+            x3 = p3 + (l3 * miss)
+            d = p4 + (l4 * miss)
+
+            # The tracking error.
+            t = 0.01 * _R(elapsed)
+            reference0 = np.sin(t)
+            reference1 = np.cos(t)
+            reference2 = -reference0
+            rho0 = -np.cos(t + 0.0325)
+            rho1 = -np.cos(t + 0.0225)
+            rho2 = -np.cos(t + 0.0125)
+            rho3 = -np.cos(t + 0.0025)
+            e1 = x1 - reference0
+            e2 = x2 - reference1
+            e3 = x3 - reference2
+
+            # The exact law in samples.
+            m0 = _R((40 - elapsed) & _WRAP) if elapsed < 34 else _R(6.0)
+            s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3)
+            z1 = s5 - (72.1875 * ((self._u3 + d) - rho3))
+            s6 = ((-600000.0) * e2) - (13500.0 * e3)
+            s7 = s6 - (60.0 * ((self._u2 + d) - rho2))
+            z2 = s7 - (84.375 * ((self._u3 + d) - rho3))
+            s8 = ((-1200.0) * e3) - (12.0 * ((self._u1 + d) - rho1))
+            s9 = s8 - (12.0 * ((self._u2 + d) - rho2))
+            z3 = s9 - (9.0 * ((self._u3 + d) - rho3))
+            v = ((((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d) + rho0
+            if not np.isfinite(v):
+                return Control(_R(0.0), Status.RANGE)
+            if 6.0 < v:
+                u_now = _R(6.0)
+            elif v < -6.0:
+                u_now = _R(-6.0)
+            else:
+                u_now = v
+            self._u4 = self._u3
+            self._u3 = self._u2
+            self._u2 = self._u1
+            self._u1 = u_now
+            self._x1_hat = x1
+            self._x2_hat = x2
+            self._x3_hat = x3
+            self._d_hat = d
+            self._seen = 1
+            if (6.0 < v) or (v < -6.0):
+                return Control(u_now, Status.SATURATED)
+            elif elapsed < 40:
+                return Control(u_now, Status.OK)
+            else:
+                return Control(u_now, Status.HOLD)
+
+    def estimate(self) -> Array:
+        """The estimate of the state at the last sample."""
+        return np.array([self._x1_hat, self._x2_hat, self._x3_hat], dtype=_R)
+
+    def disturbance(self) -> np.float64:
+        """The estimate of the constant that is added to u."""
+        return self._d_hat

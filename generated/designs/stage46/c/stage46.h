@@ -1,0 +1,111 @@
+/*
+ * Prescribed-time controller stage46: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name stage46 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer=stationary --disturbance-walk=1 --tau=0.04 --eps=0 --u-max=6 --poles=least-energy --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+ * Version 0.1.0, design 86690ba9feac.
+ *
+ * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+ *       sample late.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law of the state x predicted for the time from which u acts, by x and the inputs under way:
+ *       with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. The gains of 3 samples to go
+ *       stay: they are deadbeat.
+ *
+ * Parameters:
+ *   samples = 40 [samples], fixed: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 6 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 6 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 5 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates approach the state from the first sample on: the observer has the gains of
+ *       the stationary Kalman filter for the noise and disturbance_walk.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample 40 from any state, but for what the stationary observer
+ *       leaves of its error, whatever the poles, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE46_3D49E4E1_H
+#define STAGE46_3D49E4E1_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3 /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stage46_params {
+    char none; /* every parameter is fixed */
+} stage46_params;
+
+/* Controller: set by init, changed by arm and by what takes it without const. */
+typedef struct stage46 {
+    uint32_t start; /* tick at which it was armed */
+    double u1; /* input of the last sample */
+    double u2; /* input of 2 samples ago */
+    uint32_t seen; /* 1 once y has been measured */
+    double x1_hat; /* estimate of x1 */
+    double x2_hat; /* estimate of x2 */
+    double d_hat; /* estimate of d */
+} stage46;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stage46_init(stage46 *self, const stage46_params *params);
+
+/*
+ * Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are kept.
+ * Estimates too large to compute with begin anew.
+ */
+ptc_status stage46_arm(stage46 *self, uint32_t k);
+
+/*
+ * u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each tick.
+ * On a negative status u is 0 and nothing has changed. u must not overlap y.
+ */
+ptc_status stage46_step(stage46 *self, uint32_t k, const double y[1], double *u);
+
+/* The estimate of the state at the last sample. */
+ptc_status stage46_estimate(const stage46 *self, double xhat[2]);
+
+/* The estimate of the constant that is added to u. */
+ptc_status stage46_disturbance(const stage46 *self, double *d);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

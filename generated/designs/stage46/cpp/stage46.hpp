@@ -1,0 +1,239 @@
+/*
+ * Prescribed-time controller stage46: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 2 --mu "exp(a=1)" --name stage46 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer=stationary --disturbance-walk=1 --tau=0.04 --eps=0 --u-max=6 --poles=least-energy --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+ * Version 0.1.0, design 86690ba9feac.
+ *
+ * Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+ *       sample late.
+ * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+ *       sample period, as long as u is not clipped and nothing else acts on the plant.
+ * Law of the state x predicted for the time from which u acts, by x and the inputs under way:
+ *       with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+ *       the rows are those of Theorem 1 for the mapping exp. The gains of 3 samples to go
+ *       stay: they are deadbeat.
+ *
+ * Parameters:
+ *   samples = 40 [samples], fixed: samples N from the start to rest
+ *   h = 1e-3 [s], fixed: sample period
+ *   eps = 0 [s], fixed: time-to-go at which the gains are held
+ *   u_max = 6 [unit of u], fixed: bound of |u|
+ *   a = 1 [1/s], fixed: rate of stretched time
+ *   k_1 = 6 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *   k_2 = 5 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+ *
+ * k counts samples and may wrap; arm again within 2^32 - N samples.
+ * From sample N on the last gains are held (status HOLD).
+ * The estimates approach the state from the first sample on: the observer has the gains of
+ *       the stationary Kalman filter for the noise and disturbance_walk.
+ * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+ *       lasts.
+ * Guard full: what is measured is finite, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: sound: at rest at sample 40 from any state, but for what the stationary observer
+ *       leaves of its error, whatever the poles, and |u| is bounded.
+ *   sampling: not checked: the law is exact in samples, at any period.
+ *   deadline: not checked: the law is exact in samples, at any period.
+ *   loop: not checked: `x0_max` is not given.
+ *   envelope: not checked: it does not examine a clock in samples.
+ */
+#ifndef STAGE46_BF32A328_HPP
+#define STAGE46_BF32A328_HPP
+
+#include <array>
+#include <cfloat>
+#include <cstdint>
+#include <limits>
+
+/* What this file requires of its compiler. */
+#if defined(__SDCC) || (defined(DBL_MANT_DIG) && (DBL_MANT_DIG != 53))
+#error "double is not IEEE 754 binary64 here: emit with --precision f32, or make double 64 bits wide"
+#endif
+#if defined(FLT_EVAL_METHOD) && !defined(PTC_ALLOW_EXCESS_PRECISION)
+#if (FLT_EVAL_METHOD == 2)
+#error "double is computed with more digits than it has: on x86 compile with -msse2 -mfpmath=sse, or define PTC_ALLOW_EXCESS_PRECISION"
+#endif
+#endif
+#if !defined(PTC_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#elif defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "the guards need NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only, or define PTC_ALLOW_FAST_MATH"
+#endif
+#endif
+#endif
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to its limits; wins over Hold and After
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
+};
+
+/// Result of a step.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u; ///< input of the plant
+    Status status; ///< its status
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot; ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct Stage46Params {
+};
+
+/// Controller: set by init, changed by arm and by what is not const.
+class Stage46 {
+public:
+    using Params = Stage46Params;
+
+    /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params&) noexcept
+    {
+        start_ = 0U;
+        u1_ = 0.0;
+        u2_ = 0.0;
+        seen_ = 0U;
+        x1_hat_ = 0.0;
+        x2_hat_ = 0.0;
+        d_hat_ = 0.0;
+        return Status::Ok;
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates too large to compute with begin anew.
+    constexpr void arm(std::uint32_t k) noexcept
+    {
+        start_ = k;
+        const double size = absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_);
+        if (!(size <= 1e150)) {
+            seen_ = 0U;
+            x1_hat_ = 0.0;
+            x2_hat_ = 0.0;
+            d_hat_ = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 1>& y) noexcept
+    {
+        if (!finite(y[0])) {
+            return {0.0, Status::Input};
+        }
+        const std::uint32_t elapsed = k - start_;
+
+        // Predict.
+        const double s1 = x1_hat_ + (0.001 * x2_hat_) + (5e-7 * d_hat_);
+        const double p1 = s1 + (5e-7 * u2_);
+        const double p2 = x2_hat_ + (0.001 * d_hat_) + (0.001 * u2_);
+        const double p3 = d_hat_;
+
+        // Correct by what is measured.
+        double base{};
+        double miss{};
+        if (seen_ == 0U) {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        const double l1 = 0.6159148679121326;
+        const double l2 = 289.1861751977763;
+        const double l3 = 67889.77526148109;
+        const double x1 = base + (l1 * miss);
+        const double x2 = p2 + (l2 * miss);
+        const double d = p3 + (l3 * miss);
+        double v{};
+
+        // The exact law in samples.
+        const double m0 = (elapsed < 37U) ? (static_cast<double>(40U - elapsed)) : 3.0;
+        const double z1 = ((-6000000.0) * x1) - (3000.0 * x2);
+        const double z2 = ((-4000.0) * x2) - (4.0 * (u1_ + d));
+        v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        double u_now{};
+        if (6.0 < v) {
+            u_now = 6.0;
+        } else if (v < -6.0) {
+            u_now = -6.0;
+        } else {
+            u_now = v;
+        }
+        u2_ = u1_;
+        u1_ = u_now;
+        x1_hat_ = x1;
+        x2_hat_ = x2;
+        d_hat_ = d;
+        seen_ = 1U;
+        if ((6.0 < v) || (v < -6.0)) {
+            return {u_now, Status::Saturated};
+        } else if (elapsed < 40U) {
+            return {u_now, Status::Ok};
+        } else {
+            return {u_now, Status::Hold};
+        }
+    }
+
+    /// The estimate of the state at the last sample.
+    [[nodiscard]] constexpr std::array<double, 2> estimate() const noexcept
+    {
+        return {{x1_hat_, x2_hat_}};
+    }
+
+    /// The estimate of the constant that is added to u.
+    [[nodiscard]] constexpr double disturbance() const noexcept
+    {
+        return d_hat_;
+    }
+
+private:
+    /// std::isfinite is not constexpr in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+
+    std::uint32_t start_{}; // tick at which it was armed
+    double u1_{}; // input of the last sample
+    double u2_{}; // input of 2 samples ago
+    std::uint32_t seen_{}; // 1 once y has been measured
+    double x1_hat_{}; // estimate of x1
+    double x2_hat_{}; // estimate of x2
+    double d_hat_{}; // estimate of d
+};
+
+} // namespace ptc
+
+#endif

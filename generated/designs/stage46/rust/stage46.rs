@@ -1,0 +1,259 @@
+//! Prescribed-time controller stage46: order n = 2, clock in samples.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp(a=1)" --name stage46 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer=stationary --disturbance-walk=1 --tau=0.04 --eps=0 --u-max=6 --poles=least-energy --sample-time=1e-3 --delay=1 --sensor-step=1e-6,0
+//! Version 0.1.0, design 86690ba9feac.
+//!
+//! Plant: x1' = x2, x2' = (u + d), d constant and unknown; u held from sample to sample, one
+//!       sample late.
+//! Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
+//!       sample period, as long as u is not clipped and nothing else acts on the plant.
+//! Law of the state x predicted for the time from which u acts, by x and the inputs under way:
+//!       with M samples to go and z = S x, u h^2 = sum of row_j z_j h^(j-1)/((M-j+1)...(M-1));
+//!       the rows are those of Theorem 1 for the mapping exp. The gains of 3 samples to go
+//!       stay: they are deadbeat.
+//!
+//! Parameters:
+//!   samples = 40 [samples], fixed: samples N from the start to rest
+//!   h = 1e-3 [s], fixed: sample period
+//!   eps = 0 [s], fixed: time-to-go at which the gains are held
+//!   u_max = 6 [unit of u], fixed: bound of |u|
+//!   a = 1 [1/s], fixed: rate of stretched time
+//!   k_1 = 6 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!   k_2 = 5 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
+//!
+//! k counts samples and may wrap; arm again within 2^32 - N samples.
+//! From sample N on the last gains are held (status HOLD).
+//! The estimates approach the state from the first sample on: the observer has the gains of
+//!       the stationary Kalman filter for the noise and disturbance_walk.
+//! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
+//!       lasts.
+//! Guard full: what is measured is finite, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: sound: at rest at sample 40 from any state, but for what the stationary observer
+//!       leaves of its error, whatever the poles, and |u| is bounded.
+//!   sampling: not checked: the law is exact in samples, at any period.
+//!   deadline: not checked: the law is exact in samples, at any period.
+//!   loop: not checked: `x0_max` is not given.
+//!   envelope: not checked: it does not examine a clock in samples.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// u was clipped to its limits; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+    /// A reading was not believed: u by prediction alone; wins over all above.
+    Gated,
+}
+
+/// Result of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`Stage46`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage46Params {}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct Stage46 {
+    /// tick at which it was armed.
+    start: u32,
+    /// input of the last sample.
+    u1: f64,
+    /// input of 2 samples ago.
+    u2: f64,
+    /// 1 once y has been measured.
+    seen: u32,
+    /// estimate of x1.
+    x1_hat: f64,
+    /// estimate of x2.
+    x2_hat: f64,
+    /// estimate of d.
+    d_hat: f64,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl Stage46 {
+    /// Takes the parameters and arms at tick 0.
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: Stage46Params) -> Result<Self, Error> {
+        Ok(Self {
+            start: 0,
+            u1: 0.0,
+            u2: 0.0,
+            seen: 0,
+            x1_hat: 0.0,
+            x2_hat: 0.0,
+            d_hat: 0.0,
+        })
+    }
+
+    /// Starts again: the deadline is N samples after tick `k`. Estimates and inputs under way are
+    /// kept. Estimates too large to compute with begin anew.
+    #[inline]
+    pub fn arm(&mut self, k: u32) {
+        self.start = k;
+        let size = (self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs();
+        if !(size <= 1e150) {
+            self.seen = 0;
+            self.x1_hat = 0.0;
+            self.x2_hat = 0.0;
+            self.d_hat = 0.0;
+        }
+    }
+
+    /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
+    /// tick.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&mut self, k: u32, y: &[f64; 1]) -> Result<Control<f64>, Error> {
+        if !y[0].is_finite() {
+            return Err(Error::Input);
+        }
+        let elapsed = k.wrapping_sub(self.start);
+
+        // Predict.
+        let s1 = self.x1_hat + (0.001 * self.x2_hat) + (5e-7 * self.d_hat);
+        let p1 = s1 + (5e-7 * self.u2);
+        let p2 = self.x2_hat + (0.001 * self.d_hat) + (0.001 * self.u2);
+        let p3 = self.d_hat;
+
+        // Correct by what is measured.
+        let base: f64;
+        let miss: f64;
+        if self.seen == 0 {
+            base = y[0];
+            miss = 0.0;
+        } else {
+            base = p1;
+            miss = y[0] - p1;
+        }
+        let l1: f64 = 0.6159148679121326;
+        let l2: f64 = 289.1861751977763;
+        let l3: f64 = 67889.77526148109;
+        let x1 = base + (l1 * miss);
+        let x2 = p2 + (l2 * miss);
+        let d = p3 + (l3 * miss);
+        let v: f64;
+
+        // The exact law in samples.
+        let m0 = if elapsed < 37 {
+            40_u32.wrapping_sub(elapsed) as f64
+        } else {
+            3.0
+        };
+        let z1 = ((-6000000.0) * x1) - (3000.0 * x2);
+        let z2 = ((-4000.0) * x2) - (4.0 * (self.u1 + d));
+        v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+        if !v.is_finite() {
+            return Err(Error::Range);
+        }
+        let u_now: f64;
+        if 6.0 < v {
+            u_now = 6.0;
+        } else if v < -6.0 {
+            u_now = -6.0;
+        } else {
+            u_now = v;
+        }
+        self.u2 = self.u1;
+        self.u1 = u_now;
+        self.x1_hat = x1;
+        self.x2_hat = x2;
+        self.d_hat = d;
+        self.seen = 1;
+        let status = if (6.0 < v) || (v < -6.0) {
+            Status::Saturated
+        } else if elapsed < 40 {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
+        Ok(Control { u: u_now, status })
+    }
+
+    /// The estimate of the state at the last sample.
+    #[inline]
+    pub fn estimate(&self) -> [f64; 2] {
+        [self.x1_hat, self.x2_hat]
+    }
+
+    /// The estimate of the constant that is added to u.
+    #[inline]
+    pub fn disturbance(&self) -> f64 {
+        self.d_hat
+    }
+}
