@@ -142,12 +142,12 @@ pub use error::Error;
 /// | `end_samples` | samples to go from which on these are the poles | an integer of at least the order of the loop | from the poles |
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
 /// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
+/// | `observer` | law of the gains of the observer; with `clock = samples` | `prescribed`: a round; `stationary`: a Kalman filter | `prescribed` |
+/// | `disturbance_walk` | drift of the unknown disturbance in a second, as a standard deviation; of a stationary observer | a number > 0 | |
 /// | `observer_poles` | poles of the observer in stretched time; with `clock = samples` | one for each state that is estimated | |
 /// | `observer_samples` | samples after which the estimates are exact; with `clock = samples` | an integer | half of all; none with `what = observer` |
 /// | `observer_eps` | time-to-go in s at which the gains of the observer are held; with `clock = samples` | a number > 0 | |
 /// | `after_observer` | poles of the observer in 1/s once the estimates are exact; with `clock = samples` | one for each state that is estimated, with real parts < 0; or `stationary` | the last gains stay |
-/// | `observer` | law of the gains of the observer; with `clock = samples` | `prescribed`: a round; `stationary`: a Kalman filter | `prescribed` |
-/// | `disturbance_walk` | drift of the unknown disturbance in a second, as a standard deviation; of a stationary observer | a number > 0 | |
 /// | `innovation_max` | bound of \|y - predicted y\| beyond which the observer predicts alone; with `coast` | a number > 0, or one for each measured value | |
 /// | `measurement_max` | range of the sensor: a larger reading counts as lost; with an observer | a number > 0, or one for each measured value | |
 /// | `coast` | consecutive samples that the observer predicts alone; with `clock = samples` | an integer 0..=65535 | 0 |

@@ -108,6 +108,10 @@ fn mistakes_of_a_stationary_observer_are_named() {
         ),
         (stage(&format!("{walk}what = \"observer\"\n"), ""), "a stationary observer alone"),
         (stage(walk, "").replace("stationary", "kalman"), "is not one of prescribed, stationary"),
+        (
+            stage(walk, "").replace("observer = \"stationary\"", "observer_poles = [-4, -5, -6]"),
+            "`disturbance_walk` without a stationary observer",
+        ),
     ] {
         let found = read(&design).expect_err(wanted);
         assert!(found.contains(wanted), "{wanted}: {found}");

@@ -77,6 +77,9 @@ impl Reader<'_> {
             return Some(Observer { round: None, lasting, gate: Gate::default() });
         }
         let lasting = self.after_observer(spec, plant, blocks);
+        if !matches!(lasting, None | Some(Lasting::Stationary(_))) {
+            self.has_no_walk();
+        }
         let round = self.round(spec, estimates, blocks, a)?;
         Some(Observer { round: Some(round), lasting: lasting?, gate: Gate::default() })
     }

@@ -66,6 +66,14 @@ impl Reader<'_> {
         Some(Stationary { walk, gains: gains? })
     }
 
+    /// Refuses a walk that no gain depends on.
+    pub(super) fn has_no_walk(&mut self) {
+        let Some(node) = self.keys.get(WALK).copied() else { return };
+        let message = format!("`{WALK}` without a stationary observer");
+        let help = "give observer = stationary, or after_observer = stationary behind a round, or leave it out";
+        self.wrong(WALK, Some(node.place), message, help.to_owned());
+    }
+
     fn refuse(&mut self, message: String, help: &str) {
         let key =
             ["observer", "after_observer"].into_iter().find(|key| self.keys.contains_key(key));
