@@ -298,7 +298,7 @@ const APART: [Keys; 11] = [
         ("disturbance", "constant"),
         ("observer_poles", "-4,-5,-6,-7"),
         ("u_max", "6"),
-        ("reference", "sin(t)"),
+        ("reference", "t^2/2"),
     ],
     &[
         ("A", "[[0,1,0],[0,-0.5,15],[0,-15,-60]]"),
