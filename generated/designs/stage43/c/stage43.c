@@ -148,29 +148,22 @@ ptc_status stage43_step(stage43 *self, uint32_t k, const double y[1], double *u)
 
             /* The tracking error. */
             const double t = 0.01 * ((double)elapsed);
-            const double reference0 = sin(t);
-            const double reference1 = cos(t);
-            const double reference2 = -reference0;
-            const double rho0 = -cos(t + 0.0325);
-            const double rho1 = -cos(t + 0.0225);
-            const double rho2 = -cos(t + 0.0125);
-            const double rho3 = -cos(t + 0.0025);
+            const double reference1 = t;
+            const double reference0 = reference1 * reference1 * 0.5;
             const double e1 = x1 - reference0;
             const double e2 = x2 - reference1;
-            const double e3 = x3 - reference2;
+            const double e3 = x3 - 1.0;
             double v;
 
             /* The exact law in samples. */
             const double m0 = (elapsed < 34U) ? ((double)(40U - elapsed)) : 6.0;
             const double s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3);
-            const double z1 = s5 - (72.1875 * ((self->u3 + d) - rho3));
-            const double s6 = ((-600000.0) * e2) - (13500.0 * e3);
-            const double s7 = s6 - (60.0 * ((self->u2 + d) - rho2));
-            const double z2 = s7 - (84.375 * ((self->u3 + d) - rho3));
-            const double s8 = ((-1200.0) * e3) - (12.0 * ((self->u1 + d) - rho1));
-            const double s9 = s8 - (12.0 * ((self->u2 + d) - rho2));
-            const double z3 = s9 - (9.0 * ((self->u3 + d) - rho3));
-            v = ((((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d) + rho0;
+            const double z1 = s5 - (72.1875 * (self->u3 + d));
+            const double s6 = (((-600000.0) * e2) - (13500.0 * e3)) - (60.0 * (self->u2 + d));
+            const double z2 = s6 - (84.375 * (self->u3 + d));
+            const double s7 = ((-1200.0) * e3) - (12.0 * (self->u1 + d));
+            const double z3 = (s7 - (12.0 * (self->u2 + d))) - (9.0 * (self->u3 + d));
+            v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;

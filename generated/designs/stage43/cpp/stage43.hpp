@@ -2,8 +2,8 @@
  * Prescribed-time controller stage43: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="sin(t)" --sample-time=1e-2 --delay=2.75
- * Version 0.1.0, design 8cdbee71ff51.
+ *   ptc-codegen emit --lang cpp --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="t^2/2" --sample-time=1e-2 --delay=2.75
+ * Version 0.1.0, design c760bae9e1f5.
  *
  * Plant: x1' = x2, ..., x3' = (u + d), d constant and unknown; u held from sample to sample,
  *       2.75 samples late.
@@ -19,10 +19,9 @@
  *       e_i.
  * t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in
  *       which u acts:
- *   e_i = x_i - r^(i-1), with the reference r = sin(t)
- *   r^(1) = cos(t)
- *   r^(2) = -sin(t)
- *   r^(3) = -cos(t)
+ *   e_i = x_i - r^(i-1), with the reference r = t^2/2
+ *   r^(1) = t
+ *   r^(2) = 1
  *
  * Parameters:
  *   samples = 40 [samples], fixed: samples N from the start to rest
@@ -43,8 +42,7 @@
  *       lasts.
  * Guard full: what is measured is finite, or the call is refused (INPUT).
  * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
- *       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
- *       mathematical library.
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
@@ -55,12 +53,11 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE43_FEFF727D_HPP
-#define STAGE43_FEFF727D_HPP
+#ifndef STAGE43_E43C456F_HPP
+#define STAGE43_E43C456F_HPP
 
 #include <array>
 #include <cfloat>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -159,7 +156,7 @@ public:
     /// u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once for each
     /// tick.
     /// On a negative status u is 0 and nothing has changed.
-    Control<double> step(std::uint32_t k, const std::array<double, 1>& y) noexcept
+    constexpr Control<double> step(std::uint32_t k, const std::array<double, 1>& y) noexcept
     {
         if (!finite(y[0])) {
             return {0.0, Status::Input};
@@ -229,29 +226,22 @@ public:
 
         // The tracking error.
         const double t = 0.01 * static_cast<double>(elapsed);
-        const double reference0 = std::sin(t);
-        const double reference1 = std::cos(t);
-        const double reference2 = -reference0;
-        const double rho0 = -std::cos(t + 0.0325);
-        const double rho1 = -std::cos(t + 0.0225);
-        const double rho2 = -std::cos(t + 0.0125);
-        const double rho3 = -std::cos(t + 0.0025);
+        const double reference1 = t;
+        const double reference0 = reference1 * reference1 * 0.5;
         const double e1 = x1 - reference0;
         const double e2 = x2 - reference1;
-        const double e3 = x3 - reference2;
+        const double e3 = x3 - 1.0;
         double v{};
 
         // The exact law in samples.
         const double m0 = (elapsed < 34U) ? (static_cast<double>(40U - elapsed)) : 6.0;
         const double s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3);
-        const double z1 = s5 - (72.1875 * ((u3_ + d) - rho3));
-        const double s6 = ((-600000.0) * e2) - (13500.0 * e3);
-        const double s7 = s6 - (60.0 * ((u2_ + d) - rho2));
-        const double z2 = s7 - (84.375 * ((u3_ + d) - rho3));
-        const double s8 = ((-1200.0) * e3) - (12.0 * ((u1_ + d) - rho1));
-        const double s9 = s8 - (12.0 * ((u2_ + d) - rho2));
-        const double z3 = s9 - (9.0 * ((u3_ + d) - rho3));
-        v = ((((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d) + rho0;
+        const double z1 = s5 - (72.1875 * (u3_ + d));
+        const double s6 = (((-600000.0) * e2) - (13500.0 * e3)) - (60.0 * (u2_ + d));
+        const double z2 = s6 - (84.375 * (u3_ + d));
+        const double s7 = ((-1200.0) * e3) - (12.0 * (u1_ + d));
+        const double z3 = (s7 - (12.0 * (u2_ + d))) - (9.0 * (u3_ + d));
+        v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d;
         if (!finite(v)) {
             return {0.0, Status::Range};
         }

@@ -8,8 +8,8 @@ function self = stage43_init(~) %#codegen
 % Prescribed-time controller stage43: order n = 3, clock in samples.
 %
 % DO NOT EDIT. Made by:
-%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="sin(t)" --sample-time=1e-2 --delay=2.75
-% Version 0.1.0, design 8cdbee71ff51.
+%   ptc-codegen emit --lang matlab --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="t^2/2" --sample-time=1e-2 --delay=2.75
+% Version 0.1.0, design c760bae9e1f5.
 %
 % Plant: x1' = x2, ..., x3' = (u + d), d constant and unknown; u held from sample to sample,
 %       2.75 samples late.
@@ -25,10 +25,9 @@ function self = stage43_init(~) %#codegen
 %       e_i.
 % t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in
 %       which u acts:
-%   e_i = x_i - r^(i-1), with the reference r = sin(t)
-%   r^(1) = cos(t)
-%   r^(2) = -sin(t)
-%   r^(3) = -cos(t)
+%   e_i = x_i - r^(i-1), with the reference r = t^2/2
+%   r^(1) = t
+%   r^(2) = 1
 %
 % Parameters:
 %   samples = 40 [samples], fixed: samples N from the start to rest
@@ -49,8 +48,7 @@ function self = stage43_init(~) %#codegen
 %       lasts.
 % Guard full: what is measured is finite, or the call is refused (INPUT).
 % Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
-%       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
-%       mathematical library.
+%       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 %
 % Checks of the design (details: ptc-codegen check):
 %   membership: sound: exp is of class M for all its parameters.

@@ -85,28 +85,21 @@ d = p4 + (l4 * miss);
 
 % The tracking error.
 t = 0.01 * double(elapsed);
-reference0 = sin(t);
-reference1 = cos(t);
-reference2 = -reference0;
-rho0 = -cos(t + 0.0325);
-rho1 = -cos(t + 0.0225);
-rho2 = -cos(t + 0.0125);
-rho3 = -cos(t + 0.0025);
+reference1 = t;
+reference0 = reference1 * reference1 * 0.5;
 e1 = x1 - reference0;
 e2 = x2 - reference1;
-e3 = x3 - reference2;
+e3 = x3 - 1.0;
 
 % The exact law in samples.
 m0 = pick(elapsed < uint32(34), double(uint32(mod(double(uint32(40)) - double(elapsed), 4294967296))), 6.0);
 s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3);
-z1 = s5 - (72.1875 * ((self.u3 + d) - rho3));
-s6 = ((-600000.0) * e2) - (13500.0 * e3);
-s7 = s6 - (60.0 * ((self.u2 + d) - rho2));
-z2 = s7 - (84.375 * ((self.u3 + d) - rho3));
-s8 = ((-1200.0) * e3) - (12.0 * ((self.u1 + d) - rho1));
-s9 = s8 - (12.0 * ((self.u2 + d) - rho2));
-z3 = s9 - (9.0 * ((self.u3 + d) - rho3));
-v = ((((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d) + rho0;
+z1 = s5 - (72.1875 * (self.u3 + d));
+s6 = (((-600000.0) * e2) - (13500.0 * e3)) - (60.0 * (self.u2 + d));
+z2 = s6 - (84.375 * (self.u3 + d));
+s7 = ((-1200.0) * e3) - (12.0 * (self.u1 + d));
+z3 = (s7 - (12.0 * (self.u2 + d))) - (9.0 * (self.u3 + d));
+v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d;
 if ~isfinite(v)
     status = int32(-3);
     return;

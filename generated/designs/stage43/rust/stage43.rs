@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="sin(t)" --sample-time=1e-2 --delay=2.75
-//! Version 0.1.0, design 8cdbee71ff51.
+//!   ptc-codegen emit --lang rust --n 3 --mu "exp(a=1)" --name stage43 --clock samples --delay-law=predict --measured=x1 --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=20 --tau=0.4 --eps=0 --u-max=6 --poles="least-energy(weight=1)" --reference="t^2/2" --sample-time=1e-2 --delay=2.75
+//! Version 0.1.0, design c760bae9e1f5.
 //!
 //! Plant: x1' = x2, ..., x3' = (u + d), d constant and unknown; u held from sample to sample,
 //!       2.75 samples late.
@@ -19,10 +19,9 @@
 //!       e_i.
 //! t counts from the tick at which it was armed, and rho is r^(n) in the middle of the time in
 //!       which u acts:
-//!   e_i = x_i - r^(i-1), with the reference r = sin(t)
-//!   r^(1) = cos(t)
-//!   r^(2) = -sin(t)
-//!   r^(3) = -cos(t)
+//!   e_i = x_i - r^(i-1), with the reference r = t^2/2
+//!   r^(1) = t
+//!   r^(2) = 1
 //!
 //! Parameters:
 //!   samples = 40 [samples], fixed: samples N from the start to rest
@@ -43,8 +42,7 @@
 //!       lasts.
 //! Guard full: what is measured is finite, or the call is refused (INPUT).
 //! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
-//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
-//!       mathematical library.
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
 //! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
@@ -120,34 +118,6 @@ pub trait Controller<const N: usize> {
     /// # Errors
     /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
     fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
-}
-
-/// From `std`, or from the crate `libm` where the feature of that name is on.
-#[allow(unexpected_cfgs)]
-mod math {
-    #[inline]
-    pub fn sin(a: f64) -> f64 {
-        #[cfg(feature = "libm")]
-        {
-            libm::sin(a)
-        }
-        #[cfg(not(feature = "libm"))]
-        {
-            a.sin()
-        }
-    }
-
-    #[inline]
-    pub fn cos(a: f64) -> f64 {
-        #[cfg(feature = "libm")]
-        {
-            libm::cos(a)
-        }
-        #[cfg(not(feature = "libm"))]
-        {
-            a.cos()
-        }
-    }
 }
 
 /// Run-time parameters of [`Stage43`].
@@ -301,16 +271,11 @@ impl Stage43 {
 
         // The tracking error.
         let t = 0.01 * (elapsed as f64);
-        let reference0 = math::sin(t);
-        let reference1 = math::cos(t);
-        let reference2 = -reference0;
-        let rho0 = -math::cos(t + 0.0325);
-        let rho1 = -math::cos(t + 0.0225);
-        let rho2 = -math::cos(t + 0.0125);
-        let rho3 = -math::cos(t + 0.0025);
+        let reference1 = t;
+        let reference0 = reference1 * reference1 * 0.5;
         let e1 = x1 - reference0;
         let e2 = x2 - reference1;
-        let e3 = x3 - reference2;
+        let e3 = x3 - 1.0;
         let v: f64;
 
         // The exact law in samples.
@@ -320,14 +285,12 @@ impl Stage43 {
             6.0
         };
         let s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3);
-        let z1 = s5 - (72.1875 * ((self.u3 + d) - rho3));
-        let s6 = ((-600000.0) * e2) - (13500.0 * e3);
-        let s7 = s6 - (60.0 * ((self.u2 + d) - rho2));
-        let z2 = s7 - (84.375 * ((self.u3 + d) - rho3));
-        let s8 = ((-1200.0) * e3) - (12.0 * ((self.u1 + d) - rho1));
-        let s9 = s8 - (12.0 * ((self.u2 + d) - rho2));
-        let z3 = s9 - (9.0 * ((self.u3 + d) - rho3));
-        v = ((((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d) + rho0;
+        let z1 = s5 - (72.1875 * (self.u3 + d));
+        let s6 = (((-600000.0) * e2) - (13500.0 * e3)) - (60.0 * (self.u2 + d));
+        let z2 = s6 - (84.375 * (self.u3 + d));
+        let s7 = ((-1200.0) * e3) - (12.0 * (self.u1 + d));
+        let z3 = (s7 - (12.0 * (self.u2 + d))) - (9.0 * (self.u3 + d));
+        v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d;
         if !v.is_finite() {
             return Err(Error::Range);
         }

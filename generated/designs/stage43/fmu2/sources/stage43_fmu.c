@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{206c8fd0-75c6-63b6-e7ed-44e0ca9282b0}"
+#define TOKEN "{ded0a5fb-8e36-9951-a5c0-fbfc809ca231}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u

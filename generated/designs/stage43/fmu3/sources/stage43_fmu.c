@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ef324c59-79f9-b252-b009-4a095ca82c42}"
+#define TOKEN "{78110fbe-0700-6668-0365-c8505252e1e5}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
