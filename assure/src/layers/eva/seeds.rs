@@ -51,17 +51,22 @@ const IN_SAMPLES: [(Defect, usize); 6] = [
     (("y[0] - p1", "y[1] - p1", "a measurement beyond the array"), 0),
     (("(xhat != NULL)", "(self != NULL)", "the check of xhat for NULL left out"), 0),
     (("(v < -6.0)", "(v < -12.0)", "the lower clamp too low, in samples"), 1),
-    (("(elapsed < 92U)", "(elapsed <= 100U)", "the law used where it does not exist"), 1),
+    (("(elapsed < 97U)", "(elapsed < 103U)", "the law used where it does not exist"), 1),
 ];
+
+/// All defects, each with the controller that it is put in; `example` is that of a clock in time.
+fn all(example: &Spec) -> Vec<(Spec, &'static (Defect, usize))> {
+    let looped = Spec::new(9, Family::ExpSum);
+    let of_samples = in_samples::example();
+    let defects = DEFECTS.iter().map(|defect| (example.clone(), defect));
+    let defects = defects.chain(IN_LOOPS.iter().map(|defect| (looped.clone(), defect)));
+    defects.chain(IN_SAMPLES.iter().map(|defect| (of_samples.clone(), defect))).collect()
+}
 
 /// Puts each defect in and records whether Eva reports it.
 pub(super) fn seeded(folder: &Path, context: &Context, finding: &mut Finding) -> Result<()> {
-    let looped = Spec::new(9, Family::ExpSum);
-    let defects = DEFECTS.iter().map(|defect| (context.example(), defect));
-    let defects = defects.chain(IN_LOOPS.iter().map(|defect| (looped.clone(), defect)));
-    let in_samples = in_samples::example();
-    let defects = defects.chain(IN_SAMPLES.iter().map(|defect| (in_samples.clone(), defect)));
-    let defects: Vec<_> = context.in_turn(defects.collect()).into_iter().enumerate().collect();
+    let defects = context.in_turn(all(&context.example()));
+    let defects: Vec<_> = defects.into_iter().enumerate().collect();
     let told = in_pairs(&defects, |(index, (spec, (defect, mode)))| {
         let folder = empty(&folder.join(format!("seeded{index}")));
         let files = write_with_proof(&folder, spec);
@@ -76,4 +81,22 @@ pub(super) fn seeded(folder: &Path, context: &Context, finding: &mut Finding) ->
         finding.seed(defect.2, caught.map(|alarm| format!("{}: {}", MODES[*mode].0, alarm.trim())));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::harness::write;
+
+    /// Not every run puts every defect in: its text is looked for here.
+    #[test]
+    fn each_defect_has_its_text() {
+        let folder = std::env::temp_dir().join(format!("ptc-seeds-{}", std::process::id()));
+        for (index, (spec, (defect, _))) in all(&Spec::new(2, Family::Exp)).iter().enumerate() {
+            let folder = empty(&folder.join(index.to_string()));
+            let files = write(&folder, spec, ptc_codegen::emit::Language::C);
+            put_in(&files, *defect).expect("its text");
+        }
+        std::fs::remove_dir_all(&folder).expect("the folder goes");
+    }
 }
