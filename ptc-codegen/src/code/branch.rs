@@ -61,14 +61,13 @@ impl Taken {
     }
 
     /// Returns true if the condition at a place went this way.
-    #[cfg(feature = "files")]
-    pub(super) fn is(&self, (place, holds): (At, bool)) -> bool {
+    pub(super) fn went(&self, place: At, holds: bool) -> bool {
         self.0.contains(&(place, holds))
     }
 
     /// Returns true if a branch is among them.
     pub fn has(&self, branch: &Branch) -> bool {
-        self.0.contains(&(branch.place, branch.holds))
+        self.went(branch.place, branch.holds)
     }
 
     /// Returns true if one of them is not among `known`.

@@ -87,7 +87,7 @@ mod tests {
     use crate::keys::KEYS;
 
     #[test]
-    fn each_key_is_in_one_group() {
+    fn groups_list_every_key_once() {
         let mut grouped: Vec<_> = GROUPS.iter().flat_map(Group::keys).map(|key| key.key).collect();
         let listed = GROUPS.iter().map(|group| group.common.len() + group.rare.len());
         assert_eq!(listed.sum::<usize>(), grouped.len(), "a name of a group is not a key");

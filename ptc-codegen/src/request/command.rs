@@ -1,12 +1,11 @@
 //! The command line that gives a spec.
 
+mod samples;
+
 use std::fmt;
 
 use super::RUNTIME;
-use super::{
-    After, Axes, Clock, Feedback, Gate, Guard, Lasting, LeastEnergy, Observer, Reference, Sampled,
-    Spec, What,
-};
+use super::{After, Axes, Clock, Feedback, Guard, Reference, Spec, What};
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Subject};
 use crate::family::Family;
@@ -145,83 +144,6 @@ impl Spec {
         Some(format!("--g=\"{text}\""))
     }
 
-    fn sampled_words(&self, sampled: &Sampled) -> Vec<String> {
-        let mut words = vec!["--clock samples".to_owned()];
-        if let Some(plant) = &sampled.linear {
-            let row = |row: &[BigRational]| {
-                let entries: Vec<_> = row.iter().map(constant::text).collect();
-                format!("[{}]", entries.join(","))
-            };
-            let rows = |rows: &[Vec<BigRational>]| {
-                format!("[{}]", rows.iter().map(|own| row(own)).collect::<Vec<_>>().join(","))
-            };
-            let row_of = |key, numbers: &[BigRational]| match self.written.get(key) {
-                Some(text) => format!("[{text}]"),
-                None => row(numbers),
-            };
-            let rows_of = |key, numbers: &[Vec<BigRational>]| {
-                let text = self.written.get(key).filter(|text| text.starts_with('['));
-                text.cloned().unwrap_or_else(|| rows(numbers))
-            };
-            let (a, b) = (rows_of("A", &plant.a), row_of("B", &plant.b));
-            words.push(format!("--A=\"{a}\" --B=\"{b}\""));
-            if !plant.measures_states() {
-                words.push(format!("--C=\"{}\"", rows_of("C", &plant.c)));
-            }
-            words.extend(self.written.get("states").map(|names| format!("--states={names}")));
-            let follows = sampled.follows.as_ref();
-            words.extend(
-                follows.map(|own| format!("--output=\"{}\"", row_of("output", own.output()))),
-            );
-        }
-        // A list of a pole for each state and each sample of delay extends by itself.
-        let named = self.written.get("poles").is_some_and(|own| own.starts_with(LeastEnergy::NAME));
-        if sampled.predicts() || (sampled.late_states() > 0 && named) {
-            words.push(word("--delay-law", &sampled.delay_law.name()));
-        }
-        let deadbeat = self.fixed.get(&Parameter::Deadbeat);
-        words.extend(deadbeat.map(|count| word("--deadbeat", count)));
-        words.extend(sampled.end.iter().flat_map(|end| {
-            let poles = format!("--poles-end=\"{}\"", end.law);
-            [poles, format!("--end-samples={}", end.samples)]
-        }));
-        if sampled.linear.is_none() && sampled.measured < self.n {
-            let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
-            words.push(format!("--measured={}", names.join(",")));
-        }
-        if sampled.disturbance {
-            words.push("--disturbance constant".to_owned());
-        }
-        if let Some(observer) = &sampled.observer {
-            words.extend(self.observer_words(observer));
-        }
-        words
-    }
-
-    fn observer_words(&self, observer: &Observer) -> Vec<String> {
-        let mut words = Vec::new();
-        if let Some(round) = &observer.round {
-            let poles = self.list_written("observer_poles", || written(&round.poles));
-            words.push(word("--observer-poles", &poles));
-            words.extend(round.samples.map(|samples| format!("--observer-samples={samples}")));
-            words.extend(round.eps.iter().map(|eps| word("--observer-eps", eps)));
-        }
-        match &observer.lasting {
-            Lasting::Held => {}
-            Lasting::Poles(poles) => {
-                let poles = self.list_written("after_observer", || written(poles));
-                words.push(word("--after-observer", &poles));
-            }
-            Lasting::Stationary(own) => {
-                let key = if observer.round.is_some() { "after-observer" } else { "observer" };
-                words.push(format!("--{key}=stationary"));
-                words.push(word("--disturbance-walk", &own.walk));
-            }
-        }
-        words.extend(gate_words(&observer.gate));
-        words
-    }
-
     /// The poles as they were written for `--poles`, exact.
     pub fn written_poles(&self) -> String {
         self.list_written("poles", || written(&self.poles))
@@ -324,13 +246,6 @@ impl Spec {
             format!("--mu \"{name}({})\"", arguments.join(","))
         }
     }
-}
-
-/// The flags of the gate of an observer.
-fn gate_words(gate: &Gate) -> Vec<String> {
-    let bounds = [("--innovation-max", &gate.innovation), ("--measurement-max", &gate.range)];
-    let bounds = bounds.into_iter().filter_map(|(flag, all)| Some(word(flag, &list(all.iter())?)));
-    bounds.chain(gate.coasts().then(|| format!("--coast={}", gate.coast))).collect()
 }
 
 /// The flags of a plant with several inputs.

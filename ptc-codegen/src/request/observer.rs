@@ -1,5 +1,6 @@
 //! The observer of a controller in samples.
 
+use super::exact_one_or_each;
 use crate::algebra::BigRational;
 use crate::parameter::Fixed;
 
@@ -73,16 +74,12 @@ pub struct Gate {
 impl Gate {
     /// Returns the bound of |y_l - predicted y_l|, with l from 0.
     pub fn innovation(&self, l: usize) -> Option<&BigRational> {
-        Self::one_or_each(&self.innovation, l)
+        exact_one_or_each(&self.innovation, l)
     }
 
     /// Returns the bound of |y_l|, with l from 0.
     pub fn range(&self, l: usize) -> Option<&BigRational> {
-        Self::one_or_each(&self.range, l)
-    }
-
-    fn one_or_each(bounds: &[Fixed], l: usize) -> Option<&BigRational> {
-        bounds.get(if bounds.len() == 1 { 0 } else { l }).and_then(Fixed::number)
+        exact_one_or_each(&self.range, l)
     }
 
     /// Returns true if the observer can predict alone.

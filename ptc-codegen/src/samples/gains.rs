@@ -109,7 +109,7 @@ impl<'a> Builder<'a> {
     fn gains_of_round(&mut self, all: &[Named], round: &Round, end: &Expr) -> Vec<Statement> {
         let orders = all.iter().map(|own| own.in_round().injection.end[0].len());
         let order = orders.max().unwrap_or(0);
-        // Where `init` sets N, it is a field by now.
+        // N is a field by now, if `init` sets it.
         let mut body = self.count_of_round(round, end);
         for own in all {
             let places = (0..own.in_round().units.len()).map(|i| own.place(i));

@@ -40,7 +40,7 @@ fn new_writes_a_design_that_can_be_emitted() {
 }
 
 #[test]
-fn a_file_is_never_overwritten() {
+fn new_keeps_an_existing_file() {
     let folder = support::folder_with("kept", "roll.toml", "mine");
     for flags in [&[][..], &["--all"], &["--plant", "motor"], &["--from", "power_scaling"]] {
         let told = stderr(&folder, &[&["new", "roll"], flags].concat());
@@ -51,7 +51,7 @@ fn a_file_is_never_overwritten() {
 }
 
 #[test]
-fn without_a_plant_it_is_a_stage_and_the_others_are_named() {
+fn new_without_a_plant_writes_a_stage_and_names_the_others() {
     let folder = support::folder("default");
     let told = stdout(&folder, &["new", "belt"]);
     assert!(told.contains("next: ptc-codegen check ./belt.toml"), "{told}");
@@ -63,7 +63,7 @@ fn without_a_plant_it_is_a_stage_and_the_others_are_named() {
 
 /// Every line is short enough for a terminal, and what a value is counted in stands beside it.
 #[test]
-fn the_files_are_short_and_have_their_units() {
+fn design_files_are_short_and_name_units() {
     for start in &STARTS {
         let text = start.design("axis", &[("name", "axis")]);
         assert!(text.lines().count() < 36, "{text}");

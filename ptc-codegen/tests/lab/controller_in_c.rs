@@ -171,7 +171,8 @@ const ODD: [f64; 12] = [
 ];
 
 /// Calls around the start and the deadline, of which some have odd times, states, or both, and some arm again.
-fn calls(states: usize, (t0, tau): (f64, f64), scale: f64) -> Vec<Call> {
+fn calls(states: usize, times: [f64; 2], scale: f64) -> Vec<Call> {
+    let [t0, tau] = times;
     let mut draw = Draw(7);
     let mut start = t0;
     let mut all = Vec::new();
@@ -204,7 +205,7 @@ fn agree(test: &str, text: &str, scale: f64, met: &mut [usize; 7]) {
     let values = Values::of(&spec, &plant);
     let in_c = InC::new(test, &spec);
     let [t0, tau] = [Parameter::StartTime, Parameter::Tau].map(|own| values.get(own));
-    let calls = calls(in_c.states, (t0, tau), scale);
+    let calls = calls(in_c.states, [t0, tau], scale);
     let given: Vec<_> = spec.run_time_parameters().map(|own| values.get(own)).collect();
     let [emitted, simulated] = [in_c.lines(&given, &calls), simulated(&spec, &values, &calls)];
     assert_eq!(emitted.len(), calls.len(), "{text}");
@@ -293,7 +294,7 @@ fn parameters_are_refused_as_in_c_and_the_message_names_one() {
         all.fold(Values::of(&spec, &plant), |values, (own, value)| values.with(own, value))
     };
     let (t0, tau) = (0.25, 1.0);
-    let calls = calls(2, (t0, tau), 1.5);
+    let calls = calls(2, [t0, tau], 1.5);
     let given = |values: &Values| -> Vec<_> {
         spec.run_time_parameters().map(|own| values.get(own)).collect()
     };

@@ -35,7 +35,7 @@ fn at_the_deadline(csv: &str, states: usize) -> Vec<f64> {
 }
 
 #[test]
-fn each_plant_is_accepted_emitted_and_at_rest() {
+fn designs_of_all_plants_are_accepted_and_end_at_rest() {
     assert_eq!(STARTS.len(), RUNS.len());
     let folder = support::folder("plants");
     for (plant, x0, bounds) in RUNS {

@@ -90,7 +90,7 @@ mod tests {
 
     /// Not every run puts every defect in: its text is looked for here.
     #[test]
-    fn each_defect_has_its_text() {
+    fn emitted_code_contains_the_text_of_every_defect() {
         let folder = std::env::temp_dir().join(format!("ptc-seeds-{}", std::process::id()));
         for (index, (spec, (defect, _))) in all(&Spec::new(2, Family::Exp)).iter().enumerate() {
             let folder = empty(&folder.join(index.to_string()));

@@ -3,7 +3,6 @@
 use num_traits::ToPrimitive;
 
 use super::peaks::Responses;
-use crate::algebra::integer;
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
@@ -13,7 +12,7 @@ use crate::syntax::constant;
 /// The law with the least sum of u^2.
 const LEAST: LeastEnergy = LeastEnergy { weight: 0 };
 
-/// Part by which two laws differ at least that are told apart.
+/// The least relative difference that is reported.
 const APART: f64 = 0.005;
 
 /// Peak and energy of u.
@@ -67,9 +66,10 @@ fn with_least_energy(spec: &Spec) -> Option<Spec> {
     let number = |value| Fixed::Number { text: constant::text(&value), value };
     least.fixed.extend((1..).zip(gains).map(|(i, gain)| (Parameter::Gain(i), number(gain))));
     least.poles = poles.into_iter().map(|pole| (pole.re, pole.im)).collect();
-    let order = i64::try_from(spec.n).ok()?;
-    let (least_one, greatest) = (integer(order), integer(2 * order - 1));
-    let exponents = Exponents { least: least_one, greatest, consecutive: true };
+    let mut all = LEAST.exponents(spec.n);
+    let first = all.next()?;
+    let greatest = all.last().unwrap_or_else(|| first.clone());
+    let exponents = Exponents { least: first, greatest, consecutive: true };
     least.clock = Clock::Samples(Box::new(Sampled {
         exponents: Some(exponents),
         end: None,

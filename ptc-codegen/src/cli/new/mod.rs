@@ -17,7 +17,7 @@ use super::source::Source;
 use super::write;
 use args::Values;
 
-/// What the file starts from.
+/// The design that a file starts from.
 #[derive(Clone, Copy)]
 enum Origin {
     Plant(&'static Start),

@@ -132,7 +132,7 @@ impl<'c> Writer<'c> {
         self.land(&[behind]);
     }
 
-    /// What is left of a count.
+    /// Writes the rest of a count.
     fn left(&mut self, value: &Expr, [a, b]: [&'c Expr; 2], to: usize) -> Step {
         let (a, b) = (self.slot(a), self.slot(b));
         if self.watched {

@@ -5,7 +5,7 @@ use crate::linear::{Linear, Matrix, Noisy, Pair};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::Reader;
 use crate::request::read::promises::finite_positive;
-use crate::request::{Promises, Spec, Stationary};
+use crate::request::{Promises, Spec, Stationary, exact_one_or_each};
 
 /// The name of such an observer.
 pub(super) const STATIONARY: &str = "stationary";
@@ -13,7 +13,7 @@ pub(super) const STATIONARY: &str = "stationary";
 /// The key of what the disturbance does.
 const WALK: &str = "disturbance_walk";
 
-/// What an observer sees: a chain from its last measured state on, or a linear plant.
+/// The plant of an observer: a chain from its last measured state on, or a linear plant.
 #[derive(Clone, Copy)]
 pub(super) struct Observed<'a> {
     pub(super) linear: Option<&'a Linear>,
@@ -115,10 +115,7 @@ fn gains(
 /// The variance of a measured value: that of its noise, and of the steps of its sensor as if an error within them were
 /// as likely as any other.
 fn variance(promises: &Promises, l: usize) -> BigRational {
-    let of = |all: &[Fixed]| {
-        let own = all.get(if all.len() == 1 { 0 } else { l }).and_then(Fixed::number);
-        own.map(|size| size * size).unwrap_or_default()
-    };
+    let of = |all: &[Fixed]| exact_one_or_each(all, l).map(|size| size * size).unwrap_or_default();
     of(&promises.noise) / integer(3)
         + of(&promises.noise_rms)
         + of(&promises.sensor_step) / integer(12)
