@@ -3,6 +3,7 @@
 //! Everything the expansions produce is a Laurent polynomial in a few symbols, so equality is
 //! decidable, simplification is arithmetic, and Horner forms fall out of the exponents.
 
+pub(crate) mod float;
 mod poly;
 pub mod polynomial;
 mod rational;
