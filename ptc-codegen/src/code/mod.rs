@@ -19,6 +19,7 @@ mod operation;
 mod statement;
 mod status;
 mod subroutine;
+mod table;
 mod visit;
 
 pub use bounds::{Bounds, limits_in_order};
@@ -33,6 +34,7 @@ pub use iteration::Iteration;
 pub use statement::{For, Place, Statement};
 pub use status::Status;
 pub use subroutine::{Given, Subroutine};
+pub use table::Table;
 
 use crate::parameter::{Parameter, Precision};
 
@@ -79,6 +81,8 @@ pub struct Code {
     pub fields: Vec<Variable>,
     /// The gains that a function gives and another one takes; `None` if there are none.
     pub gains: Vec<Variable>,
+    /// Constant tables that its functions read.
+    pub tables: Vec<Table>,
     /// Statements of `init`: parameters in, fields out.
     pub init: Vec<Statement>,
     /// End of `init`, where that is not by its statements alone.

@@ -73,14 +73,18 @@ impl Code {
     /// infinity.
     pub fn out_of_range(&self) -> Option<BigRational> {
         let mut lost = None;
+        let mut look = |exact: &BigRational| {
+            let near = number::round(exact, self.precision);
+            if !near.is_finite() || (near == 0.0 && !exact.is_zero()) {
+                lost.get_or_insert_with(|| exact.clone());
+            }
+        };
         self.visit(&mut |value: &Expr| {
             if let Expr::Number(exact) = value {
-                let near = number::round(exact, self.precision);
-                if !near.is_finite() || (near == 0.0 && !exact.is_zero()) {
-                    lost.get_or_insert_with(|| exact.clone());
-                }
+                look(exact);
             }
         });
+        self.tables.iter().flat_map(|table| table.rows.iter().flatten()).for_each(look);
         lost
     }
 }

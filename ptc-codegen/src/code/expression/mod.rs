@@ -76,8 +76,12 @@ pub enum Expr {
     CountSub(Box<Expr>, Box<Expr>),
     /// a - b of counts, 0 where b is greater.
     CountLeft(Box<Expr>, Box<Expr>),
-    /// Half of a count, rounded down.
-    CountHalf(Box<Expr>),
+    /// a + b of counts, below 2^32.
+    CountAdd(Box<Expr>, u32),
+    /// A count over a number, rounded down.
+    CountOver(Box<Expr>, u32),
+    /// An element of a constant table: its row, a count, and its column, from 0.
+    Tabulated(String, Box<Expr>, usize),
     /// A count as a floating-point number.
     Real(Box<Expr>),
     /// The first where the test holds, else the second.
@@ -163,13 +167,20 @@ impl Expr {
         }
     }
 
-    /// Half of a count, rounded down.
+    /// A count over a number, rounded down.
     #[must_use]
-    pub fn count_half(self) -> Self {
+    pub fn count_over(self, divisor: u32) -> Self {
         match self {
-            Self::Count(count) => Self::Count(count / 2),
-            count => Self::CountHalf(Box::new(count)),
+            Self::Count(count) => Self::Count(count / divisor),
+            count if divisor == 1 => count,
+            count => Self::CountOver(Box::new(count), divisor),
         }
+    }
+
+    /// The sum of a count and a number, below 2^32.
+    #[must_use]
+    pub fn count_add(self, more: u32) -> Self {
+        if more == 0 { self } else { Self::CountAdd(Box::new(self), more) }
     }
 
     /// A count as a floating-point number.
@@ -210,7 +221,11 @@ impl Expr {
             }
             Self::Quotient(a, b) => Self::Quotient(local(a), local(b)),
             Self::Pow(a, b) => Self::Pow(local(a), local(b)),
-            Self::CountHalf(a) => Self::CountHalf(local(a)),
+            Self::CountOver(a, divisor) => Self::CountOver(local(a), *divisor),
+            Self::CountAdd(a, more) => Self::CountAdd(local(a), *more),
+            Self::Tabulated(name, row, column) => {
+                Self::Tabulated(name.clone(), local(row), *column)
+            }
             Self::Divisor(a) => Self::Divisor(local(a)),
             Self::Binary(operator, a, b) => Self::Binary(*operator, local(a), local(b)),
             Self::CountSub(a, b) => Self::CountSub(local(a), local(b)),
@@ -233,7 +248,9 @@ impl Expr {
         match self {
             Self::Neg(a)
             | Self::Real(a)
-            | Self::CountHalf(a)
+            | Self::CountOver(a, _)
+            | Self::CountAdd(a, _)
+            | Self::Tabulated(_, a, _)
             | Self::Divisor(a)
             | Self::Call(_, a)
             | Self::Callback(_, _, a) => a.visit(visit),

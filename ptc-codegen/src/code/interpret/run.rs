@@ -96,11 +96,11 @@ impl Run<'_> {
     fn counted(&self, operation: Counting) -> f64 {
         let at = |slot: usize| self.memory[slot] as u32;
         match operation {
-            // A loop may count beyond its last index.
+            // A loop may count beyond its last index, and no other sum reaches 2^32.
             Counting::Add(a, b) => self.memory[a] + self.memory[b],
             Counting::Sub(a, b) => f64::from(at(a).wrapping_sub(at(b))),
             Counting::Left(a, b) => f64::from(at(a).saturating_sub(at(b))),
-            Counting::Half(a) => f64::from(at(a) / 2),
+            Counting::Over(a, by) => f64::from(at(a) / by),
         }
     }
 

@@ -92,7 +92,7 @@ pub(super) enum Counting {
     Add(usize, usize),
     Sub(usize, usize),
     Left(usize, usize),
-    Half(usize),
+    Over(usize, u32),
 }
 
 /// A question about slots.

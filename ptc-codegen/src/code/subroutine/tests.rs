@@ -44,6 +44,7 @@ fn applied(
         parameters: Vec::new(),
         fields: Vec::new(),
         gains: Vec::new(),
+        tables: Vec::new(),
         init: Vec::new(),
         start: None,
         functions: vec![function],

@@ -76,6 +76,7 @@ impl<'a> Builder<'a> {
             parameters,
             fields: self.plan.fields.iter().map(field).collect(),
             gains: self.gains(),
+            tables: Vec::new(),
             init: self.init(),
             start: Some(self.start()),
             functions: self.functions(),

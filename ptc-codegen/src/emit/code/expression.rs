@@ -71,7 +71,13 @@ pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
         Expr::CountLeft(a, b) => {
             text.count_left(&text.within(a, Level::Atom), &text.within(b, Level::Atom))
         }
-        Expr::CountHalf(a) => text.count_half(&text.within(a, Level::Atom)),
+        Expr::CountOver(a, by) => text.count_over(&text.within(a, Level::Atom), *by),
+        Expr::CountAdd(a, more) => {
+            (Level::Sum, format!("{} + {}", text.within(a, Level::Atom), text.count(*more)))
+        }
+        Expr::Tabulated(name, row, column) => {
+            (Level::Atom, text.tabulated(name, &text.alone(row), *column))
+        }
         Expr::Real(a) => text.real(&text.within(a, Level::Choice)),
         Expr::Choose(test, a, b) => {
             text.choose(&text.test(test), &text.within(a, Level::Sum), &text.within(b, Level::Sum))

@@ -46,7 +46,7 @@ impl Scope {
         match self {
             Self::Input => "inputVars",
             Self::Output => "outputVars",
-            Self::Local => "localVars",
+            Self::Constant | Self::Local => "localVars",
             Self::Temporary => "tempVars",
         }
     }

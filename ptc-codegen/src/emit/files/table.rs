@@ -19,6 +19,7 @@ fn table() -> String {
         parameters: Vec::new(),
         fields: Vec::new(),
         gains: Vec::new(),
+        tables: Vec::new(),
         init: Vec::new(),
         start: None,
         functions: Vec::new(),

@@ -65,7 +65,15 @@ impl<'c> Writer<'c> {
             Expr::Real(count) => Step::Round(self.slot(count), to),
             Expr::CountSub(a, b) => Step::Count(Counting::Sub(self.slot(a), self.slot(b)), to),
             Expr::CountLeft(a, b) => self.left(value, [a, b], to),
-            Expr::CountHalf(a) => Step::Count(Counting::Half(self.slot(a)), to),
+            Expr::CountOver(a, by) => Step::Count(Counting::Over(self.slot(a), *by), to),
+            Expr::CountAdd(a, more) => {
+                let more = self.constant(f64::from(*more));
+                Step::Count(Counting::Add(self.slot(a), more), to)
+            }
+            Expr::Tabulated(name, row, column) => {
+                let address = self.cell(name, row, *column);
+                Step::Load(Box::new(address), to)
+            }
             Expr::At(name, index) => {
                 let address = self.address(self.local(name), index);
                 Step::Load(Box::new(address), to)
@@ -192,6 +200,17 @@ impl<'c> Writer<'c> {
                 to
             }
         }
+    }
+
+    /// The place of an element of a table.
+    fn cell(&mut self, name: &str, row: &'c Expr, column: usize) -> Address {
+        let row = self.slot(row);
+        let (columns, array) = match (self.code.table(name), self.tables.get(name)) {
+            (Some(table), Some(slots)) => (table.columns(), *slots),
+            _ => fault(format!("no table {name}")),
+        };
+        let real = |index: usize| f64::from(u32::try_from(index).unwrap_or(u32::MAX));
+        Address { array, constant: real(column), terms: vec![(real(columns), row)] }
     }
 
     /// The place of an element.

@@ -7,9 +7,9 @@ mod statements;
 use std::collections::BTreeMap;
 
 use super::tape::{Ended, Named, Slots, Step, Tape};
-use crate::code::{Code, Status, Variable};
+use crate::code::{Code, Status, Table, Variable};
 use crate::internal::fault;
-use crate::program::Arithmetic;
+use crate::program::{Arithmetic, number};
 
 /// Names and their slots.
 type Names<'c> = BTreeMap<&'c str, Slots>;
@@ -22,6 +22,7 @@ pub(super) fn compile(code: &Code, watched: bool) -> Tape {
     let parameters = writer.variables(&code.parameters);
     writer.parameters = names(&parameters);
     writer.fields = names(&fields);
+    code.tables.iter().for_each(|table| writer.table(table));
     writer.block(&code.init);
     let start = code.start.as_ref().map(|start| writer.slot(&start.time));
     writer.steps.push(Step::Give(Ended::Known(Status::Ok)));
@@ -54,6 +55,7 @@ struct Writer<'c> {
     constants: BTreeMap<u64, usize>,
     parameters: BTreeMap<String, Slots>,
     fields: BTreeMap<String, Slots>,
+    tables: BTreeMap<String, Slots>,
     locals: Names<'c>,
     steps: Vec<Step>,
     /// Steps that leave the innermost loop, once its end is known.
@@ -75,6 +77,7 @@ impl<'c> Writer<'c> {
             constants: BTreeMap::new(),
             parameters: BTreeMap::new(),
             fields: BTreeMap::new(),
+            tables: BTreeMap::new(),
             locals: BTreeMap::new(),
             steps: Vec::new(),
             leaving: Vec::new(),
@@ -97,6 +100,15 @@ impl<'c> Writer<'c> {
             image.push(value);
             image.len() - 1
         })
+    }
+
+    /// Takes the constants of a table over.
+    fn table(&mut self, table: &Table) {
+        let first = self.image.len();
+        let numbers = table.rows.iter().flatten();
+        self.image.extend(numbers.map(|exact| number::round(exact, self.code.precision)));
+        let slots = Slots { first, count: self.image.len() - first };
+        self.tables.insert(table.name.clone(), slots);
     }
 
     fn variables(&mut self, variables: &[Variable]) -> Vec<Named> {

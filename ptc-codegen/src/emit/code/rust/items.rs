@@ -2,7 +2,7 @@
 
 use super::super::block::{Block, Ends};
 use super::super::gives::Gives;
-use super::super::text::Text;
+use super::super::text::{Text, capital};
 use super::{CHOICE, Rust};
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Variable,
@@ -29,6 +29,7 @@ impl Rust<'_> {
         }
         self.out.line(ALLOWED);
         self.out.open(format!("impl {kind} {{"));
+        self.tables();
         self.init(&kind);
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             self.function(function);
@@ -68,6 +69,21 @@ impl Rust<'_> {
         }
         self.out.close("}");
         self.out.line("");
+    }
+
+    fn tables(&mut self) {
+        let (code, real) = (self.code, self.type_of(Shape::Real));
+        for table in &code.tables {
+            let (rows, columns) = (table.rows.len(), table.columns());
+            let name = table.name.to_uppercase();
+            self.out.line(format!("/// {}.", doc(&capital(&table.about))));
+            self.out.line("#[rustfmt::skip]");
+            self.out.open(format!("const {name}: &'static [[{real}; {columns}]; {rows}] = &["));
+            for row in self.rows(table) {
+                self.out.line(format!("[{}],", row.join(", ")));
+            }
+            self.out.close("];\n");
+        }
     }
 
     fn init(&mut self, kind: &str) {

@@ -47,8 +47,12 @@ impl Text for Rust<'_> {
         (Level::Atom, format!("{}.saturating_sub({b})", typed(a)))
     }
 
-    fn count_half(&self, count: &str) -> (Level, String) {
-        (Level::Product, format!("{count} / 2"))
+    fn table(&self, name: &str) -> String {
+        format!("Self::{}", name.to_uppercase())
+    }
+
+    fn tabulated(&self, table: &str, row: &str, column: usize) -> String {
+        format!("{}[{} as usize][{column}]", self.table(table), bracketed(row))
     }
 
     fn real(&self, count: &str) -> (Level, String) {

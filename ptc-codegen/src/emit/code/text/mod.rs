@@ -5,7 +5,8 @@ mod lines;
 pub(in crate::emit) use lines::Lines;
 
 use super::expression;
-use crate::code::{AXIS, Expr, Index, Standing, Status, Test, Whose};
+use crate::algebra::BigRational;
+use crate::code::{AXIS, Expr, Index, Standing, Status, Table, Test, Whose};
 use crate::parameter::Precision;
 
 /// Precedence of an expression.
@@ -102,9 +103,25 @@ pub(in crate::emit) trait Text {
         (Level::Choice, format!("({b} < {a}) ? ({a} - {b}) : 0U"))
     }
 
-    /// Half of a count, rounded down.
-    fn count_half(&self, count: &str) -> (Level, String) {
-        (Level::Product, format!("{count} / 2U"))
+    /// A count over a number, rounded down.
+    fn count_over(&self, count: &str, by: u32) -> (Level, String) {
+        (Level::Product, format!("{count} / {}", self.count(by)))
+    }
+
+    /// The name of a constant table.
+    fn table(&self, name: &str) -> String {
+        name.to_owned()
+    }
+
+    /// An element of a constant table, its column counted from 0.
+    fn tabulated(&self, name: &str, row: &str, column: usize) -> String {
+        self.entry(&self.table(name), row, column)
+    }
+
+    /// The numbers of each row of a constant table.
+    fn rows(&self, table: &Table) -> Vec<Vec<String>> {
+        let number = |exact: &BigRational| self.alone(&Expr::Number(exact.clone()));
+        table.rows.iter().map(|row| row.iter().map(number).collect()).collect()
     }
 
     /// A count as a floating-point number.
@@ -266,7 +283,6 @@ pub(in crate::emit) trait Text {
 }
 
 /// A word that begins a sentence.
-#[cfg(feature = "files")]
 pub(in crate::emit) fn capital(word: &str) -> String {
     let (first, rest) = word.split_at(word.len().min(1));
     format!("{}{rest}", first.to_ascii_uppercase())

@@ -95,6 +95,10 @@ impl Text for C<'_> {
         format!("params->{name}")
     }
 
+    fn table(&self, name: &str) -> String {
+        format!("{}_{name}", self.code.name)
+    }
+
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let suffix = if self.code.precision == Precision::F32 { "f" } else { "" };
         let function = if function == "ln" { "log" } else { function };

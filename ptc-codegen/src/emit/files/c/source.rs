@@ -1,7 +1,7 @@
 //! The source: every function has one exit.
 
 use super::super::block::{either, same};
-use super::super::text::{Text, bare};
+use super::super::text::{Text, bare, capital};
 use super::assumptions::{assumptions, classification};
 use super::{C, externs, word};
 use crate::code::{
@@ -33,8 +33,24 @@ impl C<'_> {
         self.out.line("");
         self.out.line(assumptions(code.precision));
         self.out.line(classification(code.precision, &functions));
+        self.tables();
         self.out.line(functions);
         self.out.text()
+    }
+
+    fn tables(&mut self) {
+        let (code, real) = (self.code, self.type_of(Shape::Real));
+        for table in &code.tables {
+            let (rows, columns) = (table.rows.len(), table.columns());
+            let name = self.table(&table.name);
+            self.out.line("");
+            self.out.line(format!("/* {} */", capital(&table.about)));
+            self.out.open(format!("static const {real} {name}[{rows}][{columns}] = {{"));
+            for row in self.rows(table) {
+                self.out.line(format!("{{{}}},", row.join(", ")));
+            }
+            self.out.close("};");
+        }
     }
 
     fn init(&mut self) {

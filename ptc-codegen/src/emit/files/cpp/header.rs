@@ -120,11 +120,29 @@ impl Cpp<'_> {
         self.finite();
         self.absolute(Owner::Controller);
         code.subroutines().into_iter().for_each(|of| self.subroutine(of));
+        self.tables();
         self.out.line("");
         for field in &code.fields {
             self.member(field, "_", "//");
         }
         self.out.close("};");
+    }
+
+    fn tables(&mut self) {
+        let (code, real) = (self.code, self.real_type());
+        for table in &code.tables {
+            let (rows, columns) = (table.rows.len(), table.columns());
+            let name = self.table(&table.name);
+            self.out.line("");
+            self.out.line(format!("/// {}.", capital(&table.about)));
+            self.out.open(format!(
+                "static constexpr std::array<std::array<{real}, {columns}>, {rows}> {name}{{{{"
+            ));
+            for row in self.rows(table) {
+                self.out.line(format!("{{{{{}}}}},", row.join(", ")));
+            }
+            self.out.close("}};");
+        }
     }
 
     fn init(&mut self, kind: &str) {

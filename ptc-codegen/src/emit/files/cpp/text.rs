@@ -22,6 +22,10 @@ impl Text for Cpp<'_> {
         format!("params.{name}")
     }
 
+    fn table(&self, name: &str) -> String {
+        format!("{name}_")
+    }
+
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let function = if function == "ln" { "log" } else { function };
         format!("std::{function}({})", arguments.join(", "))

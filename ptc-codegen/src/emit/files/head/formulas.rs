@@ -7,6 +7,7 @@ use crate::collect::set;
 use crate::expansion::{self, Expanded};
 use crate::expression::{Expression, Subject};
 use crate::family::FamilyInfo;
+use crate::internal::fault;
 use crate::law::{Form as LawForm, Law};
 use crate::mapping::{Custom, Form, Mapping, TimeMapping};
 use crate::model::Coupled;
@@ -115,6 +116,7 @@ pub(super) fn pi0(spec: &Spec) -> String {
         Feedback::Linear => linear(spec.n),
         Feedback::Expression(law) => spec.law_named(law).to_string(),
         Feedback::Extern => "a user-defined function of xi and t_kappa".to_owned(),
+        Feedback::LeastEnergy(_) => fault("pi0 of a table of gains"),
     }
 }
 

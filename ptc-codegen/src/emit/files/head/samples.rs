@@ -6,6 +6,7 @@ use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::diagnostic::counted;
+use crate::linear::Schedule;
 use crate::model::Coupled;
 use crate::parameter::Fixed;
 use crate::parameter::Name;
@@ -138,6 +139,9 @@ fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
     }
     let goal = "Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
     let of = if sampled.predicts() { PREDICTED } else { "" };
+    if let Some(schedule) = spec.schedule() {
+        return [goal, of_schedule(spec, schedule, of, &end)];
+    }
     let law = match &sampled.linear {
         Some(_) => format!(
             "Law{of}: with {to_go} and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. {end}",
@@ -149,6 +153,32 @@ fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
         ),
     };
     [goal, law]
+}
+
+/// The law of a table of gains.
+fn of_schedule(spec: &Spec, schedule: &Schedule, of: &str, end: &str) -> String {
+    let weighted = |weight: u32| match weight {
+        0 => "u^2".to_owned(),
+        1 => "u^2/M".to_owned(),
+        more => format!("u^2/(M ... (M+{}))", more - 1),
+    };
+    let ends = schedule.weights.end.map(|(samples, weight)| {
+        format!(" From {samples} samples to go on it is that of {}.", weighted(weight))
+    });
+    let exact = schedule.pieces.get(1).map(|piece| piece.from);
+    let exact = match exact {
+        Some(exact) => format!(
+            "exact below {exact} samples to go, and before it those of a grid of {} nodes, interpolated in a line",
+            schedule.gains.len()
+        ),
+        None => "a row for each of them".to_owned(),
+    };
+    format!(
+        "Law{of}: u = -K_M x with M samples to go, of all inputs that end at rest those with the least sum of {}.{} The gains are a table of {} bytes: {exact}. {end}",
+        weighted(schedule.weights.law),
+        ends.unwrap_or_default(),
+        schedule.numbers() * spec.precision.bytes(),
+    )
 }
 
 /// The same of a plant with several inputs.

@@ -4,9 +4,9 @@ use super::super::block::{Block, Ends};
 use super::super::called::paired;
 use super::super::gives::Gives;
 use super::super::legal::copies;
-use super::super::text::Text;
+use super::super::text::{Text, capital};
 use super::Matlab;
-use crate::code::{Access, Finish, Function, Owner, Shape, Status, Subroutine};
+use crate::code::{Access, Expr, Finish, Function, Owner, Shape, Status, Subroutine};
 
 impl Matlab<'_> {
     pub(super) fn init(mut self) -> String {
@@ -71,11 +71,31 @@ impl Matlab<'_> {
         self.out.close("end");
     }
 
+    /// The tables that a function reads.
+    fn tables(&mut self, function: &Function) {
+        for table in &self.code.tables {
+            let mut read = false;
+            function.visit(&mut |value| {
+                read |= matches!(value, Expr::Tabulated(name, ..) if *name == table.name);
+            });
+            if !read {
+                continue;
+            }
+            self.out.line(format!("% {}.", capital(&table.about)));
+            self.out.open(format!("{} = [", self.table(&table.name)));
+            for row in self.rows(table) {
+                self.out.line(format!("{};", row.join(", ")));
+            }
+            self.out.close("];");
+        }
+    }
+
     pub(super) fn function(mut self, function: &Function) -> String {
         self.gives = Gives::of(function);
         let result = function.results.first();
         self.result = result.map(|result| result.name.clone()).unwrap_or_default();
         self.signature(function);
+        self.tables(function);
         if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
             self.inputs(function, count);
             return self.with_helpers(function);

@@ -111,8 +111,15 @@ impl Text for Matlab<'_> {
         (Level::Sum, format!("{a} - {b}"))
     }
 
-    fn count_half(&self, count: &str) -> (Level, String) {
-        (Level::Atom, format!("bitshift({count}, -1)"))
+    fn count_over(&self, count: &str, by: u32) -> (Level, String) {
+        match by.is_power_of_two() {
+            true => (Level::Atom, format!("bitshift({count}, -{})", by.trailing_zeros())),
+            false => (Level::Atom, format!("idivide({count}, {})", self.count(by))),
+        }
+    }
+
+    fn tabulated(&self, table: &str, row: &str, column: usize) -> String {
+        self.entry(table, &format!("{row} + 1"), column)
     }
 
     fn real(&self, count: &str) -> (Level, String) {

@@ -91,8 +91,16 @@ impl Text for Python<'_> {
         (Level::Atom, format!("max({a} - {b}, 0)"))
     }
 
-    fn count_half(&self, count: &str) -> (Level, String) {
-        (Level::Product, format!("{count} // 2"))
+    fn count_over(&self, count: &str, by: u32) -> (Level, String) {
+        (Level::Product, format!("{count} // {by}"))
+    }
+
+    fn table(&self, name: &str) -> String {
+        format!("_{}", name.to_uppercase())
+    }
+
+    fn tabulated(&self, table: &str, row: &str, column: usize) -> String {
+        format!("{}[{row}, {column}]", self.table(table))
     }
 
     fn real(&self, count: &str) -> (Level, String) {

@@ -1,5 +1,6 @@
 //! The module around the classes.
 
+use super::super::text::{Text, capital};
 use super::{Python, annotation};
 use crate::code::{Expr, Owner, Shape, Variable};
 use crate::parameter::type_name;
@@ -106,6 +107,16 @@ impl Python<'_> {
             self.out.line("");
         }
         code.subroutines().into_iter().for_each(|of| self.subroutine(of));
+        for table in &code.tables {
+            let name = self.table(&table.name);
+            self.out.line(format!("# {}.", capital(&table.about)));
+            self.out.line(format!("{name} = np.array("));
+            self.out.line("    [");
+            for row in self.rows(table) {
+                self.out.line(format!("        [{}],", row.join(", ")));
+            }
+            self.out.line("    ],\n    dtype=_R,\n)\n\n");
+        }
     }
 
     fn gains_class(&mut self) {

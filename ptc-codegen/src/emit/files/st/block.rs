@@ -7,7 +7,7 @@ use super::super::text::{Lines, Text};
 use super::library::{Kind, Library, Member, Scope, Section, Structure, Unit, Vector};
 use super::target::{factors, literal};
 use super::{Gives, StructuredText, helpers};
-use crate::code::{Expr, Finish, Function, Owner, Shape, Variable};
+use crate::code::{Expr, Finish, Function, Owner, Shape, Table, Variable};
 use crate::internal::fault;
 
 impl StructuredText<'_> {
@@ -177,14 +177,30 @@ impl StructuredText<'_> {
         }));
         // Some compilers accept only elementary types among temporary variables.
         let is_plain = |member: &Member| matches!(member.kind, Kind::Elementary(_));
+        let constants: Vec<_> = self.code.tables.iter().map(|table| self.constant(table)).collect();
         let (temporary, derived) = self.temporary().into_iter().partition(is_plain);
         kept.extend::<Vec<_>>(derived);
-        vec![
+        let all = [
             section(Scope::Input, self.inputs()),
             section(Scope::Output, self.given()),
+            section(Scope::Constant, constants),
             section(Scope::Local, kept),
             section(Scope::Temporary, temporary),
-        ]
+        ];
+        let is_used = |own: &Section| own.scope != Scope::Constant || !own.members.is_empty();
+        all.into_iter().filter(is_used).collect()
+    }
+
+    /// A table, row by row.
+    fn constant(&self, table: &Table) -> Member {
+        // A constant has its sign behind its type.
+        let signed = |number: String| match number.strip_prefix('-').and_then(|n| n.split_once('#'))
+        {
+            Some((kind, digits)) => format!("{kind}#-{digits}"),
+            None => number,
+        };
+        let numbers = self.rows(table).into_iter().flatten().map(signed).collect();
+        Member::new(self.named(&table.name), Kind::Table(self.real, numbers), &table.about)
     }
 
     fn inputs(&self) -> Vec<Member> {

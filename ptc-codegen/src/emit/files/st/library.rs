@@ -36,6 +36,8 @@ pub(in crate::emit) struct Member {
 pub(in crate::emit) enum Kind {
     Elementary(&'static str),
     Derived(String),
+    /// An array from 0 on of these numbers.
+    Table(&'static str, Vec<String>),
 }
 
 /// A function, which returns a value, or a function block.
@@ -55,21 +57,13 @@ pub(in crate::emit) struct Section {
 }
 
 /// Who sees a variable, and how long it is kept.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::emit) enum Scope {
     Input,
     Output,
+    Constant,
     Local,
     Temporary,
-}
-
-impl Kind {
-    fn text(&self) -> String {
-        match self {
-            Self::Elementary(name) => (*name).to_owned(),
-            Self::Derived(name) => name.clone(),
-        }
-    }
 }
 
 impl Member {
@@ -83,7 +77,14 @@ impl Member {
     }
 
     fn line(&self) -> String {
-        let declared = format!("{} : {};", self.name, self.kind.text());
+        let declared = match &self.kind {
+            Kind::Elementary(kind) => format!("{} : {kind};", self.name),
+            Kind::Derived(kind) => format!("{} : {kind};", self.name),
+            Kind::Table(of, numbers) => {
+                let (name, last) = (&self.name, numbers.len() - 1);
+                format!("{name} : ARRAY[0..{last}] OF {of} := [\n    {}];", numbers.join(",\n    "))
+            }
+        };
         match self.about.is_empty() {
             true => declared,
             false => format!("{declared} (* {} *)", self.about),
@@ -96,6 +97,7 @@ impl Scope {
         match self {
             Self::Input => "VAR_INPUT",
             Self::Output => "VAR_OUTPUT",
+            Self::Constant => "VAR CONSTANT",
             Self::Local => "VAR",
             Self::Temporary => "VAR_TEMP",
         }

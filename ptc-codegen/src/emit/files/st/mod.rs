@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use super::block::{Around, Block, Branch, Ends};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, For, Shape, Status, Subroutine, Test};
+use crate::code::{Code, Ending, Expr, For, Shape, Status, Subroutine, Table, Test};
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -103,8 +103,13 @@ impl Text for StructuredText<'_> {
         (Level::Atom, format!("{}_left({a}, {b})", self.code.name))
     }
 
-    fn count_half(&self, count: &str) -> (Level, String) {
-        (Level::Product, format!("{count} / UDINT#2"))
+    fn tabulated(&self, table: &str, row: &str, column: usize) -> String {
+        let columns = self.code.table(table).map_or(0, Table::columns);
+        let cell = format!("UDINT#{columns} * {row}");
+        match column {
+            0 => format!("{}[{cell}]", self.named(table)),
+            column => format!("{}[{cell} + UDINT#{column}]", self.named(table)),
+        }
     }
 
     fn real(&self, count: &str) -> (Level, String) {

@@ -9,7 +9,7 @@ use crate::request::{After, Feedback, Guard, Spec};
 pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
     let spec = controller.spec();
     let held = match spec.feedback {
-        Feedback::Linear => "the gains of T = eps are held",
+        Feedback::Linear | Feedback::LeastEnergy(_) => "the gains of T = eps are held",
         Feedback::Expression(_) | Feedback::Extern => "T is held at eps in the law",
     };
     let mut lines = vec![String::new()];
