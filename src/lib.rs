@@ -140,6 +140,7 @@ pub use error::Error;
 /// | `deadbeat` | samples to go at which deadbeat takes over; with `clock = samples` | an integer of at least the order of the loop | |
 /// | `poles_end` | poles of the law that takes over towards the end; with `clock = samples` | `least-energy`, `least-energy(weight = W)` or a list of them | none, or as soft as the law |
 /// | `end_samples` | samples to go from which on these are the poles | an integer of at least the order of the loop | from the poles |
+/// | `gain_bytes` | most bytes of the table of gains of least energy of a linear plant | an integer from 1 to 16777216 | what the law needs |
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
 /// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
 /// | `observer` | law of the gains of the observer; with `clock = samples` | `prescribed`: a round; `stationary`: a Kalman filter | `prescribed` |

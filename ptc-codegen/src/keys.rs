@@ -24,7 +24,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 65] = [
+pub static KEYS: [KeyInfo; 66] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -325,6 +325,12 @@ pub static KEYS: [KeyInfo; 65] = [
         meaning: "samples to go from which on poles_end are the poles; with clock = samples",
         legal: "an integer of at least the order of the loop",
         example: "250",
+    },
+    KeyInfo {
+        key: "gain_bytes",
+        meaning: "most bytes of the table of gains of least energy beside A and B; with clock = samples",
+        legal: "an integer from 1 to 16777216",
+        example: "4096",
     },
     KeyInfo {
         key: "measured",

@@ -41,6 +41,7 @@ pub static GROUPS: [Group; 6] = [
             "delay_law",
             "poles_end",
             "end_samples",
+            "gain_bytes",
             "deadbeat",
         ],
     },

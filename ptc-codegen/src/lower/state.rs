@@ -8,6 +8,7 @@ use super::series;
 use crate::algebra::BigRational;
 use crate::expansion::bell::factorials;
 use crate::expression::{Expression, Variable};
+use crate::internal::fault;
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
 use crate::request::Feedback;
@@ -44,6 +45,7 @@ pub(super) fn law(b: &mut Builder<'_>) -> Value {
             let sum = (1..=spec.n).map(term).reduce(Expression::add);
             b.scalar(&sum.unwrap_or(Expression::integer(0)).neg())
         }
+        Feedback::LeastEnergy(_) => fault("a table of gains in continuous time"),
     };
     b.name(law, "law", "pi0 at this state and stretched time")
 }

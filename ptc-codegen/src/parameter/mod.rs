@@ -30,6 +30,14 @@ impl Precision {
         }
     }
 
+    /// Bytes of a number.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
     /// Returns the test of the emitted C for a finite number.
     #[cfg(feature = "files")]
     pub(crate) fn finite_in_c(self, number: &str) -> String {

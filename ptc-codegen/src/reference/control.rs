@@ -82,6 +82,8 @@ impl Arithmetic {
             Feedback::Linear => linear(n),
             Feedback::Expression(law) => law.clone(),
             Feedback::Extern => call.laws.first()?.clone(),
+            // One in samples.
+            Feedback::LeastEnergy(_) => return None,
         };
         let mut u = self.term(&law, &leaves);
         // A law that is a number alone is still a term of u.

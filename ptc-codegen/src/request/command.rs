@@ -99,6 +99,7 @@ impl Spec {
                 words.push(format!("--pi0=\"{}\"", laws.collect::<Vec<_>>().join(", ")));
             }
             Feedback::Extern => words.push("--pi0 extern".to_owned()),
+            Feedback::LeastEnergy(schedule) => words.extend(samples::schedule_words(schedule)),
         }
         let list = |items: Vec<String>| items.join(", ");
         if let Some(coupled) = self.coupled.as_ref().filter(|coupled| !coupled.is_of_axes) {

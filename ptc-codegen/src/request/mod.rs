@@ -40,7 +40,10 @@ pub use spec::Spec;
 #[cfg(feature = "files")]
 pub(crate) use units::chain_unit;
 
+use std::sync::Arc;
+
 use crate::expression::Expression;
+use crate::linear::Schedule;
 
 /// Largest order that is generated. The expansions are exact for any order; beyond this one the
 /// rounding of the law in double precision (growing with n) leaves the accuracy that is promised.
@@ -70,6 +73,8 @@ pub enum Feedback {
     Expression(Expression),
     /// A function of the user's program.
     Extern,
+    /// The gains of least energy of a linear plant, by the samples to go.
+    LeastEnergy(Arc<Schedule>),
 }
 
 /// Behaviour after the deadline.

@@ -1,12 +1,16 @@
 //! The request for a controller whose clock is in samples.
 
-use num_traits::Zero;
+use std::sync::Arc;
 
-use super::{Clock, EndLaw, Observer, Spec};
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::{Clock, EndLaw, Feedback, Observer, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
-use crate::linear::{Chains, Delay, Following, Linear, Several};
+use crate::linear::{
+    Chains, Delay, Demand, Following, Linear, Matrix, Pair, Schedule, Several, Unscheduled, Weights,
+};
 use crate::model::{Coupled, Model};
 use crate::parameter::{Fixed, Parameter};
 
@@ -41,6 +45,20 @@ pub struct Sampled {
     pub leaves_delay_law: bool,
     /// True if eps is 0 because it was left open.
     pub leaves_eps: bool,
+}
+
+/// The plant for which a law plans.
+///
+/// A delay is one of two loops. Extended, the inputs under way are states of it. Predicted, it is the plant alone, of
+/// the x at the time from which the input of now acts: those inputs determine it,
+/// x = Phi(delay) x_k + sum_i Gamma_i u_{k-i}.
+pub(crate) struct Planned {
+    /// The plant.
+    pub(crate) pair: Pair,
+    /// Its states, by those of now and the inputs under way.
+    pub(crate) reach: Matrix,
+    /// Powers of the period in the units of these.
+    pub(crate) powers: Vec<i64>,
 }
 
 /// The law of a loop with a delay.
@@ -106,10 +124,57 @@ impl Sampled {
         let mut all = vec![Samples, SampleTime, Eps, UMax];
         all.extend(spec.u_min.then_some(UMin));
         all.push(A);
+        if spec.schedule().is_some() {
+            return all;
+        }
         all.extend((1..=spec.n + self.late_states()).map(Gain));
         // Known exponents need none, or give the end of their law.
         all.extend(self.exponents.is_none().then_some(Deadbeat));
         all
+    }
+
+    /// The plant of order `n` for which its law plans, sampled with period `h`; `None` where the period is too long for
+    /// its modes, or one that is not a chain has none.
+    pub(crate) fn planned(&self, n: usize, h: Option<&BigRational>) -> Option<Planned> {
+        let (part, inputs) = (self.delay.part(), self.delay.inputs());
+        let pair = match &self.linear {
+            Some(plant) => Pair::linear(plant, h?, &part)?,
+            None => Pair::chain(n, &self.gain, &part),
+        };
+        let late = pair.delayed(inputs);
+        if !self.predicts() {
+            return Some(Planned {
+                reach: Matrix::identity(late.order()),
+                powers: late.powers.clone(),
+                pair: late,
+            });
+        }
+        let part = match &self.linear {
+            Some(plant) => Pair::linear(plant, &(h? * part), &BigRational::one())?,
+            None => pair.over(&part),
+        };
+        Some(Planned { reach: pair.predicted(inputs, &part), powers: late.powers, pair })
+    }
+
+    /// The gains of least energy of its linear plant, in a table of at most so many bytes; `None` where tau or the
+    /// period is no number.
+    pub(crate) fn gains(
+        &self,
+        spec: &Spec,
+        weights: Weights,
+        bytes: Option<u32>,
+    ) -> Option<Result<Schedule, Unscheduled>> {
+        let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+        let samples = number(Parameter::Samples)?.to_u32()?;
+        let planned = self.planned(spec.n, Some(number(Parameter::SampleTime)?))?;
+        let demand = Demand {
+            phi: &planned.pair.phi,
+            gamma: &planned.pair.gamma,
+            weights,
+            samples,
+            most: bytes.map(|bytes| bytes as usize / spec.precision.bytes()),
+        };
+        Some(demand.schedule().map(|schedule| Schedule { bytes, ..schedule }))
     }
 
     /// The middle of the time in which the input of this sample acts, and of those of the inputs under way, the
@@ -192,6 +257,21 @@ impl Spec {
         match &self.clock {
             Clock::Time => self.n,
             Clock::Samples(sampled) => self.n + sampled.late_states(),
+        }
+    }
+
+    /// Makes the law that of a table of gains.
+    pub(crate) fn follow(&mut self, schedule: Schedule) {
+        self.feedback = Feedback::LeastEnergy(Arc::new(schedule));
+        self.poles.clear();
+        self.fixed.retain(|p, _| !matches!(p, Parameter::Gain(_) | Parameter::Deadbeat));
+    }
+
+    /// The gains of the law by the samples to go, where it has a table of them.
+    pub fn schedule(&self) -> Option<&Schedule> {
+        match &self.feedback {
+            Feedback::LeastEnergy(schedule) => Some(schedule),
+            Feedback::Linear | Feedback::Expression(_) | Feedback::Extern => None,
         }
     }
 

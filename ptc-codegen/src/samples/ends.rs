@@ -23,7 +23,8 @@ pub(crate) struct Ending {
 /// The law of the last samples.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Terminal {
-    /// The law itself, whose exponents are consecutive integers: T^(p) with the shift vanishes at sample N.
+    /// The law itself: its exponents are consecutive integers, and T^(p) with the shift vanishes at sample N, or its
+    /// gains are those of least energy, the last of which are deadbeat.
     Itself,
     /// A law of least energy.
     LeastEnergy(EndLaw),
@@ -48,6 +49,9 @@ impl Ending {
         let count = |states: usize| u32::try_from(states).unwrap_or(u32::MAX);
         // A law of a predicted state is to be at rest when the last of its inputs begins to act.
         let late = if sampled.predicts() { count(sampled.delay.inputs()) } else { 0 };
+        if spec.schedule().is_some() {
+            return Some(Self { shift: 0, spare: late, terminal: Terminal::Itself });
+        }
         let given = spec.fixed.get(&Parameter::Deadbeat).and_then(Fixed::number);
         let Some(exponents) = sampled.exponents.as_ref().filter(|_| given.is_none()) else {
             let terminal = Terminal::Deadbeat(given.map(BigRational::to_integer));
@@ -115,7 +119,12 @@ fn own_shift(order: usize, exponents: &Exponents) -> Option<u32> {
 pub(crate) fn held_samples(spec: &Spec) -> Option<BigRational> {
     let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
     let eps = number(Parameter::Eps)?;
-    if eps.is_zero() { Some(eps.clone()) } else { Some(eps / number(Parameter::SampleTime)?) }
+    if eps.is_zero() {
+        return Some(eps.clone());
+    }
+    let left = eps / number(Parameter::SampleTime)?;
+    // A table of gains is read at whole numbers of samples.
+    Some(if spec.schedule().is_some() { left.ceil() } else { left })
 }
 
 /// Samples to go below which the law of a loop of order `m` does not exist, so that held gains end in deadbeat.

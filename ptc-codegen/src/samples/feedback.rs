@@ -12,10 +12,11 @@ use crate::expression::{Expression, Node};
 use crate::internal::fault;
 use crate::linear::{Linear, Pair};
 use crate::parameter::Parameter;
+use crate::request::Feedback;
 
 /// The local value that a law sets, and what of it acts already: a force that is known or estimated, and r^(n).
 pub(super) struct Wanted {
-    name: String,
+    pub(super) name: String,
     offset: Expr,
     rate: Expr,
 }
@@ -44,6 +45,9 @@ impl Builder<'_> {
 
     /// v, the input before it is clipped, from the states x1.. and the inputs under way.
     pub(super) fn law(&mut self, samples: &Expr) -> Vec<Statement> {
+        if let Feedback::LeastEnergy(schedule) = &self.spec.feedback {
+            return self.scheduled(schedule, samples);
+        }
         let order = self.spec.loop_order();
         let Some(ending) = Ending::of(self.spec) else { fault("a law in samples without a clock") };
         let flat = self.flat();
@@ -70,7 +74,7 @@ impl Builder<'_> {
     }
 
     /// The local value that the law sets: u, or what a model takes u from.
-    fn wanted(&mut self) -> Wanted {
+    pub(super) fn wanted(&mut self) -> Wanted {
         let name = match (self.output, &self.spec.model) {
             (Some(_), _) => self.named("law"),
             (None, Some(_)) => "w".to_owned(),

@@ -43,9 +43,14 @@ impl Builder<'_> {
     pub(super) fn flat(&mut self) -> Flat {
         let of = Coordinates::of(self.spec.n, self.sampled, self.fixed(Parameter::SampleTime));
         let Some(of) = of else { fault("a plant is not controllable") };
+        let states = self.states_of_loop(of.powers.len());
+        Flat { of, states }
+    }
+
+    /// The states of the loop: those of the plant, and the inputs under way as they act, with what is added to them.
+    pub(super) fn states_of_loop(&mut self, count: usize) -> Vec<Expr> {
         let offset = self.offset();
-        // The inputs under way as they act, with what is added to them.
-        let states = (0..of.powers.len())
+        (0..count)
             .map(|j| match j.checked_sub(self.spec.n) {
                 None => self.coordinate(j + 1),
                 Some(i) => {
@@ -53,8 +58,7 @@ impl Builder<'_> {
                     under_way.sub(self.rate(i + 1))
                 }
             })
-            .collect();
-        Flat { of, states }
+            .collect()
     }
 
     /// Returns statements of the flat coordinates, each times its row, and the law of `rows` with as many samples to go as `now`

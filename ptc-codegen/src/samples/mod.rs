@@ -27,6 +27,7 @@ mod observer;
 mod predicted;
 mod reference;
 mod rows;
+mod scheduled;
 mod staged;
 mod start;
 mod terminal;

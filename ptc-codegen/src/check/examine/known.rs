@@ -186,7 +186,7 @@ fn evaluate(spec: &Spec, expression: &Expression) -> Option<BigRational> {
 
 /// Names the missing input of the numeric closed loop; `None` if nothing is missing.
 pub(in crate::check) fn lacking(spec: &Spec) -> Option<String> {
-    if spec.feedback != Feedback::Linear {
+    if !matches!(spec.feedback, Feedback::Linear | Feedback::LeastEnergy(_)) {
         return Some("a linear law".to_owned());
     }
     let needed = |p: &Parameter| {

@@ -1,6 +1,6 @@
 //! The closed loop in numbers, by the interpreter: gains, r_k and stretched time at a time-to-go.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 
 use super::known::to_f64;
 use crate::expansion::Expanded;
@@ -15,15 +15,24 @@ use crate::request::{After, Feedback, Guard, Spec, What};
 pub(crate) struct Numbers<'a> {
     spec: &'a Spec,
     pub(crate) tau: f64,
-    linear: Program,
+    expanded: Option<&'a Expanded>,
+    /// Its law, made where it is asked for: one in samples has no continuous time.
+    linear: OnceCell<Program>,
     /// The same mapping under a law that only looks at xi and stretched time.
-    observer: Program,
+    observer: OnceCell<Program>,
 }
 
 impl<'a> Numbers<'a> {
     /// The numbers of a spec that lacks none.
-    pub(crate) fn new(spec: &'a Spec, expanded: Option<&Expanded>) -> Self {
+    pub(crate) fn new(spec: &'a Spec, expanded: Option<&'a Expanded>) -> Self {
+        let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(f64::NAN);
+        Self { spec, tau, expanded, linear: OnceCell::new(), observer: OnceCell::new() }
+    }
+
+    /// The program of the design with another law.
+    fn program(&self, feedback: Feedback) -> Program {
         let mut linear = Spec {
+            feedback,
             precision: Precision::F64,
             guard: Guard::None,
             what: What::Controller,
@@ -34,15 +43,11 @@ impl<'a> Numbers<'a> {
             coupled: None,
             larger: None,
             after: After::Hold,
-            ..spec.clone()
+            ..self.spec.clone()
         };
         // The guard is what is sought: nothing is held here.
         linear.fixed.remove(&Parameter::Eps);
-        let observer = Spec { feedback: Feedback::Extern, ..linear.clone() };
-        let program =
-            |spec: &Spec| passes::optimise(lower(spec, &Law::from(spec, expanded)), &mut |_, _| {});
-        let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(f64::NAN);
-        Self { spec, tau, linear: program(&linear), observer: program(&observer) }
+        passes::optimise(lower(&linear, &Law::from(&linear, self.expanded)), &mut |_, _| {})
     }
 
     fn input(&self, input: Input, time_to_go: f64, state: &dyn Fn(usize) -> f64) -> f64 {
@@ -66,8 +71,9 @@ impl<'a> Numbers<'a> {
     /// Feedback gains of u = sum gain_j x_j.
     pub(crate) fn gains(&self, time_to_go: f64) -> Vec<f64> {
         let input = |input| self.input(input, time_to_go, &|_| 0.0);
-        let mut interpreter = Interpreter::new(&self.linear, &input);
-        self.linear.gains.iter().map(|gain| interpreter.value(*gain)).collect()
+        let linear = self.linear.get_or_init(|| self.program(self.spec.feedback.clone()));
+        let mut interpreter = Interpreter::new(linear, &input);
+        linear.gains.iter().map(|gain| interpreter.value(*gain)).collect()
     }
 
     /// Gains k_1..k_n of the law in stretched time.
@@ -85,7 +91,8 @@ impl<'a> Numbers<'a> {
         };
         let unit = |j| f64::from(u8::from(j == 2));
         let input = |input| self.input(input, time_to_go, &unit);
-        Interpreter::new(&self.observer, &input).with_law(&look).value(self.observer.step);
+        let observer = self.observer.get_or_init(|| self.program(Feedback::Extern));
+        Interpreter::new(observer, &input).with_law(&look).value(observer.step);
         seen.into_inner()
     }
 

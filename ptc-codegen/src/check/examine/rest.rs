@@ -16,7 +16,7 @@ use crate::algebra::stability::is_hurwitz;
 use crate::check::growth::NAME;
 use crate::check::{Outcome, Verdict};
 use crate::diagnostic::digits;
-use crate::linear::roots;
+use crate::linear::{Matrix, Schedule, roots};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, Reference, Sampled, Spec};
 use crate::samples::{Ending, held_samples, rows_of_numbers};
@@ -29,8 +29,9 @@ pub(super) fn at_sample(spec: &Spec, own: &Sampled) -> Outcome {
     let (verdict, summary, mut details) = match Held::of(spec) {
         None => {
             let off = off(spec, own).map(|off| format!(", but for {off}")).unwrap_or_default();
+            let whatever = if spec.schedule().is_some() { "" } else { ", whatever the poles" };
             let rest = format!(
-                "at rest at {} from any state{off}, whatever the poles, and |u| is bounded",
+                "at rest at {} from any state{off}{whatever}, and |u| is bounded",
                 last(spec)
             );
             (Verdict::Sound, rest, Vec::new())
@@ -115,6 +116,10 @@ impl Held {
         if !ending.is_held(order, &left) {
             return None;
         }
+        if let Some(schedule) = spec.schedule() {
+            let loop_of = held_by(spec, schedule, &left);
+            return Some(Self { left, loop_of });
+        }
         let chain = Spec { n: order, ..spec.clone() };
         let rate = spec.fixed.get(&Parameter::A).and_then(Fixed::number);
         let own = fixed_gains(&chain).zip(rate).map(|(gains, a)| rows_of_numbers(&gains, a));
@@ -156,6 +161,17 @@ impl Held {
             ),
         }
     }
+}
+
+/// The characteristic polynomial of D = E - 1 in the loop of a table of gains that are held at `left` samples to go.
+fn held_by(spec: &Spec, schedule: &Schedule, left: &BigRational) -> Option<Polynomial> {
+    let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
+    let pair = spec.sampled()?.planned(spec.n, h)?.pair;
+    let gains = schedule.at(left.to_integer().to_u32()?);
+    let step = pair.step();
+    let entry = |i: usize, j: usize| step.at(i, j) - &pair.gamma[i] * &gains[j];
+    let loop_of = Matrix::new(pair.order(), pair.order(), entry);
+    Some(Polynomial::new(loop_of.characteristic()))
 }
 
 /// The characteristic polynomial of D = E - 1 in a loop of these rows, held where their formula counts `left` samples to

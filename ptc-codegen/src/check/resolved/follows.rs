@@ -34,6 +34,9 @@ fn number(spec: &Spec, parameter: Parameter) -> Option<&BigRational> {
 fn delay_law(spec: &Spec) -> Option<Choice> {
     let sampled = spec.sampled().filter(|own| own.leaves_delay_law && own.delay.inputs() > 0)?;
     let reason = match sampled.delay_law {
+        DelayLaw::Predict if spec.schedule().is_some() => {
+            "the gains are those of the plant; its state is predicted over the delay"
+        }
         DelayLaw::Predict => {
             "the poles are those of the plant; its state is predicted over the delay"
         }

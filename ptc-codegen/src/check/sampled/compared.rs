@@ -5,6 +5,7 @@ use num_traits::ToPrimitive;
 use super::peaks::Responses;
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
+use crate::linear::Weights;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Clock, DelayLaw, Exponents, LeastEnergy, Sampled, Spec, gains};
 use crate::syntax::constant;
@@ -29,7 +30,7 @@ impl Effort {
     }
 }
 
-/// Compares the effort of the law of a chain in samples with that of least energy, from the start of the design, or
+/// Compares the effort of a law in samples with that of least energy, from the start of the design, or
 /// from each x_i alone without one; `None` where it is this law, or one of the two loops is not known.
 pub(super) fn compared(spec: &Spec, expanded: Option<&Expanded>) -> Option<String> {
     let least = with_least_energy(spec)?;
@@ -52,11 +53,15 @@ pub(super) fn compared(spec: &Spec, expanded: Option<&Expanded>) -> Option<Strin
     })
 }
 
-/// The same design with poles of least energy, by prediction where there is a delay.
+/// The same design with the law of least energy, by prediction where there is a delay.
 fn with_least_energy(spec: &Spec) -> Option<Spec> {
-    let sampled = spec.sampled().filter(|own| own.linear.is_none() && own.exponents.is_some())?;
+    let sampled =
+        spec.sampled().filter(|own| own.exponents.is_some() || spec.schedule().is_some())?;
     if spec.axes.is_some() || spec.has_model() || spec.promises.resonance.is_some() {
         return None;
+    }
+    if sampled.linear.is_some() {
+        return with_least_gains(spec, sampled);
     }
     let rate = spec.fixed.get(&Parameter::A).and_then(Fixed::number)?;
     let poles = LEAST.poles(spec.n, rate);
@@ -76,6 +81,17 @@ fn with_least_energy(spec: &Spec) -> Option<Spec> {
         delay_law: DelayLaw::Predict,
         ..sampled.clone()
     }));
+    Some(least)
+}
+
+/// The same of a linear plant.
+fn with_least_gains(spec: &Spec, sampled: &Sampled) -> Option<Spec> {
+    let sampled =
+        Sampled { exponents: None, end: None, delay_law: DelayLaw::Predict, ..sampled.clone() };
+    let schedule = sampled.gains(spec, Weights { law: LEAST.weight, end: None }, None)?.ok()?;
+    let mut least = spec.clone();
+    least.follow(schedule);
+    least.clock = Clock::Samples(Box::new(sampled));
     Some(least)
 }
 

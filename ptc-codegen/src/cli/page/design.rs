@@ -33,6 +33,9 @@ pub(super) fn facts(report: &Report) -> Vec<Fact> {
             format!("pi0 = {}", laws.join(", "))
         }
         Feedback::Extern => "pi0 of the program".to_owned(),
+        Feedback::LeastEnergy(_) => {
+            "u = -(K_1*x1 + ... + K_n*xn), the gains of least energy".to_owned()
+        }
     };
     let mapping = match (spec.family(), spec.custom()) {
         (Some(family), _) => format!("{}, mu(t) = {}", family.name(), family.info().mu),

@@ -2,7 +2,7 @@
 
 use super::{list, word, written};
 use crate::algebra::BigRational;
-use crate::linear::Linear;
+use crate::linear::{Linear, Schedule};
 use crate::parameter::Parameter;
 use crate::request::{Gate, Lasting, LeastEnergy, Observer, Sampled, Spec};
 use crate::syntax::constant;
@@ -89,6 +89,13 @@ impl Spec {
         words.extend(follows.map(|own| format!("--output=\"{}\"", row_of("output", own.output()))));
         words
     }
+}
+
+/// The flags of a table of gains.
+pub(super) fn schedule_words(schedule: &Schedule) -> Vec<String> {
+    let poles = LeastEnergy { weight: schedule.weights.law };
+    let bytes = schedule.bytes.map(|bytes| format!("--gain-bytes={bytes}"));
+    std::iter::once(word("--poles", &poles)).chain(bytes).collect()
 }
 
 /// The flags of the gate of an observer.

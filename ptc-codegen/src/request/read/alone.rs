@@ -9,7 +9,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Clock, DelayLaw, Promises, Spec};
 
 /// The keys of a law, and what stands for each with an observer.
-const OF_LAW: [(&str, &str); 11] = [
+const OF_LAW: [(&str, &str); 12] = [
     ("tau", "the estimates are exact from sample `observer_samples` on"),
     ("eps", "`observer_eps` holds the gains of an observer"),
     ("u_max", "the observer is given u as it was applied"),
@@ -19,6 +19,7 @@ const OF_LAW: [(&str, &str); 11] = [
     ("delay_law", "an observer keeps the inputs under way for any law"),
     ("poles_end", "an observer ends in deadbeat or by `observer_eps`"),
     ("end_samples", "an observer ends in deadbeat or by `observer_eps`"),
+    ("gain_bytes", "an observer has no gains of least energy"),
     ("error", "no check judges an observer alone"),
     ("reference", "an observer estimates the state itself"),
 ];

@@ -46,16 +46,6 @@ impl Reader<'_> {
         Some(LeastEnergy { weight })
     }
 
-    /// Refuses the name for a law beside A and B, which is that of a flat output. At the end its poles stand for rest.
-    pub(super) fn least_energy_of_states(&mut self) {
-        let node = self.keys.get("poles").copied().filter(|node| is_least_energy(node));
-        if let Some(node) = node {
-            let message = "least energy beside A and B".to_owned();
-            let help = "give the poles as numbers: they are those of a flat output, whose energy is not that of u".to_owned();
-            self.wrong("poles", Some(node.place), message, help);
-        }
-    }
-
     /// Returns the poles of least energy of a loop of order `n`.
     pub(super) fn least_energy(
         &mut self,

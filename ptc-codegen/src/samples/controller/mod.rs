@@ -9,7 +9,8 @@ use num_traits::ToPrimitive;
 
 use crate::algebra::BigRational;
 use crate::code::{
-    Access, Code, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
+    Access, Code, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Table, Test,
+    Variable,
 };
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Guard, Reference, Sampled, Spec, What};
@@ -24,6 +25,8 @@ pub(super) struct Builder<'a> {
     /// Values of r^(n) of each output over the time in which the latest input acts, and those under way; empty without
     /// a reference.
     pub(super) rates: Vec<Vec<Expr>>,
+    /// The tables that its functions read.
+    pub(super) tables: Vec<Table>,
     /// The design of each output or axis, where there are several.
     pub(super) designs: &'a [Spec],
     /// The output or axis whose law is put together, from 1, where there are several.
@@ -40,6 +43,7 @@ pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
         fields: Vec::new(),
         values: Vec::new(),
         rates: Vec::new(),
+        tables: Vec::new(),
         designs: &designs,
         output: None,
     };
@@ -51,6 +55,7 @@ pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
         parameters: builder.parameters(),
         gains: Vec::new(),
         init: builder.init(),
+        tables: builder.tables,
         start: None,
         fields: builder.fields,
         functions,

@@ -25,7 +25,7 @@ impl Builder<'_> {
                 Some(samples) => Expr::Count(samples),
                 // Half of the time for either: the controller has time to bring down what
                 // rounding leaves of the estimates.
-                None => samples.clone().count_half(),
+                None => samples.clone().count_over(2),
             };
             body.extend(self.observe(&end));
         } else if let Some(model) = &mut model {

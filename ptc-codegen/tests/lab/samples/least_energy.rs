@@ -212,10 +212,9 @@ fn mistakes_of_least_energy_are_named() {
     }
     let open = [&stage[..], &[("poles_end", "-2,-3"), ("end_samples", "9")]].concat();
     assert!(read(&open).expect_err("open gains").contains("left to run time"));
-    let plant =
-        [&stage[1..], &[("A", "[[0, 1], [0, -1]]"), ("B", "[0, 1]"), ("poles", "least-energy")]]
-            .concat();
-    assert!(read(&plant).expect_err("a plant").contains("flat output"));
+    let plant = [&stage[1..], &[("A", "[[0, 1], [0, -1]]"), ("B", "[0, 1]")]].concat();
+    let weighted = [&plant[..], &[("poles", "least-energy(weight=101)")]].concat();
+    assert!(read(&weighted).expect_err("a weight").contains("at most 100"));
 }
 
 /// Outputs of several orders have the poles of theirs.

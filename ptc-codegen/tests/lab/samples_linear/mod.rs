@@ -4,6 +4,7 @@
 #[cfg(feature = "lab")]
 mod check;
 mod followed;
+mod least_energy;
 mod observer;
 use crate::support::exact_plant as plant;
 mod reference;

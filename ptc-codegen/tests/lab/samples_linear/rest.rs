@@ -8,10 +8,10 @@ use super::plant::{Plant, double, number};
 
 /// Accepted residue at rest, relative to the largest state on the way: with as few samples as twice the order the last
 /// inputs are full-size ones, and the condition of the plant counts a hundred times their rounding.
-const REST: f64 = 1e-13;
+pub(super) const REST: f64 = 1e-13;
 
 /// A, B, C and h.
-const PLANTS: [(&str, [&str; 4]); 7] = [
+pub(super) const PLANTS: [(&str, [&str; 4]); 7] = [
     ("motor", ["0,1,0;0,-0.5,1500;0,-15,-600", "0,0,500", "1,0,0", "0.001"]),
     (
         "joint",

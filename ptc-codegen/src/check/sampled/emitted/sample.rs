@@ -9,7 +9,7 @@ use super::super::rounded::{Rounded, product, quotient, sum, unit_roundoff, unit
 use super::repeats::Trace;
 use super::{Held, is_rate};
 use crate::algebra::BigRational;
-use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
+use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Table, Test};
 use crate::expression::enclosure::Range;
 use crate::parameter::Precision;
 use crate::program::rounding::Units;
@@ -30,6 +30,7 @@ pub(super) struct Sample<'a> {
     measured: Vec<Held>,
     reference: Vec<Held>,
     numbers: Numbers,
+    tables: &'a [Table],
     pub(super) trace: Trace<'a>,
 }
 
@@ -71,6 +72,7 @@ impl<'a> Sample<'a> {
             measured,
             reference,
             numbers: Numbers::default(),
+            tables: &code.tables,
             trace: Trace::default(),
         })
     }
@@ -96,6 +98,7 @@ impl<'a> Sample<'a> {
             measured: Vec::new(),
             reference: Vec::new(),
             numbers: Rc::clone(&self.numbers),
+            tables: self.tables,
             trace: Trace::default(),
         };
         counts.at(k)
@@ -152,17 +155,21 @@ impl<'a> Sample<'a> {
             match statement {
                 Statement::Let(name, shape, value) => {
                     let value = match shape {
-                        Shape::Count => {
-                            self.trace.count(name, value);
-                            Held::Count(self.count(value)?)
-                        }
+                        Shape::Count => self.counted(name, value)?,
                         _ => self.real(value)?,
                     };
                     self.locals.insert(name, value);
                 }
                 Statement::Set(Place::Local(name), value) => {
-                    let value = self.real(value)?;
+                    let is_count = matches!(self.locals.get(name.as_str()), Some(Held::Count(_)));
+                    let value = match is_count {
+                        true => self.counted(name, value)?,
+                        false => self.real(value)?,
+                    };
                     self.locals.insert(name, value);
+                }
+                Statement::Variable(name, Shape::Count) => {
+                    self.locals.insert(name, Held::Count(0));
                 }
                 // What is kept from sample to sample, and what `init` leaves of it, is given.
                 Statement::Set(Place::Field(name), value) => {
@@ -196,6 +203,12 @@ impl<'a> Sample<'a> {
         Some(())
     }
 
+    /// A count that gets a name.
+    fn counted(&self, name: &'a str, value: &'a Expr) -> Option<Held> {
+        self.trace.count(name, value);
+        Some(Held::Count(self.count(value)?))
+    }
+
     /// Evaluates a test; if it depends on the states it compares with a limit of u, which is not reached.
     pub(super) fn test(&self, test: &'a Test) -> Option<bool> {
         let counts = |outcome: bool| {
@@ -227,7 +240,8 @@ impl<'a> Sample<'a> {
             Expr::Count(count) => Some(*count),
             Expr::CountSub(a, b) => Some(self.count(a)?.wrapping_sub(self.count(b)?)),
             Expr::CountLeft(a, b) => Some(self.count(a)?.saturating_sub(self.count(b)?)),
-            Expr::CountHalf(a) => Some(self.count(a)? / 2),
+            Expr::CountOver(a, by) => Some(self.count(a)? / by),
+            Expr::CountAdd(a, more) => self.count(a)?.checked_add(*more),
             name => match self.held(name)? {
                 Held::Count(count) => Some(*count),
                 _ => None,
@@ -294,6 +308,17 @@ impl<'a> Sample<'a> {
                     Precision::F32 => units.roundoff * exact.high(),
                 };
                 Some(Held::Known(Rounded { exact, error }))
+            }
+            Expr::Tabulated(name, row, column) => {
+                let place = self.count(row)?;
+                self.trace.number(row, place);
+                let numbers = self
+                    .tables
+                    .iter()
+                    .find(|table| table.name == *name)?
+                    .rows
+                    .get(place as usize)?;
+                Some(Held::Known(self.number(numbers.get(*column)?)))
             }
             Expr::Choose(test, a, b) => self.real(if self.test(test)? { a } else { b }),
             // A limit of u that is left to run time is not reached.

@@ -52,6 +52,8 @@ pub(super) fn law(spec: &Spec) -> Result<Group, Failure> {
             formulas.push(equal(pi0(), of_expression(&spec.law_named(law))));
         }
         Feedback::Extern => told.push_str(" pi0 is a function of the program's."),
+        // Its law is that of samples.
+        Feedback::LeastEnergy(_) => {}
     }
     Ok(Group { title: "Law", told, formulas })
 }

@@ -6,7 +6,7 @@ use crate::parameter::Parameter;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 18] = [
+const OWN: [&str; 19] = [
     "A",
     "B",
     "C",
@@ -14,6 +14,7 @@ const OWN: [&str; 18] = [
     "delay_law",
     "poles_end",
     "end_samples",
+    "gain_bytes",
     "measured",
     "disturbance",
     "observer_poles",

@@ -6,6 +6,7 @@ mod following;
 mod gate;
 mod meaning;
 mod observer;
+mod schedule;
 mod several;
 mod stationary;
 
@@ -80,9 +81,6 @@ impl Reader<'_> {
             }
         };
         let follows = linear.as_ref().and_then(|(plant, _)| self.following(spec, plant));
-        if linear.is_some() {
-            self.least_energy_of_states();
-        }
         let exponents = a.as_ref().and_then(|a| exponents_of_all(spec, delay, a));
         let exact = self.exact(spec);
         let mut sampled = Sampled {
@@ -101,6 +99,10 @@ impl Reader<'_> {
             leaves_delay_law: !self.keys.contains_key("delay_law"),
             leaves_eps: !self.keys.contains_key("eps"),
         };
+        self.schedule(spec, &sampled);
+        if spec.schedule().is_some() {
+            sampled.exponents = None;
+        }
         let plant = Observed {
             linear: sampled.linear.as_ref(),
             gain: &sampled.gain,
