@@ -230,8 +230,8 @@ const DESIGNS: [Keys; 25] = [
 ];
 
 /// Limits of u that are not symmetric: left to run time, around 0, and above it. Behind them observers with a gate, one
-/// whose sensor has a range, laws that predict over their delay, and stationary observers.
-const APART: [Keys; 11] = [
+/// whose sensor has a range, laws that predict over their delay, stationary observers, and tables of gains.
+const APART: [Keys; 14] = [
     &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
     &[
         ("n", "2"),
@@ -348,6 +348,48 @@ const APART: [Keys; 11] = [
         ("after_observer", "stationary"),
         ("disturbance_walk", "1/2"),
         ("eps", "0.06"),
+    ],
+    &[
+        ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
+        ("B", "[0,0,500]"),
+        ("C", "[[1,0,0]]"),
+        ("mu", "exp(a=1)"),
+        ("poles", "least-energy"),
+        ("sample_time", "1e-3"),
+        ("tau", "0.1"),
+        ("delay", "1.5"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6,-7"),
+        ("eps", "0.006"),
+        ("u_max", "24"),
+    ],
+    &[
+        ("A", "[[0,1],[-4,-0.2]]"),
+        ("B", "[0,1]"),
+        ("mu", "exp(a=1)"),
+        ("poles", "least-energy"),
+        ("poles_end", "least-energy(weight=2)"),
+        ("end_samples", "50"),
+        ("gain_bytes", "300"),
+        ("sample_time", "0.01"),
+        ("tau", "1.7"),
+        ("delay", "2"),
+        ("delay_law", "extend"),
+        ("precision", "f32"),
+        ("guard", "none"),
+        ("after", "zero"),
+        ("eps", "0"),
+    ],
+    &[
+        ("A", "[[-1,1],[3,-2]]"),
+        ("B", "[1,2]"),
+        ("model.output", "[-2,1]"),
+        ("mu", "exp(a=1)"),
+        ("poles", "least-energy(weight=1)"),
+        ("sample_time", "0.01"),
+        ("tau", "0.2"),
+        ("reference", "input"),
+        ("eps", "0"),
     ],
 ];
 

@@ -182,6 +182,9 @@ impl Parser {
             return self.wrong("a section of variables");
         }
         self.at += 1;
+        if kind == "VAR" {
+            self.takes("CONSTANT");
+        }
         while !self.takes("END_VAR") {
             self.name()?;
             while self.takes(",") {
@@ -194,10 +197,32 @@ impl Parser {
                 return self.wrong("a type that a temporary may have");
             }
             if self.takes(":=") {
-                self.expression()?;
+                self.initial()?;
             }
             self.eat(";")?;
         }
+        Ok(())
+    }
+
+    /// An initial value: a number, or those of an array.
+    fn initial(&mut self) -> Result<(), Wrong> {
+        if !self.takes("[") {
+            return self.expression();
+        }
+        self.constant()?;
+        while self.takes(",") {
+            self.constant()?;
+        }
+        self.eat("]")
+    }
+
+    /// A literal, whose sign stands behind its type.
+    fn constant(&mut self) -> Result<(), Wrong> {
+        let Some(word) = self.words.get(self.at) else { return self.wrong("a constant") };
+        if !word.is_literal() || !word.is_within(RANGE) {
+            return self.wrong("a literal in the range of REAL");
+        }
+        self.at += 1;
         Ok(())
     }
 

@@ -1,7 +1,8 @@
 //! The words of Structured Text.
 
 /// Words that no name is.
-const KEYWORDS: [&str; 36] = [
+const KEYWORDS: [&str; 37] = [
+    "CONSTANT",
     "TYPE",
     "END_TYPE",
     "STRUCT",

@@ -2,16 +2,18 @@
  * Prescribed-time controller motor: order n = 3, clock in samples.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name motor --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0]]" --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=150 --observer-eps=0.04 --tau=0.4 --eps=0.02 --u-max=24 --poles=-4,-5,-6,-7 --sample-time=1e-3 --delay=1 --sensor-step=6e-6
- * Version 0.1.0, design c4f0b0da5e5e.
+ *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name motor --clock samples --A="[[0,1,0],[0,-0.5,1500],[0,-15,-600]]" --B="[0,0,500]" --C="[[1,0,0]]" --delay-law=predict --disturbance constant --observer-poles=-4,-5,-6,-7 --observer-samples=150 --observer-eps=0.04 --tau=0.4 --eps=0.02 --u-max=24 --poles="least-energy(weight=2)" --sample-time=1e-3 --delay=1 --sensor-step=6e-6
+ * Version 0.1.0, design 2a5220d7c7d8.
  *
  * Plant: x' = A x + B (u + d), d constant and unknown of --A and --B above; u held from
  *       sample to sample, one sample late, y = C x.
  * Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any
  *       sample period, as long as u is not clipped and nothing else acts on the plant.
- * Law: with M - 3 samples to go and z = S x, the differences of a flat output, u = sum of
- *       row_j z_j/((M-j+1)...(M-3)) less the drift of z; the rows are those of Theorem 1 for
- *       the mapping exp. The gains of 20 samples to go stay.
+ * Law of the state x predicted for the time from which u acts, by x and the inputs under way:
+ *       u = -K_M x with M samples to go, of all inputs that end at rest those with the least
+ *       sum of u^2/(M ... (M+1)). The gains are a table of 2112 bytes: exact below 32 samples
+ *       to go, and before it those of a grid of 88 nodes, interpolated in a line. The gains
+ *       of 21 samples to go stay.
  *
  * Parameters:
  *   samples = 400 [samples], fixed: samples N from the start to rest
@@ -19,10 +21,6 @@
  *   eps = 0.02 [s], fixed: time-to-go at which the gains are held
  *   u_max = 24 [unit of u], fixed: bound of |u|
  *   a = 1 [1/s], fixed: rate of stretched time
- *   k_1 = 840 [1/s^4], fixed: gains k_i of pi0 = -sum k_i xi_i
- *   k_2 = 638 [1/s^3], fixed: gains k_i of pi0 = -sum k_i xi_i
- *   k_3 = 179 [1/s^2], fixed: gains k_i of pi0 = -sum k_i xi_i
- *   k_4 = 22 [1/s], fixed: gains k_i of pi0 = -sum k_i xi_i
  *
  * k counts samples and may wrap; arm again within 2^32 - N samples.
  * From sample N on the last gains are held (status HOLD).
@@ -45,8 +43,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef MOTOR_D9002758_H
-#define MOTOR_D9002758_H
+#ifndef MOTOR_A8A635F2_H
+#define MOTOR_A8A635F2_H
 
 #include <stdint.h>
 
