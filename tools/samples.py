@@ -10,6 +10,7 @@
     python3 tools/samples.py stage COMMAND   examples/encoder.toml with its encoder, by the gains held
     python3 tools/samples.py energy COMMAND  peak and energy of u, by the poles
     python3 tools/samples.py delays COMMAND  the two laws of a delay side by side
+    python3 tools/samples.py swing COMMAND   linear plants with the law of a flat output and that of least energy
 
 COMMAND is the path of ptc-codegen. Needs mpmath and a C compiler called cc.
 `rest`, `alone`, `follow` and `machines` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
@@ -20,6 +21,7 @@ import argparse
 import ctypes
 import json
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -232,6 +234,59 @@ def delays(command, _):
             cells = [delay, law, named, f"{peak:.4g}", f"{spent:.4g}", f"{1e6 * worst['total'][0]:.3g}",
                      f"{margins['gain'][1]:.3g}", margins["delay"]]
             print("|", " | ".join(map(str, cells)), "|", flush=True)
+
+
+MACHINES = {
+    "motor with its coil": (
+        [[0, 1, 0], [0, -0.5, 1500], [0, -15, -600]], [0, 0, 500], "0.001", (1000, 200)),
+    "two masses and a spring": (
+        [[0, 1, 0, 0], [-90000, -3, 90000, 3], [0, 0, 0, 1], [40000, 1.3, -40000, -1.3]], [0, 0, 0, 0.5],
+        "0.0001", (1000, 500, 200)),
+    "cart with an upright pendulum": (
+        [[0, 1, 0, 0], [0, -0.1, -1.962, 0], [0, 0, 0, 1], [0, 0.2, 23.544, 0]], [0, 1, 0, -2], "0.005", (200,)),
+}
+
+
+def least_inputs(loop, start, samples):
+    """The inputs from `start` to rest after so many samples with the least sum of squares."""
+    n = len(start)
+    part = loop.parts[0]
+    phi, column = part[:n, :n], part[:n, n]
+    columns = [column]
+    for _ in range(samples - 1):
+        columns.append(phi * columns[-1])
+    gramian = zeros(n, n)
+    for column in columns:
+        gramian += column * column.T
+    shadow = lu_solve(gramian, phi**samples * matrix(start))
+    return [-float((column.T * shadow)[0]) for column in reversed(columns)]
+
+
+def swing(command, _):
+    """Rows of Markdown: peak and energy of u from x1 = 1, beside the least ones, rest, and bytes of the gains."""
+    for name, (a, b, h, counts) in MACHINES.items():
+        n = len(b)
+        for samples in counts:
+            start = [float(j == 0) for j in range(n)]
+            best = least_inputs(Linear(h, a, b, start), start, samples)
+            least = [max(map(abs, best)), sum(u * u for u in best) * float(h)]
+            flat = ",".join(f"-{n + i}" for i in range(n))
+            for label, law in ((flat.replace(",", ", "), flat), ("least-energy", "least-energy")):
+                flags = [f"--A={rows(a)}", f"--B={[*b]}", "--mu=exp(a=1)", "--clock=samples", f"--sample-time={h}",
+                         f"--tau={nstr(samples * mpf(h), 10)}", "--eps=0", f"--poles={law}"]
+                controller, loop = Controller(command, *flags), Linear(h, a, b, start)
+                controller.init()
+                u = []
+                for k in range(samples):
+                    u.append(controller.step(k, loop.x))
+                    loop.step(u[-1])
+                text = (Path(controller.folder.name) / "probe.c").read_text()
+                table = re.search(r"_gains\[(\d+)\]\[(\d+)\]", text)
+                size = 8 * int(table[1]) * int(table[2]) if table else 0
+                peak, spent = max(map(abs, u)), sum(value * value for value in u) * float(h)
+                cells = [name, nstr(samples * mpf(h), 3), label, f"{peak:.4g}", f"{peak / least[0]:.4g}",
+                         f"{spent / least[1]:.5g}", shown(max(map(abs, loop.x)) / loop.most), size or "-"]
+                print("|", " | ".join(map(str, cells)), "|", flush=True)
 
 
 def poles(rng, count, low):
@@ -668,7 +723,7 @@ def stage(command, _):
 
 
 if __name__ == "__main__":
-    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "machines": machines, "plants": plants, "gains": gains, "stage": stage, "energy": energy, "delays": delays}
+    commands = {"table": table, "rest": rest, "alone": alone, "follow": follow, "machines": machines, "plants": plants, "gains": gains, "stage": stage, "energy": energy, "delays": delays, "swing": swing}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("what", choices=commands)
     parser.add_argument("command", metavar="COMMAND")
