@@ -189,9 +189,9 @@ def modulus(make, bandwidth):
 def main():
     start = quantised(START)
     rivals = [
-        ("polynomial, PID", lambda w: Pid(w, start)),
-        ("polynomial, observer", lambda w: Observed(w, start, quintic)),
-        ("jerk-limited, observer", lambda w: Observed(w, start, jerk_limited)),
+        ("polynomial + PID", lambda w: Pid(w, start)),
+        ("polynomial + observer", lambda w: Observed(w, start, quintic)),
+        ("jerk-limited + observer", lambda w: Observed(w, start, jerk_limited)),
         ("finite-horizon LQR", lambda w: Observed(w, start, None, horizon(w))),
     ]
     for force in (0.0, 0.3):

@@ -43,7 +43,10 @@ pub const COLUMNS: [Column; 8] = [
         head: "settling",
         name: "settling time",
         rank: |row| Some(row.figures.as_ref().ok()?.settling),
-        text: |row| figure(row, |own| own.settling),
+        text: |row| match &row.figures {
+            Ok(own) if own.settling.is_infinite() => "never".to_owned(),
+            _ => figure(row, |own| own.settling),
+        },
     },
     Column {
         head: "gain",

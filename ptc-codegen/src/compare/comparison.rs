@@ -74,6 +74,7 @@ impl Comparison {
         let nominal = Nominal::of(&campaign.spec)?;
         let Entrants { all, omitted } = Entrants::new(&campaign.spec, &nominal, given)?;
         let process = Process::new(&campaign.spec, &campaign.disturbed());
+        let stroke = campaign.x0.first().map_or(0.0, |(low, high)| low.abs().max(high.abs()));
         let runs: Vec<Vec<_>> = scenes
             .all
             .par_iter()
@@ -82,8 +83,9 @@ impl Comparison {
                 |(process, all), scene| {
                     let setting = campaign.setting(scene);
                     let figures = all.iter_mut();
-                    let figures =
-                        figures.map(|own| measured(process, &mut own.control, &setting, &nominal));
+                    let figures = figures.map(|own| {
+                        measured(process, &mut own.control, &setting, (&nominal, stroke))
+                    });
                     let figures = figures.collect();
                     done();
                     figures

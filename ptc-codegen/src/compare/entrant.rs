@@ -6,7 +6,7 @@ use super::operations::Operations;
 use super::profile::{Flat, Shape};
 use super::regulator::{Observed, Pid};
 use super::rival::{Law, Rival};
-use super::tuning::{MODULUS, tuned};
+use super::tuning::tuned;
 use crate::check::sampled::{Margin, stability};
 use crate::reference::Status;
 use crate::request::Spec;
@@ -79,9 +79,9 @@ impl Control for Contestant {
 }
 
 /// Names of the rivals.
-const PID: &str = "polynomial, PID";
-const OBSERVED: &str = "polynomial, observer";
-const JERK_LIMITED: &str = "jerk-limited, observer";
+const PID: &str = "polynomial + PID";
+const OBSERVED: &str = "polynomial + observer";
+const JERK_LIMITED: &str = "jerk-limited + observer";
 const HORIZON: &str = "finite-horizon LQR";
 
 impl Entrants {
@@ -109,10 +109,10 @@ impl Entrants {
             let rival = with(Law::Pid(found.regulator, Shape::Polynomial));
             self.all.push(entrant(PID, nominal, rival, found.bandwidth));
         } else {
-            self.omit(PID, untuned());
+            self.omit(PID, untuned(given));
         }
         let Some(found) = tuned(nominal, given, &Observed::new) else {
-            names[1..].iter().for_each(|name| self.omit(name, untuned()));
+            names[1..].iter().for_each(|name| self.omit(name, untuned(given)));
             return;
         };
         let mut laws = vec![(OBSERVED, Law::Observed(found.regulator.clone(), Shape::Polynomial))];
@@ -134,8 +134,11 @@ impl Entrants {
     }
 }
 
-fn untuned() -> String {
-    format!("no bandwidth keeps a modulus margin of {MODULUS} with this plant, delay and period")
+fn untuned(given: Option<f64>) -> String {
+    match given {
+        Some(bandwidth) => format!("its gains are not found for a bandwidth of {bandwidth} rad/s"),
+        None => "no bandwidth makes its loop stable".to_owned(),
+    }
 }
 
 /// The controller of the design.

@@ -8,7 +8,7 @@ use crate::verify::Setting;
 /// Part of tau for which a run goes on after the deadline.
 pub const AFTER: f64 = 0.1;
 
-/// Part of its largest value within which x_1 has settled.
+/// Part of the stroke within which x_1 has settled.
 pub const SETTLED: f64 = 0.01;
 
 /// Figures of a run.
@@ -22,7 +22,7 @@ pub struct Figures {
     pub energy: f64,
     /// Largest less least u after the deadline.
     pub ripple: f64,
-    /// Time in s from which on x_1 stays within [`SETTLED`].
+    /// Time in s from which on x_1 stays within [`SETTLED`]; infinite if it does not within the run.
     pub settling: f64,
 }
 
@@ -64,19 +64,23 @@ impl Record {
     }
 
     /// Returns the figures of a run whose deadline is sample `samples`, with a period of `h` s.
-    fn figures(&self, samples: usize, h: f64) -> Figures {
+    fn figures(&self, samples: usize, h: f64, stroke: f64) -> Figures {
         let (before, after) = self.u.split_at(samples.min(self.u.len()));
         let most = |all: &[f64]| all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = |all: &[f64]| all.iter().copied().fold(f64::INFINITY, f64::min);
         let sizes: Vec<_> = self.x.first().into_iter().flatten().map(|x| x.abs()).collect();
-        let bound = SETTLED * most(&sizes);
-        let settled = sizes.iter().rposition(|size| *size > bound).map_or(0, |last| last + 1);
+        let bound = SETTLED * if stroke > 0.0 { stroke } else { most(&sizes) };
+        let settled = match sizes.iter().rposition(|size| *size > bound) {
+            None => 0.0,
+            Some(last) if last + 1 < sizes.len() => h * (last + 1) as f64,
+            Some(_) => f64::INFINITY,
+        };
         Figures {
             error: self.x.iter().filter_map(|x| x.get(samples)).map(|x| x.abs()).collect(),
             peak: self.u.iter().map(|u| u.abs()).fold(0.0, f64::max),
             energy: h * before.iter().map(|u| u * u).sum::<f64>(),
             ripple: most(after) - least(after),
-            settling: h * settled as f64,
+            settling: settled,
         }
     }
 }
@@ -108,7 +112,8 @@ pub fn recorded(
     Ok(record)
 }
 
-/// Returns the figures of a controller in a scenario.
+/// Returns the figures of a controller in a scenario. `stroke` is the largest |x_1| at the start of all of them; with 0
+/// that of the run counts.
 ///
 /// # Errors
 /// As [`recorded`].
@@ -116,9 +121,9 @@ pub fn measured(
     process: &mut Process,
     control: &mut dyn Control,
     setting: &Setting,
-    nominal: &Nominal,
+    (nominal, stroke): (&Nominal, f64),
 ) -> Result<Figures, Failure> {
     let samples = nominal.samples(setting.values.get(Parameter::Tau))?;
     let record = recorded(process, control, setting)?;
-    Ok(record.figures(samples, nominal.h))
+    Ok(record.figures(samples, nominal.h, stroke))
 }

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 const STEPS: usize = 20_000;
 
 /// Relative change of the last step.
-const SETTLED: f64 = 1e-13;
+const SETTLED: f64 = 1e-11;
 
 /// A plant x+ = A x + B u with the cost u' R u.
 pub(super) struct Cost<'a> {

@@ -28,14 +28,10 @@ impl Comparison {
         text: &dyn Fn(&Row) -> String,
     ) -> Option<String> {
         let ahead = ahead(&self.rows, rank);
-        let (best, own) = (ahead.first()?, self.rows.first()?);
-        let more = match ahead.len() - 1 {
-            0 => String::new(),
-            1 => ", and another one is better".to_owned(),
-            more => format!(", and {more} others are better"),
-        };
-        let best = format!("{} of {}", text(best), best.entrant.name);
-        Some(format!("{name}: {} against {best}{more}", text(own)))
+        let better = |row: &&Row| format!("{} {}", row.entrant.name, text(row));
+        let better: Vec<_> = ahead.iter().map(better).collect();
+        let own = text(self.rows.first().filter(|_| !better.is_empty())?);
+        Some(format!("{name}: {own}; better: {}", better.join(", ")))
     }
 
     /// Returns the table of all controllers.
@@ -86,7 +82,9 @@ impl Comparison {
 
     /// Returns the rule by which the rivals are tuned.
     pub fn rule() -> String {
-        format!("each has the largest bandwidth with a modulus margin of {MODULUS}")
+        format!(
+            "each has the largest bandwidth with a modulus margin of {MODULUS}, or of nine tenths of a slow loop's if that is less"
+        )
     }
 }
 

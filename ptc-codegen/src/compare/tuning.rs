@@ -7,6 +7,10 @@ use super::regulator::Regulator;
 /// Modulus margin that a loop keeps.
 pub const MODULUS: f64 = 0.5;
 
+/// Part of the modulus margin of the slowest loop that is enough where this is below [`MODULUS`]: an observer leaves a chain
+/// of order 3 less than that at any bandwidth.
+const SHARE: f64 = 0.9;
+
 /// Bandwidths that are tried, in rad per sample.
 const LEAST: f64 = 1.0 / 256.0;
 const MOST: f64 = 1.0;
@@ -25,7 +29,7 @@ pub(super) struct Tuned<R> {
 }
 
 /// Returns the regulator with the largest bandwidth up to which the sampled loop with its delay keeps the modulus margin;
-/// with `given` rad/s where they are given. `None` if no bandwidth keeps it.
+/// with `given` rad/s where they are given. `None` if its gains are not found, or no loop is stable.
 pub(super) fn tuned<R: Regulator>(
     nominal: &Nominal,
     given: Option<f64>,
@@ -34,22 +38,29 @@ pub(super) fn tuned<R: Regulator>(
     if let Some(bandwidth) = given {
         return Some(Tuned { regulator: make(nominal, bandwidth)?, bandwidth });
     }
-    let tried = |rate: f64| {
+    let at = |rate: f64| {
         let bandwidth = rate / nominal.h;
-        let regulator = make(nominal, bandwidth)?;
-        let keeps = Loop::new(nominal, &regulator).modulus() >= MODULUS;
-        keeps.then_some(Tuned { regulator, bandwidth })
+        make(nominal, bandwidth).map(|regulator| Tuned { regulator, bandwidth })
     };
+    let modulus = |own: &Tuned<R>| Loop::new(nominal, &own.regulator).modulus();
     let factor = f64::from(EACH).recip().exp2();
-    let mut good = LEAST;
-    let mut found = tried(good)?;
-    let mut bad = loop {
-        let next = good * factor;
-        match tried(next) {
-            Some(own) if next <= MOST => (good, found) = (next, own),
-            _ => break next,
+    let all = std::iter::successors(Some(LEAST), |rate| Some(rate * factor));
+    let mut rates = all.take_while(|rate| *rate <= MOST);
+    // A mode of the plant that decays just as fast leaves the slowest ones without gains.
+    let (mut good, mut found) = rates.by_ref().find_map(|rate| Some((rate, at(rate)?)))?;
+    let wanted = MODULUS.min(SHARE * modulus(&found));
+    if wanted == 0.0 {
+        return None;
+    }
+    let tried = |rate: f64| at(rate).filter(|own| modulus(own) >= wanted);
+    let mut bad = good * factor;
+    for rate in rates {
+        bad = rate;
+        match tried(rate) {
+            Some(own) => (good, found) = (rate, own),
+            None => break,
         }
-    };
+    }
     for _ in 0..HALVINGS {
         let middle = (good * bad).sqrt();
         match tried(middle) {

@@ -64,13 +64,13 @@ fn rivals_agree_with_an_independent_simulation() {
 
 /// `python3 tools/compare.py`: error of x1, peak, energy, ripple and settling time, without and with a force of 0.3 N.
 const EXPECTED: [(&str, [f64; 5]); 8] = [
-    ("polynomial, PID", [6.5608e-8, 1.5502, 0.76146, 5.4505e-3, 0.716]),
-    ("polynomial, observer", [3.5281e-8, 1.4007, 0.75649, 9.6732e-2, 0.716]),
-    ("jerk-limited, observer", [1.4170e-7, 1.3619, 0.68257, 0.12639, 0.729]),
+    ("polynomial + PID", [6.5608e-8, 1.5502, 0.76146, 5.4505e-3, 0.716]),
+    ("polynomial + observer", [3.5281e-8, 1.4007, 0.75649, 9.6732e-2, 0.716]),
+    ("jerk-limited + observer", [1.4170e-7, 1.3619, 0.68257, 0.12639, 0.729]),
     ("finite-horizon LQR", [9.7228e-10, 1.5348, 0.52946, 0.10951, 0.753]),
-    ("polynomial, PID", [5.0104e-8, 1.8310, 0.83425, 0.45408, 0.716]),
-    ("polynomial, observer", [2.8752e-8, 1.6889, 0.82966, 9.6732e-2, 0.716]),
-    ("jerk-limited, observer", [1.2326e-7, 1.6573, 0.75594, 0.12639, 0.729]),
+    ("polynomial + PID", [5.0104e-8, 1.8310, 0.83425, 0.45408, 0.716]),
+    ("polynomial + observer", [2.8752e-8, 1.6889, 0.82966, 9.6732e-2, 0.716]),
+    ("jerk-limited + observer", [1.2326e-7, 1.6573, 0.75594, 0.12639, 0.729]),
     ("finite-horizon LQR", [5.5102e-7, 1.6285, 0.60266, 0.11677, 0.754]),
 ];
 
@@ -78,7 +78,7 @@ const EXPECTED: [(&str, [f64; 5]); 8] = [
 #[test]
 fn bandwidths_are_the_largest_with_the_margin() {
     let found = json("rule", STAGE, &["--x0", "0.1,0"]);
-    for (name, bandwidth) in [("polynomial, PID", 67.53), ("finite-horizon LQR", 86.86)] {
+    for (name, bandwidth) in [("polynomial + PID", 67.53), ("finite-horizon LQR", 86.86)] {
         let own = row(&found, name)["bandwidth"].as_f64().expect("a number");
         assert!((own - bandwidth).abs() < 0.002 * bandwidth, "{name}: {own}");
     }
@@ -108,8 +108,8 @@ fn soonest_deadline_of_order_3_is_that_of_three_arcs() {
     assert!((time - (32.0 * 0.5 / 100.0f64).cbrt()).abs() < 1e-9, "{time}");
     let omitted = found["omitted"].as_array().expect("omitted");
     assert_eq!(omitted.len(), 1, "{found}");
-    assert_eq!(omitted[0]["name"], "polynomial, PID");
-    assert!(row(&found, "jerk-limited, observer")["error"][0].as_f64().expect("a number") < 1e-4);
+    assert_eq!(omitted[0]["name"], "polynomial + PID");
+    assert!(row(&found, "jerk-limited + observer")["error"][0].as_f64().expect("a number") < 1e-4);
 }
 
 /// The design comes first, what it is behind in above the table, and nothing depends on the number of threads.
@@ -137,7 +137,7 @@ fn figures_are_the_worst_of_all_scenarios() {
         &uncertain(),
         &["--x0", "0.1,0", "--plant", "mass=1.8", "--plant", "push=0.3"],
     );
-    for name in ["the design", "polynomial, PID", "finite-horizon LQR"] {
+    for name in ["the design", "polynomial + PID", "finite-horizon LQR"] {
         for key in ["peak", "energy", "settling"] {
             let [worst, own] =
                 [&all, &one].map(|found| row(found, name)[key].as_f64().expect("a number"));
@@ -153,7 +153,8 @@ fn pictures_have_a_line_for_each_controller() {
     let (code, _, errors) = run_in(&folder, &words);
     assert_eq!(code, Some(0), "{errors}");
     let svg = std::fs::read_to_string(folder.join("run.svg")).expect("a picture");
-    for name in ["the design", "polynomial, PID", "jerk-limited, observer", "finite-horizon LQR"] {
+    for name in ["the design", "polynomial + PID", "jerk-limited + observer", "finite-horizon LQR"]
+    {
         assert!(svg.contains(name), "{name}");
     }
 }

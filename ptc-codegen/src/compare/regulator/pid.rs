@@ -44,7 +44,7 @@ impl Pid {
     }
 }
 
-/// What it keeps: the integral of the error, the last error, and its filtered difference.
+/// What it keeps: the integral of the error, the last error, and that of the speed.
 const KEPT: usize = 3;
 
 impl Regulator for Pid {
@@ -67,11 +67,9 @@ impl Regulator for Pid {
         let error = y[0] - target.now[0];
         let speed = match self.has_speed {
             true => y[1] - target.now[1] / self.h,
-            false => {
-                *slope = self.filter * *slope + (1.0 - self.filter) * (error - *last) / self.h;
-                *slope
-            }
+            false => self.filter * *slope + (1.0 - self.filter) * (error - *last) / self.h,
         };
+        *slope = speed;
         *last = error;
         let next = *sum + self.h * error;
         let wanted =
