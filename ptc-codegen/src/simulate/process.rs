@@ -80,22 +80,9 @@ impl Process {
         around: &Loop,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
-        if let Moved::Rates(motion) = &mut self.moved {
-            motion.init(values, x0)?;
-        }
-        if let Some(integrals) = &mut self.integrals {
-            integrals.start(values, x0)?;
-        }
-        let begin = values.get(Parameter::StartTime);
-        let given = match &mut self.outputs {
-            Some(outputs) => {
-                outputs.init(values, x0)?;
-                outputs.at(begin, x0)
-            }
-            None => x0,
-        };
+        let given = self.start(values, x0)?;
+        control.init(values, &given)?;
         let behind = self.n + self.integrals.as_ref().map_or(0, Integrals::count);
-        control.init(values, given)?;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let mut frame = Frame::new(around, tau);
         let none = vec![0.0; self.inputs];
@@ -111,21 +98,11 @@ impl Process {
             let index = frame.index;
             let (since, last) = frame.since();
             let t = t0 + since;
-            if let (Moved::Rates(motion), Some(values)) = (&mut self.moved, change(since)) {
-                motion.give(values)?;
-                if let Some(outputs) = &mut self.outputs {
-                    outputs.give(values)?;
-                }
+            if let Some(values) = change(since) {
+                self.give(values)?;
             }
             let state = &x.as_slice()[..self.n];
-            let mut measured = match (&mut self.outputs, &self.moved) {
-                (Some(outputs), _) => outputs.at(t, state).to_vec(),
-                (None, Moved::Rates(_)) => state.to_vec(),
-                (None, Moved::Linear(plant)) => plant.measured(state),
-            };
-            frame.measure(&mut measured);
-            // A chain's other states reach no sensor.
-            measured.truncate(self.measured);
+            let measured = self.measured(&mut frame, t, state);
             let now = if self.in_samples { f64::from(index) } else { t };
             let mut again = false;
             while armed.next_if(|at| since >= at * (1.0 - SAME)).is_some() {
@@ -182,6 +159,43 @@ impl Process {
             }
         }
         Ok(())
+    }
+
+    /// Begins a run from `x0`, and returns the state that the controller is given.
+    fn start(&mut self, values: &Values, x0: &[f64]) -> Result<Vec<f64>, Failure> {
+        if let Moved::Rates(motion) = &mut self.moved {
+            motion.init(values, x0)?;
+        }
+        if let Some(integrals) = &mut self.integrals {
+            integrals.start(values, x0)?;
+        }
+        let Some(outputs) = &mut self.outputs else { return Ok(x0.to_vec()) };
+        outputs.init(values, x0)?;
+        Ok(outputs.at(values.get(Parameter::StartTime), x0).to_vec())
+    }
+
+    /// Gives the plant's symbols other values; a linear plant has none.
+    fn give(&mut self, values: &Values) -> Result<(), Failure> {
+        if let Moved::Rates(motion) = &mut self.moved {
+            motion.give(values)?;
+            if let Some(outputs) = &mut self.outputs {
+                outputs.give(values)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The measurement of a state at time `t`.
+    fn measured(&mut self, frame: &mut Frame<'_>, t: f64, state: &[f64]) -> Vec<f64> {
+        let mut measured = match (&mut self.outputs, &self.moved) {
+            (Some(outputs), _) => outputs.at(t, state).to_vec(),
+            (None, Moved::Rates(_)) => state.to_vec(),
+            (None, Moved::Linear(plant)) => plant.measured(state),
+        };
+        frame.measure(&mut measured);
+        // A chain's other states reach no sensor.
+        measured.truncate(self.measured);
+        measured
     }
 
     /// The state at the end of a time in which u is constant, at whose beginning `time_to_go` is left.
