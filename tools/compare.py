@@ -2,8 +2,8 @@
 ptc-codegen/tests/lab/compare.rs.
 
 Another formulation than the library's: gains by pole placement (Ackermann) in place of Riccati equations,
-the jerk-limited profile as seven segments in place of Ruckig, and the modulus margin by the transfer
-functions of controller and plant. Run with: python3 tools/compare.py (needs numpy).
+the jerk-limited profile as seven segments in place of Ruckig, and modulus margin and noise by the
+transfer functions of controller and plant. Run with: python3 tools/compare.py (needs numpy).
 """
 
 import cmath
@@ -153,8 +153,8 @@ def figures(controller, force):
     return states[N], abs(inputs).max(), H * (inputs[:N] ** 2).sum(), after.max() - after.min(), H * settled
 
 
-def modulus(make, bandwidth):
-    """The least |1 + L|: L from the impulse response of the controller, which decays by its own poles but one."""
+def responses(make, bandwidth):
+    """Angles in rad per sample, 1 + L and the transfer function of the controller there."""
     controller = make(bandwidth)
     size = 3 if isinstance(controller, Pid) else 3 + DELAY
 
@@ -176,14 +176,34 @@ def modulus(make, bandwidth):
         c[i], a[:, i] = controller.step(2 * N, 0.0) * 1e6, kept() * 1e6
     state(np.zeros(size))
     through, b = controller.step(2 * N, 1e-6) * 1e6, kept() * 1e6
-
-    def loop(angle):
+    angles = np.concatenate([np.geomspace(1e-5, 1e-2, 2000), np.arange(1e-2, math.pi, 5e-4)])
+    differences, own = [], []
+    for angle in angles:
         z = cmath.exp(1j * angle)
-        own = through + c @ np.linalg.solve(z * np.eye(size) - a, b)
-        plant = (np.linalg.solve(z * np.eye(2) - PHI, GAMMA.ravel().astype(complex)))[0]
-        return abs(1 - own * plant * z**-DELAY)
+        own.append(through + c @ np.linalg.solve(z * np.eye(size) - a, b))
+        plant = np.linalg.solve(z * np.eye(2) - PHI, GAMMA.ravel().astype(complex))[0]
+        differences.append(1 - own[-1] * plant * z**-DELAY)
+    return angles, np.array(differences), np.array(own)
 
-    return min(loop(angle) for angle in np.geomspace(1e-4, math.pi, 4000))
+
+def modulus(make, bandwidth):
+    """The least |1 + L|."""
+    return abs(responses(make, bandwidth)[1]).min()
+
+
+def noise(make, bandwidth, step):
+    """Standard deviation of u from a quantisation step as white noise, by the integral over all frequencies."""
+    angles, differences, own = responses(make, bandwidth)
+    power = abs(own / differences) ** 2
+    return math.sqrt(np.trapezoid(power, angles) / math.pi * step**2 / 12)
+
+
+def largest(keeps):
+    low, high = 5.0, 400.0
+    while high - low > 1e-2:
+        middle = (low + high) / 2
+        low, high = (middle, high) if keeps(middle) else (low, middle)
+    return low
 
 
 def main():
@@ -199,13 +219,11 @@ def main():
         for name, make in rivals:
             found = ", ".join(f"{value:.4e}" for value in figures(make(80.0), force))
             print(f'    ("{name}", [{found}]),')
-    print("largest bandwidth with a modulus margin of 0.5")
+    print("largest bandwidth with a modulus margin of 0.5; with a step of 20 um, with at most 0.12 N as noise")
     for name, make in rivals[:2]:
-        low, high = 20.0, 400.0
-        while high - low > 1e-3:
-            middle = (low + high) / 2
-            low, high = (middle, high) if modulus(make, middle) >= 0.5 else (low, middle)
-        print(f"    {name}: {low:.2f} rad/s")
+        margin = largest(lambda w: modulus(make, w) >= 0.5)
+        calm = largest(lambda w: noise(make, w, 20e-6) <= 0.02 * LIMIT)
+        print(f"    {name}: {margin:.2f}; {calm:.2f} rad/s")
 
 
 if __name__ == "__main__":

@@ -15,17 +15,21 @@ const LOWEST: f64 = 1e-4;
 /// Most steps of an eigenvalue iteration.
 const STEPS: usize = 1000;
 
+/// Most doublings of a sum over samples.
+const DOUBLINGS: usize = 64;
+
 /// A regulator around its plant, to which a test signal is added at the plant's input.
 pub(super) struct Loop<'a> {
     nominal: &'a Nominal,
     regulator: &'a dyn Regulator,
 }
 
-/// The loop from sample to sample: s+ = A s + B r, and the input that acts is C s + r.
+/// The loop from sample to sample: s+ = A s + B r, and the input that acts is C s + r. The regulator gives D s.
 struct Closed {
     a: DMatrix<f64>,
     b: DVector<f64>,
     c: DVector<f64>,
+    d: DVector<f64>,
 }
 
 impl<'a> Loop<'a> {
@@ -41,7 +45,7 @@ impl<'a> Loop<'a> {
         let size = n + late + regulator.order();
         let rest = Target::rest(n);
         let mut a = DMatrix::zeros(size, size);
-        let mut c = DVector::zeros(size);
+        let (mut c, mut d) = (DVector::zeros(size), DVector::zeros(size));
         for column in 0..size {
             let mut state = vec![0.0; size];
             state[column] = 1.0;
@@ -58,14 +62,14 @@ impl<'a> Loop<'a> {
                 }
                 None => u,
             };
-            c[column] = gain * acts;
+            (c[column], d[column]) = (gain * acts, u);
             let next = &nominal.phi * x + &nominal.gamma * (gain * acts);
             state[..n].copy_from_slice(next.as_slice());
             a.set_column(column, &DVector::from_vec(state));
         }
         let mut b = DVector::zeros(size);
         b.rows_mut(0, n).copy_from(&nominal.gamma);
-        Closed { a, b, c }
+        Closed { a, b, c, d }
     }
 
     /// Returns the modulus margin, the least distance of the open loop from -1; 0 where the loop is not stable.
@@ -80,6 +84,34 @@ impl<'a> Loop<'a> {
         1.0 / most.fold(0.0, f64::max)
     }
 
+    /// Returns the standard deviation of u from the errors of the sensors, taken as white noise; infinite where the loop
+    /// is not stable.
+    pub(super) fn noise(&self) -> f64 {
+        let closed = self.closed(1.0, 0);
+        if !closed.is_stable() {
+            return f64::INFINITY;
+        }
+        let all = self.nominal.noise.iter().enumerate();
+        let all = all.map(|(j, variance)| variance * closed.variance(&self.of_sensor(j)));
+        all.sum::<f64>().sqrt()
+    }
+
+    /// The state and u behind a sample in which one measured value is 1 and all else is 0.
+    fn of_sensor(&self, j: usize) -> (DVector<f64>, f64) {
+        let Self { nominal, regulator } = self;
+        let (n, late) = (nominal.order(), nominal.delay);
+        let mut y = vec![0.0; nominal.c.nrows()];
+        y[j] = 1.0;
+        let mut state = DVector::zeros(n + late + regulator.order());
+        let kept = &mut state.as_mut_slice()[n + late..];
+        let u = regulator.step(kept, &y, &Target::rest(n), Range::ALL);
+        match late {
+            0 => state.rows_mut(0, n).axpy(u, &nominal.gamma, 1.0),
+            _ => state[n + late - 1] = u,
+        }
+        (state, u)
+    }
+
     /// Returns the input gains and the samples of delay with which it is stable; `None` if it is not stable as it is.
     pub(super) fn margin(&self) -> Option<Margin> {
         margin_of(&|gain, more| self.closed(gain, more).is_stable())
@@ -90,6 +122,21 @@ impl Closed {
     fn is_stable(&self) -> bool {
         let schur = Schur::try_new(self.a.clone(), f64::EPSILON, STEPS);
         schur.is_some_and(|own| own.complex_eigenvalues().iter().all(|z| z.norm() < 1.0))
+    }
+
+    /// Sum of the squares of u behind one sample that leaves this state and this u: of all samples, by doubling.
+    fn variance(&self, (state, u): &(DVector<f64>, f64)) -> f64 {
+        let (mut step, mut sum) = (self.a.clone(), state * state.transpose());
+        for _ in 0..DOUBLINGS {
+            let more = &step * &sum * step.transpose();
+            let is_settled = more.norm() <= f64::EPSILON * sum.norm();
+            sum += more;
+            if is_settled {
+                break;
+            }
+            step = &step * &step;
+        }
+        (self.d.transpose() * sum * &self.d)[0] + u * u
     }
 
     /// |S| at an angle in rad per sample; `None` at a pole of S.

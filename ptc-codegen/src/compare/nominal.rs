@@ -7,6 +7,7 @@ use crate::algebra::BigRational;
 use crate::limits::COMPARED;
 use crate::linear::{Delay, Linear, zero_order_hold};
 use crate::parameter::{Fixed, Parameter};
+use crate::program::range::Range;
 use crate::request::{Spec, one_or_each};
 use crate::simulate::Failure;
 
@@ -31,8 +32,10 @@ pub struct Nominal {
     pub gamma: DVector<f64>,
     /// Measured values by states.
     pub c: DMatrix<f64>,
-    /// Variance of the error of each measured value, in parts of the others'.
+    /// Variance of the error of each measured value.
     pub noise: DVector<f64>,
+    /// The limit of u that is nearer to 0; infinite for none.
+    pub limit: f64,
     /// Units of the states: x = units * state here.
     pub units: DVector<f64>,
     /// A and B of x' = A x + B u, in the units of the plant.
@@ -81,6 +84,7 @@ impl Nominal {
         Self::sampled(&plant, period, delay).map(|own| Self {
             is_chain: sampled.linear.is_none(),
             noise: own.variances(spec),
+            limit: Range::fixed(spec, 0).radius(),
             ..own
         })
     }
@@ -107,25 +111,29 @@ impl Nominal {
             phi: DMatrix::from_fn(n, n, |i, j| by(&held.phi, i, j) * units[j] / units[i]),
             gamma: DVector::from_fn(n, |i, _| double(&held.older[i]) / units[i]),
             c: DMatrix::from_fn(plant.c.len(), n, |i, j| by(&plant.c, i, j) * units[j]),
-            noise: DVector::from_element(plant.c.len(), 1.0),
+            noise: DVector::zeros(plant.c.len()),
+            limit: f64::INFINITY,
             units,
             rates: (rates, DVector::from_fn(n, |i, _| double(&plant.b[i]))),
         })
     }
 
-    /// Variance of each measured value: noise, even and random, and quantisation; 1 each where none is given.
+    /// Variance of each measured value: noise, even and random, and quantisation.
     fn variances(&self, spec: &Spec) -> DVector<f64> {
         let promises = &spec.promises;
-        let of = |j: usize| {
+        DVector::from_fn(self.c.nrows(), |j, _| {
             let size = |given| one_or_each(given, j).unwrap_or(0.0);
             let (bound, step) = (size(&promises.noise), size(&promises.sensor_step));
             bound * bound / 3.0 + size(&promises.noise_rms).powi(2) + step * step / 12.0
-        };
-        let all: Vec<_> = (0..self.c.nrows()).map(of).collect();
-        let most = all.iter().copied().fold(0.0, f64::max);
-        // A sensor without errors counts as one with a millionth of the largest.
+        })
+    }
+
+    /// Weights by which an observer divides the measured values: their variances, where a sensor without errors counts as
+    /// one with a millionth of the largest; 1 each without any.
+    pub fn weights(&self) -> DVector<f64> {
+        let most = self.noise.max();
         let floor = if most > 0.0 { 1e-12 * most } else { 1.0 };
-        DVector::from_iterator(all.len(), all.iter().map(|own| own.max(floor)))
+        self.noise.map(|own| own.max(floor))
     }
 
     /// Number of states.

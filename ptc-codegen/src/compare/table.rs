@@ -83,7 +83,7 @@ impl Comparison {
     /// Returns the rule by which the rivals are tuned.
     pub fn rule() -> String {
         format!(
-            "each has the largest bandwidth with a modulus margin of {MODULUS}, or of nine tenths of a slow loop's if that is less"
+            "each has the largest bandwidth with a modulus margin of {MODULUS}, or of nine tenths of a slow loop's if that is less, and at most 2 % of the limit as noise of u"
         )
     }
 }

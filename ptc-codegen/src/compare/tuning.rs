@@ -11,6 +11,9 @@ pub const MODULUS: f64 = 0.5;
 /// of order 3 less than that at any bandwidth.
 const SHARE: f64 = 0.9;
 
+/// Part of the limit of u that the errors of the sensors may move it by, as a standard deviation.
+const NOISE: f64 = 0.02;
+
 /// Bandwidths that are tried, in rad per sample.
 const LEAST: f64 = 1.0 / 256.0;
 const MOST: f64 = 1.0;
@@ -28,8 +31,8 @@ pub(super) struct Tuned<R> {
     pub bandwidth: f64,
 }
 
-/// Returns the regulator with the largest bandwidth up to which the sampled loop with its delay keeps the modulus margin;
-/// with `given` rad/s where they are given. `None` if its gains are not found, or no loop is stable.
+/// Returns the regulator with the largest bandwidth up to which the sampled loop with its delay keeps the modulus margin
+/// and the errors of the sensors move u little; with `given` rad/s where they are given. `None` if its gains are not found, or no loop is stable.
 pub(super) fn tuned<R: Regulator>(
     nominal: &Nominal,
     given: Option<f64>,
@@ -52,7 +55,9 @@ pub(super) fn tuned<R: Regulator>(
     if wanted == 0.0 {
         return None;
     }
-    let tried = |rate: f64| at(rate).filter(|own| modulus(own) >= wanted);
+    let is_calm =
+        |own: &Tuned<R>| Loop::new(nominal, &own.regulator).noise() <= NOISE * nominal.limit;
+    let tried = |rate: f64| at(rate).filter(|own| modulus(own) >= wanted && is_calm(own));
     let mut bad = good * factor;
     for rate in rates {
         bad = rate;

@@ -56,7 +56,11 @@ fn compared(
 
 /// The campaign of a design, with the start that a flag gives.
 fn campaign(request: &Compare, mut source: Source) -> Result<Campaign, Failure> {
-    let spec = source.parse().read()?;
+    let given = source.parse();
+    let spec = given.read()?;
+    if let Err(found) = spec.needs_law("compare") {
+        return given.finish(None, found);
+    }
     // What is not supported is told before what else is missing.
     Nominal::of(&spec)?;
     let states = spec.state_names();

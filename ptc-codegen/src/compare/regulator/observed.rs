@@ -39,7 +39,7 @@ impl Observed {
         let mut c = DMatrix::zeros(m, n + 1);
         c.view_mut((0, 0), (m, n)).copy_from(&nominal.c);
         let (across, seen) = (with_constant.transpose(), c.transpose());
-        let ahead = placed(&across, &seen, &nominal.noise, FASTER * rate)?.gains.transpose();
+        let ahead = placed(&across, &seen, &nominal.weights(), FASTER * rate)?.gains.transpose();
         let observer = with_constant.clone().lu().solve(&ahead)?;
         Some(Self { nominal: nominal.clone(), feedback, observer, with_constant })
     }
