@@ -19,6 +19,7 @@ mod gate;
 mod generator;
 mod latency;
 mod models;
+mod moves;
 mod peers;
 mod report;
 mod rewrites;
@@ -35,7 +36,7 @@ use failure::Result;
 
 /// Measures the generated code and the generator.
 ///
-/// Without a command: counts, axes, fma, latency, accuracy, peers, models, generator, egg, then report.
+/// Without a command: counts, axes, fma, latency, accuracy, peers, models, moves, generator, egg, then report.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-bench")]
 struct CommandLine {
@@ -66,6 +67,8 @@ enum Command {
     Peers,
     /// A step of designs with a model, beside the C that other tools write of the same plant
     Models,
+    /// Motions to rest by designs of ours and by other controllers; prints the section of the page
+    Moves,
     /// Instructions and time of generating; with --builds also those of the command and of a crate with the macro
     Generator,
     /// What equality saturation finds beyond the passes, for small kernels
@@ -115,6 +118,11 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Accuracy) => report::keep("accuracy", &accuracy::measure()?),
         Some(Command::Peers) => peers(line),
         Some(Command::Models) => models(line),
+        Some(Command::Moves) => {
+            let measured = moves::measure()?;
+            print!("{}", report::moves(&measured));
+            report::keep("moves", &measured)
+        }
         Some(Command::Generator) => generator(line),
         Some(Command::Egg) => report::keep("egg", &equality::measure()?),
         Some(Command::Samples) => samples::table(),
@@ -134,6 +142,7 @@ fn execute(line: &CommandLine) -> Result<()> {
             report::keep("accuracy", &accuracy::measure()?)?;
             peers(line)?;
             models(line)?;
+            report::keep("moves", &moves::measure()?)?;
             generator(line)?;
             report::keep("egg", &equality::measure()?)?;
             report::write()

@@ -92,6 +92,10 @@ pub mod synthesis;
 #[doc(hidden)]
 pub mod verify;
 
+#[cfg(feature = "lab")]
+#[doc(hidden)]
+pub mod compare;
+
 #[doc(hidden)]
 pub mod accepted;
 #[cfg(feature = "files")]

@@ -140,6 +140,12 @@ table! {
     /// Samples of a run of `simulate`.
     SAMPLES = 10_000_000 "samples", "what is more is a period that was mistyped; the rows go to the file as they are made, and a run takes less than 500 MB",
         "give a longer --sample-time";
+    /// Samples until the deadline of a design that is compared with others.
+    COMPARED = 100_000 "samples", "the gains of a finite horizon are kept for each",
+        "give a shorter tau, or a longer sample_time";
+    /// Scenarios in which a design is compared with others.
+    RIVALS = 100_000 "scenarios", "each is run with every controller; some seconds for a thousand",
+        "give fewer --scenarios";
     /// Threads of a campaign or a search.
     THREADS = 256 "threads", "more than there are cores make nothing faster; RAYON_NUM_THREADS may give fewer", "";
     /// Messages about one input.

@@ -1,6 +1,7 @@
 //! `report`: docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last.
 
 mod beside;
+mod moves;
 mod plot;
 mod tables;
 
@@ -19,6 +20,7 @@ use crate::fused::Fused;
 use crate::generator::{Bell, Speed};
 use crate::latency::Latency;
 use crate::models::Model;
+use crate::moves::Move;
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
 
@@ -57,6 +59,13 @@ pub(crate) fn campaigns(measured: &[Campaign]) -> String {
     text
 }
 
+/// The section of motions, as the page has it.
+pub(crate) fn moves(measured: &[Move]) -> String {
+    let mut text = String::new();
+    moves::moves(&mut text, measured);
+    text
+}
+
 /// Writes both files.
 pub(crate) fn write() -> Result<()> {
     let mut text = String::from(INTRODUCTION);
@@ -88,6 +97,9 @@ pub(crate) fn write() -> Result<()> {
     beside::peers(&mut text, peers.as_deref().unwrap_or(&[]));
     if let Some(models) = kept::<Vec<Model>>("models")? {
         beside::models(&mut text, &models);
+    }
+    if let Some(measured) = kept::<Vec<Move>>("moves")? {
+        moves::moves(&mut text, &measured);
     }
     if let Some(speeds) = kept::<Vec<Speed>>("generator")? {
         tables::generator(&mut text, &speeds);

@@ -23,10 +23,11 @@ Examples:
   ptc-codegen simulate roll.toml --x0 0.1,0           its closed loop, as CSV
   ptc-codegen verify roll.toml                        its objectives, over scenarios
   ptc-codegen design wish.toml -o roll.toml           chooses mapping and poles for them
+  ptc-codegen compare roll.toml                       beside a PID, a profile, an LQR
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
   ptc-codegen explain missing-key                     what a message means, and its fix
 
-simulate, verify and design need a build with `--features lab`.";
+simulate, verify, design and compare need a build with `--features lab`.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -74,6 +75,13 @@ pub(crate) enum Command {
         override_usage = "ptc-codegen design <DESIGN> [-o <FILE>] [--tries <COUNT>]"
     )]
     Design(super::lab::Design),
+    /// Compare a design with the controllers that engineers use instead
+    #[command(
+        after_help = with_exit_codes(super::lab::COMPARE_EXAMPLES),
+        override_usage = "ptc-codegen compare <DESIGN> [OPTIONS]\n       \
+                          ptc-codegen compare <DESIGN> --x0 <X1,...,XN> [OPTIONS]"
+    )]
+    Compare(super::lab::Compare),
     /// Write a design file to start from
     #[command(after_help = with_exit_codes(super::new::EXAMPLES))]
     New(super::new::New),

@@ -3,6 +3,7 @@
 use super::report::Failure;
 use crate::verify::threaded;
 
+pub(crate) use super::comparison::{Compare, EXAMPLES as COMPARE_EXAMPLES};
 pub(crate) use super::design::{EXAMPLES as DESIGN_EXAMPLES, Request as Design};
 pub(crate) use super::simulate::{
     ABOUT as SIMULATE_ABOUT, EXAMPLES as SIMULATE_EXAMPLES, Simulate, simulate,
@@ -17,4 +18,9 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
 /// Runs `design` on all cores.
 pub(crate) fn design(request: &Design) -> Result<(), Failure> {
     threaded(|| super::design::design(request))
+}
+
+/// Runs `compare` on all cores.
+pub(crate) fn compare(request: &Compare) -> Result<(), Failure> {
+    threaded(|| super::comparison::compare(request))
 }

@@ -7,6 +7,8 @@ mod catalogue;
 mod check;
 mod compare;
 #[cfg(feature = "lab")]
+mod comparison;
+#[cfg(feature = "lab")]
 mod design;
 mod doubts;
 mod emit;
@@ -28,6 +30,8 @@ mod new;
 mod output;
 #[cfg(feature = "lab")]
 mod page;
+#[cfg(feature = "lab")]
+mod picture;
 mod progress;
 mod project;
 mod read;
@@ -107,6 +111,7 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         Command::Simulate(request) => lab::simulate(&request),
         Command::Verify(request) => lab::verify(&request),
         Command::Design(request) => lab::design(&request),
+        Command::Compare(request) => lab::compare(&request),
         Command::New(request) => new::new(&request),
         Command::Completions(request) => {
             write::to_stdout(&manual::completions(&request, CommandLine::command()))

@@ -10,6 +10,7 @@ pub(crate) const SIMULATE_ABOUT: &str = "The plant is in the design, under [plan
 pub(crate) const SIMULATE_EXAMPLES: &str = NEEDS;
 pub(crate) const VERIFY_EXAMPLES: &str = NEEDS;
 pub(crate) const DESIGN_EXAMPLES: &str = NEEDS;
+pub(crate) const COMPARE_EXAMPLES: &str = NEEDS;
 
 const NEEDS: &str = "This build has no laboratory: build it with `--features lab`.";
 
@@ -23,6 +24,7 @@ pub(crate) struct Words {
 pub(crate) type Simulate = Words;
 pub(crate) type Verify = Words;
 pub(crate) type Design = Words;
+pub(crate) type Compare = Words;
 
 pub(crate) fn simulate(_: &Words) -> Result<(), Failure> {
     Err(absent("simulate"))
@@ -34,6 +36,10 @@ pub(crate) fn verify(_: &Words) -> Result<(), Failure> {
 
 pub(crate) fn design(_: &Words) -> Result<(), Failure> {
     Err(absent("design"))
+}
+
+pub(crate) fn compare(_: &Words) -> Result<(), Failure> {
+    Err(absent("compare"))
 }
 
 fn absent(command: &str) -> Failure {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Failure, Values};
+use super::{Control, Failure, Values};
 use crate::check::examine::{greatest, legal};
 use crate::code::{Code, Expr, Handle, Instance, Slot, Test, parameter_name};
 use crate::controller::of_program;
@@ -70,26 +70,21 @@ impl Controller {
     pub(super) fn program(&self) -> Option<&Program> {
         self.emitted.program.as_ref()
     }
+}
 
-    /// `init`: gives the parameters and starts at the t0 of the values, from `x0`.
-    ///
-    /// # Errors
-    /// A parameter without a value, or outside its domain.
-    pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
+impl Control for Controller {
+    fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         for (parameter, slot) in &self.emitted.open {
             self.instance.set(*slot, values.number(*parameter)?);
         }
         self.instance.init(x0).map_err(|_| self.emitted.refused(values))
     }
 
-    /// `arm`: starts again at `start`, a time or the number of a sample, from `x0`; whether all that it computes is
-    /// finite.
-    pub fn arm(&mut self, start: f64, x0: &[f64]) -> bool {
+    fn arm(&mut self, start: f64, x0: &[f64]) -> bool {
         self.instance.perform(self.emitted.arm, &[&[start], x0]).number() >= 0
     }
 
-    /// `step` at `t`, a time or the number of a sample: every u and the status; u is 0 where the status is negative.
-    pub fn step(&mut self, t: f64, x: &[f64]) -> (&[f64], Status) {
+    fn step(&mut self, t: f64, x: &[f64]) -> (&[f64], Status) {
         let status = self.instance.perform(self.emitted.step, &[&[t], x]);
         (self.instance.result(self.emitted.step), status.into())
     }

@@ -6,7 +6,7 @@ use super::outputs::Outputs;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
 use super::smooth::Smooth;
-use super::{Controller, Failure, Sample, Values, controller};
+use super::{Control, Controller, Failure, Sample, Values, controller};
 use crate::parameter::{Parameter, Precision};
 use crate::plant::Plant;
 use crate::request::{Spec, What};

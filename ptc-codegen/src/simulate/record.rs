@@ -3,8 +3,8 @@
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::{
-    Accuracy, Cause, Continuous, Controller, Direct, Failure, Loop, Run, Sample, Sampled, Side,
-    Values, grid,
+    Accuracy, Cause, Continuous, Control, Controller, Direct, Failure, Loop, Run, Sample, Sampled,
+    Side, Values, grid,
 };
 use crate::algebra::BigRational;
 use crate::parameter::{Parameter, Precision};

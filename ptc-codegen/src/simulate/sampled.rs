@@ -1,40 +1,18 @@
 //! The loop as it will run: the emitted controller at each sample, u held in between.
 
-use super::around::SAME;
-use super::between::{BETWEEN, Between, Held, Moved};
-use super::frame::{Frame, Span};
-use super::integrals::Integrals;
+use super::between::Moved;
 use super::lanes::RunningLanes;
-use super::linear::Linear;
-use super::method::State;
-use super::outputs::Outputs;
-use super::plant::Motion;
-use super::solver::First;
-use super::switching::Walk;
-use super::{Controller, Failure, Loop, Sample, Values};
+use super::{Controller, Failure, Loop, Process, Sample, Values};
 use crate::expression::Expression;
-use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::request::{Spec, What};
 
 /// The plant with a sampled controller.
 #[derive(Clone, Debug)]
 pub struct Sampled {
-    n: usize,
-    inputs: usize,
-    /// Number of measured values.
-    measured: usize,
     controller: Controller,
-    /// True if the clock of the controller is the number of the sample.
-    in_samples: bool,
-    moved: Moved,
-    /// Inputs of the controller for a plant with other states than the law.
-    outputs: Option<Outputs>,
-    integrals: Option<Integrals>,
+    process: Process,
 }
-
-/// Bounds of all states and of u below which they count as 0.
-const NOTHING: [f64; 2] = [1e-100, 1e-80];
 
 impl Sampled {
     /// The loop of a controller and a plant, to be run with many values.
@@ -42,41 +20,24 @@ impl Sampled {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
-        let outputs = Outputs::new(spec);
         if spec.what == What::Observer {
             let message = "an observer alone closes no loop";
             return Err(Failure::input(message, "leave `what` out: the controller is simulated"));
         }
-        let linear = spec.sampled().and_then(|sampled| sampled.linear.as_ref());
-        let moved = match linear.filter(|_| outputs.is_none()) {
-            Some(plant) => {
-                let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
-                Moved::Linear(Linear::new(plant, h))
-            }
-            None => Moved::Rates(Box::new(Motion::new(spec, &known(spec, plant)))),
-        };
-        Ok(Self {
-            n: spec.states(),
-            inputs: spec.input_names().len(),
-            measured: spec.measurements(),
-            controller: Controller::new(spec)?,
-            in_samples: spec.sampled().is_some(),
-            moved,
-            outputs,
-            integrals: None,
-        })
+        Ok(Self { controller: Controller::new(spec)?, process: Process::new(spec, plant) })
     }
 
     /// The same with integrals over the run beside it.
     #[must_use]
     pub fn with_integrals(self, spec: &Spec, integrands: &[Expression]) -> Self {
-        Self { integrals: Integrals::new(spec, integrands), ..self }
+        Self { process: self.process.with_integrals(spec, integrands), ..self }
     }
 
     /// The same for many scenarios at once, where the plant is linear between samples; `None` where it is not,
     /// and for a clock in samples.
     pub fn in_lanes(&self) -> Option<RunningLanes> {
-        match (&self.moved, &self.integrals, &self.outputs) {
+        let Process { moved, integrals, outputs, .. } = &self.process;
+        match (moved, integrals, outputs) {
             (Moved::Rates(motion), None, None) => RunningLanes::of(&self.controller, motion),
             _ => None,
         }
@@ -110,157 +71,6 @@ impl Sampled {
         around: &Loop,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
-        if let Moved::Rates(motion) = &mut self.moved {
-            motion.init(values, x0)?;
-        }
-        if let Some(integrals) = &mut self.integrals {
-            integrals.start(values, x0)?;
-        }
-        let begin = values.get(Parameter::StartTime);
-        let given = match &mut self.outputs {
-            Some(outputs) => {
-                outputs.init(values, x0)?;
-                outputs.at(begin, x0)
-            }
-            None => x0,
-        };
-        let behind = self.n + self.integrals.as_ref().map_or(0, Integrals::count);
-        self.controller.init(values, given)?;
-        let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-        let mut frame = Frame::new(around, tau);
-        let none = vec![0.0; self.inputs];
-        let mut late = std::collections::VecDeque::from(vec![none.clone(); around.delay.inputs()]);
-        let mut x = State::zeros();
-        x.as_mut_slice()[..self.n].copy_from_slice(x0);
-        let mut armed = around.arm_at.clone();
-        armed.sort_unstable_by(f64::total_cmp);
-        let mut armed = armed.into_iter().peekable();
-        let mut deadline = tau;
-        let mut walk = Walk::default();
-        loop {
-            let index = frame.index;
-            let (since, last) = frame.since();
-            let t = t0 + since;
-            if let (Moved::Rates(motion), Some(values)) = (&mut self.moved, change(since)) {
-                motion.give(values)?;
-                if let Some(outputs) = &mut self.outputs {
-                    outputs.give(values)?;
-                }
-            }
-            let state = &x.as_slice()[..self.n];
-            let mut measured = match (&mut self.outputs, &self.moved) {
-                (Some(outputs), _) => outputs.at(t, state).to_vec(),
-                (None, Moved::Rates(_)) => state.to_vec(),
-                (None, Moved::Linear(plant)) => plant.measured(state),
-            };
-            frame.measure(&mut measured);
-            // A chain's other states reach no sensor.
-            measured.truncate(self.measured);
-            let now = if self.in_samples { f64::from(index) } else { t };
-            let mut again = false;
-            while armed.next_if(|at| since >= at * (1.0 - SAME)).is_some() {
-                again = true;
-            }
-            if again {
-                if !self.controller.arm(now, &measured) {
-                    return Err(Failure::not_armed(t));
-                }
-                deadline = since + tau;
-            }
-            let (u, status) = self.controller.step(now, &measured);
-            late.push_back(u.iter().map(|u| frame.actuated(*u)).collect());
-            let u = late.pop_front().unwrap_or_else(|| none.clone());
-            let newer = late.front().unwrap_or(&u);
-            visit(Sample {
-                t,
-                time_to_go: deadline - since,
-                stretched: f64::NAN,
-                x: state,
-                measured: &measured,
-                u: &u,
-                integrals: &x.as_slice()[self.n..behind],
-                status,
-            });
-            if last {
-                break;
-            }
-            let Span { from, over, to } = frame.next();
-            for (u, from, to) in [(&u, from, over), (newer, over, to)] {
-                let acts: Vec<_> = u.iter().map(|u| frame.gain * u).collect();
-                let held = Held { u, acts: &acts };
-                let at = |part: u32| match part == around.parts {
-                    true => to,
-                    false => from + (to - from) * f64::from(part) / f64::from(around.parts),
-                };
-                for part in (0..around.parts).filter(|_| from < to) {
-                    let ends = (t0 + at(part), t0 + at(part + 1));
-                    let moved = self.between(&mut walk, x, held, (ends, deadline - at(part)));
-                    x = moved.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
-                    if part + 1 < around.parts {
-                        visit(Sample {
-                            t: ends.1,
-                            time_to_go: deadline - at(part + 1),
-                            stretched: f64::NAN,
-                            x: &x.as_slice()[..self.n],
-                            measured: &measured,
-                            u,
-                            integrals: &x.as_slice()[self.n..behind],
-                            status,
-                        });
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// The state at the end of a time in which u is constant, at whose beginning `time_to_go` is left.
-    fn between(
-        &mut self,
-        walk: &mut Walk,
-        x: State,
-        Held { u, acts }: Held<'_>,
-        ((from, to), time_to_go): ((f64, f64), f64),
-    ) -> Result<State, Failure> {
-        let Self { n, moved, integrals, .. } = self;
-        let exact = match moved {
-            Moved::Rates(motion) => motion.after(&x, acts, (from, to)),
-            Moved::Linear(plant) => Some(plant.after(x, acts[0], to - from)?),
-        };
-        if exact.is_some_and(|next| next.iter().any(|x| !x.is_finite())) {
-            return Err(Failure::range());
-        }
-        if let (Some(exact), None) = (exact, &integrals) {
-            return Ok(exact);
-        }
-        // Of states that have died out the errors of a step would underflow.
-        let nothing = x.as_slice()[..*n].iter().all(|x| x.abs() < NOTHING[0])
-            && acts.iter().all(|u| u.abs() < NOTHING[1]);
-        let rest = vec![0.0; acts.len()];
-        let (mut begin, held) = (x, Held { u, acts: if nothing { &rest } else { acts } });
-        if nothing {
-            begin.as_mut_slice()[..*n].fill(0.0);
-        }
-        let length = to - from;
-        let integrals = integrals.as_mut();
-        let mut between = Between { moved, integrals, held, from, length, time_to_go, end: begin };
-        let done = walk.on(&mut between, begin, &[0.0, 1.0], (First::Fifth, BETWEEN));
-        let mut end = between.end;
-        if let Err((_, failure)) = done {
-            let of_integral = |own: &Integrals| own.failure(failure.clone());
-            return Err(self.integrals.as_ref().map_or_else(|| failure.clone(), of_integral));
-        }
-        if let Some(exact) = exact {
-            end.as_mut_slice()[..*n].copy_from_slice(&exact.as_slice()[..*n]);
-        }
-        Ok(end)
-    }
-}
-
-/// A chain has the f that its controller knows, where a plant is not given.
-fn known(spec: &Spec, plant: &Plant) -> Plant {
-    match spec.drift.clone().filter(|_| spec.sampled().is_some() && *plant == Plant::default()) {
-        Some(f) => Plant { f, ..Plant::default() },
-        None => plant.clone(),
+        self.process.run(&mut self.controller, values, change, x0, around, visit)
     }
 }

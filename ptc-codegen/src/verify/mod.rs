@@ -46,7 +46,7 @@ pub use course::{Course, Signal};
 pub use envelope::Envelope;
 pub use objective::{Kind, Objective};
 pub use outcome::{Judgement, Other, Outcome, Status};
-pub use read::{read, read_with_plant};
+pub use read::{read, read_scenarios, read_with_plant};
 pub use run::{Done, chunks, sample, shard};
 pub use scenario::{Scenario, Setting};
 pub use start::{Impossible, impossible, possible, reversed};

@@ -123,7 +123,7 @@ impl Campaign {
     }
 
     /// The plant with a wave of run-time symbols in place of each disturbance.
-    pub(super) fn disturbed(&self) -> Plant {
+    pub fn disturbed(&self) -> Plant {
         let wave = |e: &Expression| {
             let (d, (_, _, signals)) = self
                 .disturbances

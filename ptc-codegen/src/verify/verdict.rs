@@ -108,6 +108,7 @@ impl Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simulate::Control;
 
     fn campaign() -> Campaign {
         let text = "n = 1\nmu = \"exp(a=1)\"\ngains = [2]\ntau = 1\n[plant]\nf = 0\n[verify]\n\

@@ -9,7 +9,7 @@ use support::words::stdout;
 fn commands() -> Vec<&'static str> {
     let mut all = vec!["emit", "check"];
     if cfg!(feature = "lab") {
-        all.extend(["simulate", "verify"]);
+        all.extend(["simulate", "verify", "compare"]);
     }
     all
 }

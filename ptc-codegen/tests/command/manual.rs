@@ -98,7 +98,8 @@ fn shells_and_manuals_are_told_of_every_subcommand() {
     let page = stdout(&["man"]);
     let script = stdout(&["completions", "bash"]);
     for name in [
-        "emit", "check", "show", "simulate", "verify", "design", "new", "list", "explain", "schema",
+        "emit", "check", "show", "simulate", "verify", "design", "compare", "new", "list",
+        "explain", "schema",
     ] {
         assert!(page.contains(name), "{name} in the manual");
         assert!(script.contains(&format!("ptc__codegen__subcmd__{name}")), "{name} for bash");

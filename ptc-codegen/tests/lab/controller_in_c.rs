@@ -14,7 +14,7 @@ use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::plant::as_one;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::{Controller, Values};
+use ptc_codegen::simulate::{Control, Controller, Values};
 
 use crate::support::{QUADROTOR, UNICYCLE, design, example, folder};
 

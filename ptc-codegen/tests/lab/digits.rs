@@ -7,7 +7,7 @@ use ptc_codegen::plant::Plant;
 use ptc_codegen::program::number::settle;
 use ptc_codegen::reference::{Call, Status, evaluate, tolerance};
 use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::{Controller, Values};
+use ptc_codegen::simulate::{Control, Controller, Values};
 use support::design;
 
 /// Pseudo-random numbers, the same in every run: SplitMix64.

@@ -7,6 +7,7 @@ mod bounds;
 mod check;
 #[path = "../../../tests/support/command.rs"]
 mod command;
+mod compare;
 mod contradictions;
 #[cfg(unix)]
 mod controller_in_c;

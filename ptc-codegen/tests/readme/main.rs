@@ -83,7 +83,7 @@ const AXES: &str = include_str!("../../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 41] = [
+const PAGES: [(&str, &str); 42] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../../docs/guide/period.md")),
@@ -115,6 +115,7 @@ const PAGES: [(&str, &str); 41] = [
     ("simulate.md", SIMULATE),
     ("verify.md", VERIFY),
     ("design.md", DESIGN),
+    ("compare.md", include_str!("../../../docs/compare.md")),
     ("assurance/README.md", include_str!("../../../docs/assurance/README.md")),
     ("assurance/eva.md", include_str!("../../../docs/assurance/eva.md")),
     ("assurance/selftest.md", SELFTEST),

@@ -56,7 +56,7 @@ pub(crate) use outcome::{NAME, outcome};
 #[cfg(feature = "lab")]
 pub(crate) use proved::proved;
 pub use span::Span;
-pub use stability::{Damped, NoMargins, Stability, stability};
+pub use stability::{Damped, Margin, NoMargins, Stability, margin_of, stability};
 pub(crate) use stability::{Tolerance, bands, smallest_tolerant, tolerance};
 pub use sums::Sum;
 #[cfg(feature = "files")]

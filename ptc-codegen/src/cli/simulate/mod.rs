@@ -16,11 +16,11 @@ use crate::plant::{self, Plant};
 pub(crate) use args::{ABOUT, EXAMPLES, Simulate};
 use csv::Csv;
 use page::Drawn;
-use picture::Kind;
 use run::{Run, continuous, sampled};
 
 use super::output::{self, Content, Outputs};
 use super::page as html;
+use super::picture::Kind;
 use super::progress::checking;
 use super::report::{Failure, note};
 use super::source::Source;

@@ -1,48 +1,10 @@
 //! The picture of the runs.
 
-use std::path::Path;
-
 use crate::plot::{Figure, Quantity, Trace};
 use crate::request::Spec;
 use num_traits::ToPrimitive;
 
 use super::run::Run;
-use crate::cli::page::undrawn;
-use crate::cli::report::Failure;
-
-/// Format of a picture.
-#[derive(Clone, Copy)]
-pub(super) enum Kind {
-    Svg,
-    Png,
-    Pdf,
-}
-
-impl Kind {
-    /// The kind of the file at `path`.
-    pub(super) fn of(path: &Path) -> Result<Self, Failure> {
-        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
-        match extension.as_ref().and_then(|extension| extension.to_str()) {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            Some("pdf") => Ok(Self::Pdf),
-            _ => Err(Failure::because(
-                format!("`{}`: unsupported image type", path.display()),
-                "give a file that ends in .svg, .png or .pdf, for example --plot run.svg",
-            )),
-        }
-    }
-
-    /// The file of a picture.
-    pub(super) fn file(self, figure: &Figure) -> Result<Vec<u8>, Failure> {
-        let drawn = match self {
-            Self::Svg => figure.svg().map(String::into_bytes),
-            Self::Png => figure.png(),
-            Self::Pdf => figure.pdf(),
-        };
-        drawn.map_err(|wrong| undrawn(&wrong))
-    }
-}
 
 /// The picture of the runs of a design, with logarithmic axes where `by_decades`.
 pub(super) fn figure(spec: &Spec, runs: &[Run], by_decades: bool) -> Figure {

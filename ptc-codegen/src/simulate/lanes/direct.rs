@@ -6,7 +6,7 @@ use super::{At, LaneSide};
 use crate::program::kink::Kink;
 use crate::program::lanes::Pack;
 use crate::program::{Limits, Program, Value};
-use crate::simulate::{Controller, Failure, Values};
+use crate::simulate::{Control, Controller, Failure, Values};
 
 /// The same loop as [`Direct`](crate::simulate::Direct), where u stays within its bound.
 #[derive(Clone, Debug)]

@@ -18,7 +18,7 @@ use crate::program::{Limits, Value};
 use crate::request::After;
 use crate::simulate::pieces::{Changes, Piece};
 use crate::simulate::plant::Motion;
-use crate::simulate::{Controller, Loop, Values};
+use crate::simulate::{Control, Controller, Loop, Values};
 
 /// The same loop as [`Sampled`](crate::simulate::Sampled), of one controller in time.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@ use crate::parameter::{Parameter, Precision};
 use crate::program::machine::Slot;
 use crate::program::{Input, Value, passes};
 use crate::request::Spec;
-use crate::simulate::{Along, Controller};
+use crate::simulate::{Along, Control, Controller};
 use crate::verify::{Campaign, Setting};
 
 /// xn' with the control in it, compiled.

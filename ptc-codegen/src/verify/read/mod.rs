@@ -35,6 +35,29 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
     spec.needs_law("a campaign")?;
     spec.needs_known_reference("a campaign")?;
+    with_plant(entries, spec, Objectives::Required)
+}
+
+/// The same for its scenarios alone: a design without objectives is no mistake.
+///
+/// # Errors
+/// Every mistake in the tables.
+pub fn read_scenarios(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
+    with_plant(entries, spec, Objectives::Optional)
+}
+
+/// Whether a campaign needs an objective.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Objectives {
+    Required,
+    Optional,
+}
+
+fn with_plant(
+    entries: &[Entry],
+    spec: &Spec,
+    objectives: Objectives,
+) -> Result<Campaign, Vec<Diagnostic>> {
     let (plant, mut found) = plant::read_partly(entries, spec);
     let mut spec = spec.clone();
     let twice = plant::promised(&mut spec, plant.as_ref(), entries);
@@ -56,7 +79,7 @@ pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<D
         });
         return Err(found);
     };
-    match read(entries, spec, &plant) {
+    match tables(entries, (spec, &plant), objectives) {
         Ok(campaign) if found.is_empty() => Ok(campaign),
         Ok(_) => Err(found),
         Err(more) => {
@@ -77,6 +100,14 @@ pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<D
 /// # Errors
 /// Every mistake in the tables.
 pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, Vec<Diagnostic>> {
+    tables(entries, (spec, plant), Objectives::Required)
+}
+
+fn tables(
+    entries: &[Entry],
+    (spec, plant): (&Spec, &Plant),
+    wanted: Objectives,
+) -> Result<Campaign, Vec<Diagnostic>> {
     let (found, integrals) = (Diagnostics::default(), Vec::new());
     let design = Resolved::of(&spec.clone().apart());
     let joined =
@@ -101,7 +132,7 @@ pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, V
         let given = reader.table(&own);
         objectives.extend(reader.objective(*number, &given).map(|objective| (*number, objective)));
     }
-    if numbers.is_empty() {
+    if numbers.is_empty() && wanted == Objectives::Required {
         let message = "the design has no objective to verify";
         let help = "write `[[objective]]`, and under it `bound = \"state\"` and `sigma = 4`";
         reader.found.push("missing-key", "objective", None, message, help);

@@ -70,6 +70,36 @@ pub struct Stability {
     pub resonance: Option<Damped>,
 }
 
+/// Input gains, in parts of the known one, and samples of more delay with which a loop is stable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margin {
+    /// The least and the greatest gain between which it is stable.
+    pub gain: [f64; 2],
+    /// Samples of delay beyond those of the design.
+    pub delay: usize,
+}
+
+/// Returns the margins of a loop, of which `is_stable` knows whether it is stable with a gain and so many more samples of
+/// delay; `None` if it is not stable as it is.
+pub fn margin_of(is_stable: &dyn Fn(f64, usize) -> bool) -> Option<Margin> {
+    is_stable(1.0, 0).then_some(())?;
+    let last = |end: f64| {
+        let count = EACH * MOST.log2() as i32;
+        let factor = |i: i32| end.powf(f64::from(i) / f64::from(count));
+        let Some(bad) = (1..=count).find(|i| !is_stable(factor(*i), 0)) else {
+            return end;
+        };
+        let (mut good, mut bad) = (factor(bad - 1), factor(bad));
+        for _ in 0..HALVINGS {
+            let middle = (good * bad).sqrt();
+            *(if is_stable(middle, 0) { &mut good } else { &mut bad }) = middle;
+        }
+        good
+    };
+    let delay = (1..=LATE).take_while(|more| is_stable(1.0, *more)).count();
+    Some(Margin { gain: [last(1.0 / MOST), last(MOST)], delay })
+}
+
 impl fmt::Display for Stability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // No gain beyond the limits is tried.
@@ -156,23 +186,8 @@ impl Stays {
     /// Returns its margins, for the resonances of the design or also those `around` them; `None` if it is not stable as
     /// it is.
     pub(super) fn stability(&self, around: bool) -> Option<Stability> {
-        self.is_stable(1.0, 0).then_some(())?;
-        let last = |end: f64| {
-            let count = EACH * MOST.log2() as i32;
-            let factor = |i: i32| end.powf(f64::from(i) / f64::from(count));
-            let Some(bad) = (1..=count).find(|i| !self.is_stable(factor(*i), 0)) else {
-                return end;
-            };
-            let (mut good, mut bad) = (factor(bad - 1), factor(bad));
-            for _ in 0..HALVINGS {
-                let middle = (good * bad).sqrt();
-                *(if self.is_stable(middle, 0) { &mut good } else { &mut bad }) = middle;
-            }
-            good
-        };
-        let delay = (1..=LATE).take_while(|more| self.is_stable(1.0, *more)).count();
-        let resonance = self.damped(around);
-        Some(Stability { gain: [last(1.0 / MOST), last(MOST)], delay, resonance })
+        let Margin { gain, delay } = margin_of(&|gain, more| self.is_stable(gain, more))?;
+        Some(Stability { gain, delay, resonance: self.damped(around) })
     }
 
     /// Returns true if it is stable within all wanted margins.

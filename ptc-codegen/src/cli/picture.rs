@@ -1,0 +1,42 @@
+//! Files of pictures.
+
+use std::path::Path;
+
+use crate::plot::Figure;
+
+use super::page::undrawn;
+use super::report::Failure;
+
+/// Format of a picture.
+#[derive(Clone, Copy)]
+pub(crate) enum Kind {
+    Svg,
+    Png,
+    Pdf,
+}
+
+impl Kind {
+    /// The kind of the file at `path`.
+    pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
+        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+        match extension.as_ref().and_then(|extension| extension.to_str()) {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            Some("pdf") => Ok(Self::Pdf),
+            _ => Err(Failure::because(
+                format!("`{}`: unsupported image type", path.display()),
+                "give a file that ends in .svg, .png or .pdf, for example --plot run.svg",
+            )),
+        }
+    }
+
+    /// The file of a picture.
+    pub(crate) fn file(self, figure: &Figure) -> Result<Vec<u8>, Failure> {
+        let drawn = match self {
+            Self::Svg => figure.svg().map(String::into_bytes),
+            Self::Png => figure.png(),
+            Self::Pdf => figure.pdf(),
+        };
+        drawn.map_err(|wrong| undrawn(&wrong))
+    }
+}
