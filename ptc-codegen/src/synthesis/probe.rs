@@ -1,9 +1,11 @@
 //! One choice, and what is known of it.
 
 use super::judge::{self, Assessment};
-use super::wish::{Choice, Wish};
+use super::choice::Choice;
+use super::wish::Wish;
 use crate::check;
 use crate::simulate::Failure;
+use crate::verify::bound::Proof;
 use crate::verify::{Campaign, Scenario, Trial};
 
 /// A choice that was tried.
@@ -13,7 +15,7 @@ pub struct Probe {
     pub choice: Choice,
     /// Campaign that verifies it.
     pub campaign: Campaign,
-    /// The loops; `None` if a check refuses them.
+    /// The loops, or why there are none.
     trial: Result<Trial, Refused>,
     /// For each objective its worst excess, and the scenario that has it.
     pub worst: Vec<(f64, Scenario)>,
@@ -25,6 +27,10 @@ pub struct Probe {
     pub keeps: Vec<bool>,
     /// Number of the scenarios to run first that have been run.
     seen: usize,
+    /// What the worst case says of each objective; `None` before the checks and the worst case were asked.
+    proofs: Option<Vec<Proof>>,
+    /// True once all scenarios were run.
+    is_assessed: bool,
 }
 
 /// Why a choice is none.
@@ -32,26 +38,60 @@ pub struct Probe {
 pub enum Refused {
     /// A check refuses the design.
     Check(check::Outcome),
-    /// The wish is no longer legal with it: where the gains are held is not before the run ends.
-    Guard(String),
+    /// The wish is no longer legal with it, as where the gains are held before a run ends.
+    Reader(String),
 }
 
 impl Probe {
     pub(super) fn new(wish: &Wish<'_>, choice: &Choice) -> Result<Self, Failure> {
-        let (campaign, refused) = wish.with(choice);
+        let (campaign, refused) = match wish.with(choice) {
+            Ok(campaign) => (campaign, None),
+            Err(refused) => (wish.campaign().clone(), Some(refused)),
+        };
+        // In time a loop that a check refuses may be too stiff to be run.
+        let in_time = campaign.spec.sampled().is_none();
+        let refused = refused.or_else(|| in_time.then(|| wish.refusal(choice)).flatten());
+        let is_checked = in_time && refused.is_none();
         let trial = match refused {
             Some(refused) => Err(refused),
             None => Ok(Trial::new(&campaign)?),
         };
-        let middle = campaign.scenario(0);
-        let excess = match &trial {
-            Ok(_) => judge::refuted(&campaign),
-            Err(_) => vec![f64::NEG_INFINITY; campaign.objectives.len()],
+        let (middle, objectives) = (campaign.scenario(0), campaign.objectives.len());
+        let mut probe = Self {
+            choice: choice.clone(),
+            campaign,
+            trial,
+            worst: vec![(f64::NEG_INFINITY, middle); objectives],
+            difference: 0.0,
+            unfinished: None,
+            keeps: Vec::new(),
+            seen: 0,
+            proofs: None,
+            is_assessed: false,
         };
-        let worst = excess.into_iter().map(|excess| (excess, middle.clone())).collect();
-        let choice = choice.clone();
-        let (unfinished, keeps) = (None, Vec::new());
-        Ok(Self { choice, campaign, trial, worst, difference: 0.0, unfinished, keeps, seen: 0 })
+        if is_checked {
+            probe.bound();
+        }
+        Ok(probe)
+    }
+
+    /// Asks the checks and the worst case of the loop that runs, once.
+    pub(super) fn judge(&mut self, wish: &Wish<'_>) {
+        if self.proofs.is_some() || self.trial.is_err() {
+            return;
+        }
+        match wish.refusal(&self.choice) {
+            Some(refused) => self.trial = Err(refused),
+            None => self.bound(),
+        }
+    }
+
+    fn bound(&mut self) {
+        let proofs = judge::worst_case(&self.campaign);
+        for (worst, proof) in self.worst.iter_mut().zip(&proofs) {
+            worst.0 = worst.0.max(judge::refutation(proof));
+        }
+        self.proofs = Some(proofs);
     }
 
     /// Runs those of `scenarios` that it has not been run on.
@@ -76,7 +116,9 @@ impl Probe {
     /// `None` if it is refused.
     pub(super) fn assess(&mut self) -> Option<Assessment> {
         let trial = self.trial.as_ref().ok()?;
-        let assessment = judge::assess(&self.campaign, trial);
+        let proofs = self.proofs.clone().unwrap_or_default();
+        let assessment = judge::assess(&self.campaign, trial, proofs);
+        self.is_assessed = true;
         self.difference = self.difference.max(assessment.difference);
         self.unfinished = self.unfinished.take().or_else(|| assessment.unfinished.clone());
         self.keeps = assessment.keeps.clone();
@@ -88,18 +130,30 @@ impl Probe {
         Some(assessment)
     }
 
-    /// The worst excess of all objectives, infinite where it is refused, its sides differ, or a run of
-    /// it could not be finished.
+    /// The worst excess of all objectives as a part of their bounds, infinite where it is refused, its sides differ, or a
+    /// run of it could not be finished.
     pub fn excess(&self) -> f64 {
         if self.trial.is_err() || self.sides_differ() || self.unfinished.is_some() {
             return f64::INFINITY;
         }
-        self.worst.iter().map(|(excess, _)| *excess).fold(f64::NEG_INFINITY, f64::max)
+        let all = self.campaign.objectives.iter().zip(&self.worst);
+        let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
+        parts.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Returns true if the two sides of Theorem 1 differ by more than they may.
     pub fn sides_differ(&self) -> bool {
         self.difference > self.campaign.tolerance
+    }
+
+    /// Returns true if all scenarios were run.
+    pub(super) fn is_assessed(&self) -> bool {
+        self.is_assessed
+    }
+
+    /// Returns false if the reader refuses it.
+    pub(super) fn is_read(&self) -> bool {
+        !matches!(self.trial, Err(Refused::Reader(_)))
     }
 
     /// Why it is none, if it is not.

@@ -3,6 +3,7 @@
 mod args;
 mod report;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::design::completed;
@@ -11,8 +12,8 @@ use crate::verify::{Trial, possible};
 
 pub(crate) use args::{EXAMPLES, Request};
 
-use super::output::{self, Outputs};
-use super::progress::progress;
+use super::output::{self, Interruption, Outputs};
+use super::progress::{checking, progress};
 use super::report::Failure;
 use super::source::{Source, chosen};
 use super::write;
@@ -24,7 +25,7 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
     let out = outputs.file("--out", &request.out)?;
     let source = Source::default().with_design(Some(&request.design))?;
     let parsed = source.parse();
-    let wish = match Wish::read(&parsed.entries) {
+    let wish = match checking(|| Wish::read(&parsed.entries)) {
         Ok(wish) => parsed.finish(Some(wish), Vec::new())?,
         Err(found) => return parsed.finish(None, found),
     };
@@ -33,16 +34,19 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
     possible(&of_law, &mut Trial::new(&of_law)?)?;
     let bar = progress("designing", u64::from(request.tries));
     let most = usize::try_from(request.tries).unwrap_or(usize::MAX);
-    let outcome = synthesis::design(&wish, most, &|probe, tries| {
-        bar.set_position(tries as u64);
-        bar.set_message(probe.choice.to_string());
+    let interruption = Interruption::new();
+    let outcome = synthesis::design(&wish, most, &|standing| {
+        bar.set_position(standing.tries as u64);
+        bar.set_message(report::standing(standing));
+        if interruption.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
+    drop(interruption);
     bar.finish_and_clear();
     let outcome = outcome?;
-    let Outcome { best: Some(best), assessment: Some(found), tries, .. } = &outcome else {
+    let Outcome { best: Some(best), assessment: Some(found), .. } = &outcome else {
         return Err(report::blocked(&wish, &outcome));
     };
-    let told = report::met(best, found, *tries);
+    let told = report::met(best, found, &outcome);
     let text = file::complete(
         source.text().unwrap_or_default(),
         &best.choice,

@@ -1,23 +1,23 @@
 //! The report of a choice that was found, or of a wish for which there is none.
 
 use crate::diagnostic::counted;
-use crate::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
+use crate::synthesis::{Assessment, Choice, Ended, Outcome, Probe, ROOM, Refused, Standing, Wish};
 use crate::verify::bound::limits;
 use crate::verify::{Verdict, against, confidence};
 
 use crate::cli::report::{Failure, Notice};
 
 /// Prints the choice, and each objective with its margin.
-pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
+pub(super) fn met(probe: &Probe, found: &Assessment, outcome: &Outcome) -> String {
     let campaign = &probe.campaign;
     let name = campaign.spec.name();
     let mut text = if probe.choice == Choice::default() {
         format!("{name}: nothing is left to choose\n")
     } else {
-        format!("{name}: {}, after {}\n", probe.choice, counted(&tries, "try"))
+        format!("{name}: {}, after {}\n", probe.choice, counted(&outcome.tries, "try"))
     };
     text.push_str(&format!("design {}\n", campaign.design.spec.fingerprint()));
-    for line in campaign.design.lines() {
+    for line in probe.choice.lines().into_iter().chain(campaign.design.lines()) {
         text.push_str(&format!("  {line}\n"));
     }
     let all = campaign.objectives.iter().zip(&found.worst).zip(&found.verdicts);
@@ -34,6 +34,7 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
         let at = against(&objective.kind, *excess);
         text.push_str(&format!("objective {number}, {objective}: holds, {how}, {at}\n"));
     }
+    text.extend(beside(outcome, &probe.choice).map(|beside| format!("{beside}\n")));
     text.extend(limits(campaign).map(|limits| format!("{limits}\n")));
     if let Some(draws) = draws {
         let most = confidence(draws).map_or(String::new(), |(most, beta)| {
@@ -48,12 +49,33 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
     text
 }
 
+/// Describes the objectives of the law of least energy, where another choice was better.
+fn beside(outcome: &Outcome, chosen: &Choice) -> Option<String> {
+    let first = outcome.least_energy.as_ref().filter(|first| *first != chosen)?;
+    let probe = outcome.probe(first)?;
+    Some(format!("the first try, {first}: {}", stands(probe)))
+}
+
+/// Describes how near each objective of a probe is to its bound, as far as it was run.
+fn stands(probe: &Probe) -> String {
+    let all = probe.campaign.objectives.iter().zip(&probe.worst).zip(1..);
+    let each = all.map(|((objective, (excess, _)), number): (_, usize)| {
+        format!("objective {number} {}", against(&objective.kind, *excess))
+    });
+    each.collect::<Vec<_>>().join(", ")
+}
+
+/// Describes the best choice so far, in a line for a terminal.
+pub(super) fn standing(standing: &Standing<'_>) -> String {
+    format!("designing; best so far: {}, with {}", stands(standing.best), standing.best.choice)
+}
+
 /// No choice was found: what blocks the best one.
 pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
     let Some(best) = &outcome.best else { return Failure::refused(Vec::new()) };
     let all = best.campaign.objectives.iter().zip(&best.worst);
     let worst = all.clone().zip(1..).reduce(|a, b| if b.0.1.0 > a.0.1.0 { b } else { a });
-    let open = wish.leaves_mapping() || wish.leaves_law();
+    let open = wish.leaves_something();
     let failed: Vec<_> = (1..)
         .zip(&best.worst)
         .filter(|(_, (excess, _))| *excess > 0.0)
@@ -69,9 +91,9 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
             notes.extend(check.fix.clone());
             format!("no choice is accepted by the check `{}`", check.name)
         }
-        (Some(Refused::Guard(why)), _) => {
+        (Some(Refused::Reader(why)), _) => {
             notes.push(why.clone());
-            "the gains are held before a run ends, whatever is chosen".to_owned()
+            "no choice is legal in this design".to_owned()
         }
         (None, _) if best.unfinished.is_some() => {
             notes.extend(best.unfinished.iter().map(|ended| ended.message.clone()));
@@ -113,17 +135,19 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
         }
         notes.extend(limits(&best.campaign));
     }
-    let help = match (outcome.used_up, open) {
-        (true, _) => "all tries were used up: give more with --tries, or widen what blocks",
-        (false, true) => {
+    let help = match (outcome.ended, open) {
+        (Ended::UsedUp, _) => "all tries were used up: give more with --tries, or widen what blocks",
+        (Ended::Interrupted, _) => "interrupted: run it again for the other candidates",
+        (Ended::Through, true) => {
             "widen what blocks, narrow what is uncertain, or give a mapping or a law of your own"
         }
-        (false, false) => {
+        (Ended::Through, false) => {
             "leave `mu`, or `poles` and `gains`, out of the design, so that there is something to choose"
         }
     };
     let notices = vec![Notice { notes, help: Some(help.to_owned()), ..Notice::of(title) }];
     match best.refused().is_none() && best.unfinished.is_some() {
+        _ if outcome.ended == Ended::Interrupted => Failure::interrupted(notices),
         true => Failure::undecided(notices),
         false => Failure::refused(notices),
     }
