@@ -71,13 +71,13 @@ fn along(
     from: Choice,
 ) -> ControlFlow<End, Choice> {
     // Counterexamples may have raised it.
-    let mut least = search.value(&from)?;
+    search.value(&from)?;
     let mut best = from.clone();
     let wish = search.wish;
     let mut take = |choice: Choice| {
         let value = search.value(&choice)?;
-        if value < least {
-            (least, best) = (value, choice);
+        if search.merit(&choice) < search.merit(&best) {
+            best = choice;
         }
         ControlFlow::Continue(value)
     };

@@ -39,7 +39,6 @@ pub use wish::Wish;
 
 use std::ops::ControlFlow;
 
-use crate::simulate::Failure;
 use candidate::{Candidate, Part, parts};
 use search::{End, Search};
 
@@ -80,10 +79,7 @@ pub enum Ended {
 
 /// Chooses what `wish` leaves open, in at most `most` tries: each is a run of the scenarios on one
 /// choice, the few or all. `watch` sees each, and may end the search.
-///
-/// # Errors
-/// A law that cannot be run: a function of the user's program.
-pub fn design(wish: &Wish<'_>, most: usize, watch: Watch<'_>) -> Result<Outcome, Failure> {
+pub fn design(wish: &Wish<'_>, most: usize, watch: Watch<'_>) -> Outcome {
     let mut search = Search::new(wish, most, watch);
     let met = parts(wish).iter().try_for_each(|part| match part {
         Part::Speed(candidate) => fastest(&mut search, candidate),

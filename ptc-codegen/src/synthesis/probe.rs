@@ -1,12 +1,15 @@
 //! One choice, and what is known of it.
 
-use super::judge::{self, Assessment};
+use super::judge::{self, Assessment, ROOM};
 use super::choice::Choice;
 use super::wish::Wish;
 use crate::check;
 use crate::simulate::Failure;
 use crate::verify::bound::Proof;
-use crate::verify::{Campaign, Scenario, Trial};
+use crate::verify::{Campaign, Objective, Scenario, Trial};
+
+/// The part of the mean excess that decides between choices of one worst excess.
+const TIE: f64 = 1e-3;
 
 /// A choice that was tried.
 #[derive(Debug)]
@@ -40,10 +43,12 @@ pub enum Refused {
     Check(check::Outcome),
     /// The wish is no longer legal with it, as where the gains are held before a run ends.
     Reader(String),
+    /// The loop cannot be run, as where no check sets an eps that it needs.
+    Loop(String),
 }
 
 impl Probe {
-    pub(super) fn new(wish: &Wish<'_>, choice: &Choice) -> Result<Self, Failure> {
+    pub(super) fn new(wish: &Wish<'_>, choice: &Choice) -> Self {
         let (campaign, refused) = match wish.with(choice) {
             Ok(campaign) => (campaign, None),
             Err(refused) => (wish.campaign().clone(), Some(refused)),
@@ -51,11 +56,11 @@ impl Probe {
         // In time a loop that a check refuses may be too stiff to be run.
         let in_time = campaign.spec.sampled().is_none();
         let refused = refused.or_else(|| in_time.then(|| wish.refusal(choice)).flatten());
-        let is_checked = in_time && refused.is_none();
         let trial = match refused {
             Some(refused) => Err(refused),
-            None => Ok(Trial::new(&campaign)?),
+            None => Trial::new(&campaign).map_err(|failure| Refused::Loop(failure.message)),
         };
+        let is_checked = in_time && trial.is_ok();
         let (middle, objectives) = (campaign.scenario(0), campaign.objectives.len());
         let mut probe = Self {
             choice: choice.clone(),
@@ -72,18 +77,33 @@ impl Probe {
         if is_checked {
             probe.bound();
         }
-        Ok(probe)
+        probe
     }
 
-    /// Asks the checks and the worst case of the loop that runs, once.
+    /// Asks the worst case of the loop that runs and the checks, once.
     pub(super) fn judge(&mut self, wish: &Wish<'_>) {
         if self.proofs.is_some() || self.trial.is_err() {
             return;
         }
-        match wish.refusal(&self.choice) {
-            Some(refused) => self.trial = Err(refused),
-            None => self.bound(),
+        self.bound();
+        if self.excess() <= 0.0
+            && let Some(refused) = wish.refusal(&self.choice)
+        {
+            self.trial = Err(refused);
         }
+    }
+
+    /// Returns true if each objective that is not proved may still keep its room. What is known by then is kept.
+    pub(super) fn may_keep(&mut self) -> bool {
+        let Some(proofs) = self.proofs.as_deref().filter(|proofs| !proofs.is_empty()) else {
+            return true;
+        };
+        let all = self.campaign.objectives.iter().zip(&self.worst).zip(proofs);
+        let keeps = |((objective, (excess, _)), proof): ((&Objective, &(f64, _)), &Proof)| {
+            proof.is_proved() || judge::part(&objective.kind, *excess) <= -ROOM
+        };
+        self.keeps = all.map(keeps).collect();
+        self.keeps.iter().all(|keeps| *keeps)
     }
 
     fn bound(&mut self) {
@@ -139,6 +159,15 @@ impl Probe {
         let all = self.campaign.objectives.iter().zip(&self.worst);
         let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
         parts.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The worst excess, and a small part of the mean of all, which decides where the worst ones are equal.
+    pub(super) fn merit(&self) -> f64 {
+        let all = self.campaign.objectives.iter().zip(&self.worst);
+        let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
+        #[allow(clippy::cast_precision_loss)]
+        let count = self.worst.len() as f64;
+        self.excess() + TIE * parts.map(|part| part.clamp(-1.0, 1.0)).sum::<f64>() / count
     }
 
     /// Returns true if the two sides of Theorem 1 differ by more than they may.

@@ -8,7 +8,6 @@ use super::judge::{self, Assessment};
 use super::probe::Probe;
 use super::wish::Wish;
 use super::{Ended, Outcome};
-use crate::simulate::Failure;
 use crate::verify::Scenario;
 
 /// State of a search after a try.
@@ -28,7 +27,6 @@ pub(super) enum End {
     Met(Box<Choice>, Assessment),
     UsedUp,
     Interrupted,
-    Broken(Failure),
 }
 
 /// State of the work on a wish.
@@ -65,46 +63,46 @@ impl<'a> Search<'a> {
 
     /// The worst excess of a choice, infinite where it is refused; ends the search where every objective holds.
     pub(super) fn value(&mut self, choice: &Choice) -> ControlFlow<End, f64> {
-        let excess = self.screened(choice)?;
-        if excess > 0.0 || self.probes.get(choice).is_some_and(Probe::is_assessed) {
-            return ControlFlow::Continue(excess);
+        self.screened(choice)?;
+        let Some(probe) = self.probes.get_mut(choice) else {
+            return ControlFlow::Continue(f64::INFINITY);
+        };
+        if probe.excess() <= 0.0 && !probe.is_assessed() && probe.may_keep() {
+            self.verified(choice)?;
         }
-        self.verified(choice)
+        ControlFlow::Continue(self.probes.get(choice).map_or(f64::INFINITY, Probe::excess))
     }
 
-    /// The worst excess of a choice over the scenarios that are run first, and where it holds in them of its worst case.
-    fn screened(&mut self, choice: &Choice) -> ControlFlow<End, f64> {
+    /// The worst excess of a choice that was tried, and what decides where two of them have the same.
+    pub(super) fn merit(&self, choice: &Choice) -> f64 {
+        self.probes.get(choice).map_or(f64::INFINITY, Probe::merit)
+    }
+
+    /// Runs a choice on the scenarios that are run first, and where it holds in them asks its worst case.
+    fn screened(&mut self, choice: &Choice) -> ControlFlow<End> {
         let is_new = !self.probes.contains_key(choice);
         if is_new {
-            let probe = match Probe::new(self.wish, choice) {
-                Ok(probe) => probe,
-                Err(failure) => return ControlFlow::Break(End::Broken(failure)),
-            };
+            let probe = Probe::new(self.wish, choice);
             // What the reader refuses is no try.
             if probe.is_read() {
                 self.one_more()?;
             }
             self.probes.insert(choice.clone(), probe);
         }
-        let Some(probe) = self.probes.get_mut(choice) else {
-            return ControlFlow::Continue(f64::INFINITY);
-        };
-        probe.run(&self.scenarios);
-        if probe.excess() <= 0.0 {
-            probe.judge(self.wish);
+        if let Some(probe) = self.probes.get_mut(choice) {
+            probe.run(&self.scenarios);
+            if probe.excess() <= 0.0 {
+                probe.judge(self.wish);
+            }
         }
-        let excess = probe.excess();
-        if is_new {
-            self.tell()?;
-        }
-        ControlFlow::Continue(excess)
+        if is_new { self.tell() } else { ControlFlow::Continue(()) }
     }
 
     /// Verifies a choice with all scenarios.
-    fn verified(&mut self, choice: &Choice) -> ControlFlow<End, f64> {
+    fn verified(&mut self, choice: &Choice) -> ControlFlow<End> {
         self.one_more()?;
         let Some(found) = self.probes.get_mut(choice).and_then(Probe::assess) else {
-            return ControlFlow::Continue(f64::INFINITY);
+            return ControlFlow::Continue(());
         };
         if found.holds() {
             return ControlFlow::Break(End::Met(Box::new(choice.clone()), found));
@@ -114,8 +112,7 @@ impl<'a> Search<'a> {
                 self.scenarios.push(scenario.clone());
             }
         }
-        self.tell()?;
-        ControlFlow::Continue(self.probes.get(choice).map_or(f64::INFINITY, Probe::excess))
+        self.tell()
     }
 
     fn one_more(&mut self) -> ControlFlow<End> {
@@ -136,14 +133,13 @@ impl<'a> Search<'a> {
 
     /// The probe with the least excess. Those that are refused say nothing where any other is known.
     fn nearest(&self) -> Option<&Probe> {
-        let rank = |probe: &Probe| (!probe.is_read(), probe.refused().is_some(), probe.excess());
+        let rank = |probe: &Probe| (!probe.is_read(), probe.refused().is_some(), probe.merit());
         self.probes.values().reduce(|a, b| if rank(b) < rank(a) { b } else { a })
     }
 
-    pub(super) fn outcome(mut self, met: ControlFlow<End>) -> Result<Outcome, Failure> {
+    pub(super) fn outcome(mut self, met: ControlFlow<End>) -> Outcome {
         let nearest = |search: &Self| search.nearest().map(|probe| probe.choice.clone());
         let (best, assessment, ended) = match met {
-            ControlFlow::Break(End::Broken(failure)) => return Err(failure),
             ControlFlow::Break(End::Met(choice, found)) => {
                 (Some(*choice), Some(found), Ended::Through)
             }
@@ -152,13 +148,13 @@ impl<'a> Search<'a> {
             ControlFlow::Continue(()) => (nearest(&self), None, Ended::Through),
         };
         let best = best.and_then(|choice| self.probes.remove(&choice));
-        Ok(Outcome {
+        Outcome {
             best,
             assessment,
             others: self.probes.into_values().collect(),
             least_energy: self.least_energy,
             tries: self.tries,
             ended,
-        })
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! `design`: the mapping and the poles with which the objectives of a design hold.
 
 mod args;
+mod blocked;
 mod report;
 
 use std::ops::ControlFlow;
@@ -13,13 +14,14 @@ use crate::verify::{Trial, possible};
 pub(crate) use args::{EXAMPLES, Request};
 
 use super::output::{self, Interruption, Outputs};
-use super::progress::{checking, progress};
+use super::progress::{checking, tries};
 use super::report::Failure;
 use super::source::{Source, chosen};
 use super::write;
 
 /// Runs `design`.
 pub(crate) fn design(request: &Request) -> Result<(), Failure> {
+    let interruption = Interruption::new();
     let mut outputs = Outputs::default();
     outputs.reads("the design", &request.design);
     let out = outputs.file("--out", &request.out)?;
@@ -32,9 +34,8 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
     // What fails at t0 fails with every choice.
     let of_law = wish.campaign().of_law();
     possible(&of_law, &mut Trial::new(&of_law)?)?;
-    let bar = progress("designing", u64::from(request.tries));
+    let bar = tries("designing", u64::from(request.tries));
     let most = usize::try_from(request.tries).unwrap_or(usize::MAX);
-    let interruption = Interruption::new();
     let outcome = synthesis::design(&wish, most, &|standing| {
         bar.set_position(standing.tries as u64);
         bar.set_message(report::standing(standing));
@@ -42,9 +43,8 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
     });
     drop(interruption);
     bar.finish_and_clear();
-    let outcome = outcome?;
     let Outcome { best: Some(best), assessment: Some(found), .. } = &outcome else {
-        return Err(report::blocked(&wish, &outcome));
+        return Err(blocked::blocked(&wish, &outcome));
     };
     let told = report::met(best, found, &outcome);
     let text = file::complete(
