@@ -79,7 +79,8 @@ fn lines(bar: &ProgressBar, what: &str, receiver: &Receiver<()>) {
 /// A bar over so many tries, with a line below it for the best of them.
 #[cfg(feature = "lab")]
 pub(crate) fn tries(what: &'static str, count: u64) -> Progress {
-    let bar = styled(ProgressBar::new(count), "{prefix} {wide_bar} {pos}/{len}, {elapsed}\n{wide_msg}");
+    let bar =
+        styled(ProgressBar::new(count), "{prefix} {wide_bar} {pos}/{len}, {elapsed}\n{wide_msg}");
     Progress::new(bar.with_prefix(what), what)
 }
 

@@ -18,7 +18,7 @@ Exit codes:
   2  bad input, or a place that cannot be read or written
   3  undecided: nothing fails, but a check or an objective cannot be decided
   70 a fault of this program
-  130 interrupted: what was found by then is printed";
+  130 interrupted";
 
 /// The end of a help text, with the exit codes.
 pub(crate) fn with_exit_codes(examples: &str) -> String {

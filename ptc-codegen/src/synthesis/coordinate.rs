@@ -26,7 +26,7 @@ pub(super) enum Coordinate {
     Lasting,
     /// How fast the observer is in its round.
     ObserverSpeed,
-    /// A stationary observer in place of one with a round.
+    /// A stationary observer in place of one with a round, and its drift.
     Stationary,
     /// The law of a loop with a delay.
     DelayLaw,
@@ -69,7 +69,8 @@ impl Coordinate {
                 Self::ObserverSpeed => observes && wish.leaves(Key::ObserverPoles),
                 Self::Stationary => {
                     let all = ROUND.iter().chain(&[Key::Observer]);
-                    numbers.is_disturbed && (!observes || all.copied().all(|key| wish.leaves(key)))
+                    let is_open = observes && all.copied().all(|key| wish.leaves(key));
+                    wish.lacks(Key::DisturbanceWalk) || numbers.is_disturbed && is_open
                 }
             }
         };
@@ -86,7 +87,9 @@ impl Coordinate {
         };
         let number = |count: u32| Value::Number(count.to_string());
         match self {
-            Self::Weight => (0..=MOST).map(|weight| from.clone().word(Key::Poles, law(weight))).collect(),
+            Self::Weight => {
+                (0..=MOST).map(|weight| from.clone().word(Key::Poles, law(weight))).collect()
+            }
             Self::End => ends(numbers, from),
             Self::DelayLaw => each(Key::DelayLaw, vec![Value::Word(DelayLaw::EXTEND.to_owned())]),
             Self::Hold if numbers.is_bounded => {
@@ -134,23 +137,21 @@ pub(super) fn observer_poles(wish: &Wish<'_>, numbers: &Numbers, beyond: usize) 
 /// Without a law that takes over, and with stiffer ones.
 fn ends(numbers: &Numbers, from: &Choice) -> Vec<Choice> {
     let open = from.clone().without(&[Key::PolesEnd, Key::EndSamples]);
-    let weight = (0..=MOST).find(|weight| {
-        from.get(Key::Poles) == Some(&Value::Word(law(*weight)))
-    });
+    let weight = (0..=MOST).find(|weight| from.get(Key::Poles) == Some(&Value::Word(law(*weight))));
     let weight = weight.unwrap_or(0);
     let with = |(beyond, count): (u32, u32)| {
         let count = Value::Number(count.to_string());
         open.clone().word(Key::PolesEnd, law(weight + beyond)).with(Key::EndSamples, count)
     };
-    let each = [1, 2].into_iter().flat_map(|beyond| {
-        numbers.ends().into_iter().map(move |count| (beyond, count))
-    });
+    let each = [1, 2]
+        .into_iter()
+        .flat_map(|beyond| numbers.ends().into_iter().map(move |count| (beyond, count)));
     [open.clone()].into_iter().chain(each.map(with)).collect()
 }
 
-/// The observer with a round, where the design does not say that it has none, and stationary ones.
+/// The observer with a round and stationary ones; of a stationary one that lacks its drift each drift.
 fn stationary(wish: &Wish<'_>, numbers: &Numbers, from: &Choice) -> Vec<Choice> {
-    if numbers.estimates == 0 {
+    if wish.lacks(Key::DisturbanceWalk) {
         return walks(wish, numbers, from);
     }
     let open = from.clone().without(&ROUND).without(&[Key::DisturbanceWalk]);

@@ -74,9 +74,10 @@ fn along(
     search.value(&from)?;
     let mut best = from.clone();
     let wish = search.wish;
-    let mut take = |choice: Choice| {
-        let value = search.value(&choice)?;
-        if search.merit(&choice) < search.merit(&best) {
+    let mut take = |choice: Choice, limit: &dyn Fn(f64) -> f64| {
+        let least = search.merit(&best);
+        let value = search.value_below(&choice, limit(least))?;
+        if search.merit(&choice) < least {
             best = choice;
         }
         ControlFlow::Continue(value)
@@ -84,12 +85,14 @@ fn along(
     match line {
         Line::Values(coordinate) => {
             for choice in coordinate.values(wish, numbers, &from) {
-                take(choice)?;
+                // One that meets every objective may be proved where the best one is not.
+                take(choice, &|least| least.max(0.0))?;
             }
         }
+        // The search compares all values.
         Line::Speed(candidate) => {
             golden_section::least(candidate.range, candidate.first, &mut |speed| {
-                take(from.clone().and(candidate.at(speed)))
+                take(from.clone().and(candidate.at(speed)), &|_| f64::INFINITY)
             })?;
         }
     }
@@ -102,14 +105,18 @@ fn start(wish: &Wish<'_>, numbers: &Numbers, candidates: &[Candidate]) -> Choice
     if wish.order_in_samples().is_some() {
         choice = choice.word(Key::Clock, SAMPLES);
     }
-    if wish.leaves_mapping() && let Some(candidate) = candidates.first() {
+    if wish.leaves_mapping()
+        && let Some(candidate) = candidates.first()
+    {
         choice = choice.and(candidate.at(candidate.first)).without(&[Key::Poles]);
     }
-    if wish.leaves_observer() {
-        choice = match numbers.walks().into_iter().next() {
-            Some(walk) if numbers.estimates == 0 => choice.with(Key::DisturbanceWalk, walk),
-            _ => choice.with(Key::ObserverPoles, observer_poles(wish, numbers, 1)),
-        };
+    if wish.lacks(Key::ObserverPoles) {
+        choice = choice.with(Key::ObserverPoles, observer_poles(wish, numbers, 1));
+    }
+    if wish.lacks(Key::DisturbanceWalk)
+        && let Some(walk) = numbers.walks().into_iter().next()
+    {
+        choice = choice.with(Key::DisturbanceWalk, walk);
     }
     // The checks would compare each eps where it is open, for each choice again.
     match numbers.holds().into_iter().next() {

@@ -6,7 +6,7 @@ use super::choice::{Choice, Key, Value};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::digits;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Observer, Spec};
+use crate::request::Spec;
 use crate::syntax::constant;
 
 /// Numbers of a loop in samples.
@@ -33,8 +33,8 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// The numbers of a design, which a stand-in completes, for the least tau; `None` if its period is open.
-    pub(super) fn of(spec: &Spec, stand_in: &Choice, tau: f64) -> Option<Self> {
+    /// The numbers of a design, for the least tau; `None` if its period is open.
+    pub(super) fn of(spec: &Spec, tau: f64) -> Option<Self> {
         let sampled = spec.sampled()?;
         let number = |key| spec.fixed.get(&key).and_then(Fixed::number);
         let period = number(Parameter::SampleTime)?.clone();
@@ -42,8 +42,6 @@ impl Numbers {
         let samples = number(Parameter::Samples).and_then(ToPrimitive::to_u32).or_else(all)?;
         let round = sampled.observer.as_ref().and_then(|own| own.round.as_ref());
         let limit = number(Parameter::UMax).and_then(ToPrimitive::to_f64);
-        let stationary = |own: &Observer| own.round.is_none();
-        let is_open = stand_in.get(Key::DisturbanceWalk).is_some();
         Some(Self {
             samples,
             period,
@@ -52,8 +50,7 @@ impl Numbers {
             is_bounded: !spec.promises.x0_max.is_empty(),
             estimates: round.map_or(0, |round| round.poles.len()),
             round: round.and_then(|round| round.samples),
-            is_disturbed: sampled.disturbance
-                && (is_open || !sampled.observer.as_ref().is_some_and(stationary)),
+            is_disturbed: sampled.disturbance,
             input: limit.filter(|limit| limit.is_finite() && *limit > 0.0).unwrap_or(1.0),
         })
     }

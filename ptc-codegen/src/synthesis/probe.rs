@@ -1,7 +1,7 @@
 //! One choice, and what is known of it.
 
-use super::judge::{self, Assessment, ROOM};
 use super::choice::Choice;
+use super::judge::{self, Assessment, ROOM};
 use super::wish::Wish;
 use crate::check;
 use crate::simulate::Failure;
@@ -30,6 +30,8 @@ pub struct Probe {
     pub keeps: Vec<bool>,
     /// Number of the scenarios to run first that have been run.
     seen: usize,
+    /// True if it was left as it was worse than another one in a few of them.
+    is_left: bool,
     /// What the worst case says of each objective; `None` before the checks and the worst case were asked.
     proofs: Option<Vec<Proof>>,
     /// True once all scenarios were run.
@@ -71,6 +73,7 @@ impl Probe {
             unfinished: None,
             keeps: Vec::new(),
             seen: 0,
+            is_left: false,
             proofs: None,
             is_assessed: false,
         };
@@ -114,13 +117,28 @@ impl Probe {
         self.proofs = Some(proofs);
     }
 
-    /// Runs those of `scenarios` that it has not been run on.
-    pub(super) fn run(&mut self, scenarios: &[Scenario]) {
-        let Ok(trial) = &self.trial else { return };
+    /// Runs those of `scenarios` that it has not been run on. Where it is new, those that are `hard` for others come
+    /// first, and it is left where it exceeds `limit` in them.
+    pub(super) fn run(&mut self, scenarios: &[Scenario], hard: &[Scenario], limit: f64) {
+        if self.seen == 0 && !hard.is_empty() {
+            if !self.is_left {
+                self.look(hard);
+            }
+            self.is_left = self.excess() > limit;
+            if self.is_left {
+                return;
+            }
+        }
+        self.is_left = false;
         let new = &scenarios[self.seen..];
         self.seen = scenarios.len();
+        self.look(new);
+    }
+
+    fn look(&mut self, scenarios: &[Scenario]) {
+        let Ok(trial) = &self.trial else { return };
         for (scenario, (excess, difference, unfinished)) in
-            new.iter().zip(judge::run(&self.campaign, trial, new))
+            scenarios.iter().zip(judge::run(&self.campaign, trial, scenarios))
         {
             self.difference = self.difference.max(difference);
             self.unfinished = self.unfinished.take().or(unfinished);
@@ -178,6 +196,11 @@ impl Probe {
     /// Returns true if all scenarios were run.
     pub(super) fn is_assessed(&self) -> bool {
         self.is_assessed
+    }
+
+    /// Returns true if it was worse than another one in a few scenarios, and was not run on the others.
+    pub fn is_left(&self) -> bool {
+        self.is_left
     }
 
     /// Returns false if the reader refuses it.

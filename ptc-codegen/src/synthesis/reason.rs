@@ -10,7 +10,9 @@ pub(super) fn reason(key: Key, value: &Value) -> &'static str {
         Value::Number(_) | Value::Poles(_) => None,
     };
     match (key, word) {
-        (Key::Clock, _) => "exact at the samples, so that the loop ends at rest whatever its period is",
+        (Key::Clock, _) => {
+            "exact at the samples, so that the loop ends at rest whatever its period is"
+        }
         (Key::Mu, word) => candidate::reason(word.unwrap_or_default()),
         (Key::Poles, Some(name)) if name.contains("weight") => {
             "the least energy of a u that ends softly"
@@ -26,14 +28,18 @@ pub(super) fn reason(key: Key, value: &Value) -> &'static str {
             "the gains run to the deadline; a hold would leave a greater error"
         }
         (Key::Eps, _) => {
-            "what the sample period needs, or what the wanted error allows; the gains are held from there on"
+            "the gains are held from there on, as the sample period, the wanted error or the noise requires"
         }
         (Key::Observer, _) => "the gains of a Kalman filter from the first sample on",
-        (Key::DisturbanceWalk, _) => "drift of the force in a second that the Kalman filter assumes",
+        (Key::DisturbanceWalk, _) => {
+            "drift of the force in a second that the Kalman filter assumes"
+        }
         (Key::ObserverPoles, _) => "all estimates approach their states before the round ends",
         (Key::ObserverSamples, _) => "samples after which the estimates are exact",
         (Key::ObserverEps, _) => "limits what the noise of the sensor does to the estimates",
-        (Key::AfterObserver, Some(_)) => "the gains of a Kalman filter once the estimates are exact",
+        (Key::AfterObserver, Some(_)) => {
+            "the gains of a Kalman filter once the estimates are exact"
+        }
         (Key::AfterObserver, None) => {
             "poles in 1/s once the estimates are exact: they follow a force that changes"
         }

@@ -63,23 +63,29 @@ impl<'a> Search<'a> {
 
     /// The worst excess of a choice, infinite where it is refused; ends the search where every objective holds.
     pub(super) fn value(&mut self, choice: &Choice) -> ControlFlow<End, f64> {
-        self.screened(choice)?;
+        self.value_below(choice, f64::INFINITY)
+    }
+
+    /// The same of a choice that has to come below a limit: one that does not is left early.
+    pub(super) fn value_below(&mut self, choice: &Choice, limit: f64) -> ControlFlow<End, f64> {
+        self.screened(choice, limit)?;
         let Some(probe) = self.probes.get_mut(choice) else {
             return ControlFlow::Continue(f64::INFINITY);
         };
-        if probe.excess() <= 0.0 && !probe.is_assessed() && probe.may_keep() {
+        if !probe.is_left() && probe.excess() <= 0.0 && !probe.is_assessed() && probe.may_keep() {
             self.verified(choice)?;
         }
         ControlFlow::Continue(self.probes.get(choice).map_or(f64::INFINITY, Probe::excess))
     }
 
-    /// The worst excess of a choice that was tried, and what decides where two of them have the same.
+    /// The worst excess of a choice that was run, and what decides where two of them have the same.
     pub(super) fn merit(&self, choice: &Choice) -> f64 {
-        self.probes.get(choice).map_or(f64::INFINITY, Probe::merit)
+        let run = self.probes.get(choice).filter(|probe| !probe.is_left());
+        run.map_or(f64::INFINITY, Probe::merit)
     }
 
     /// Runs a choice on the scenarios that are run first, and where it holds in them asks its worst case.
-    fn screened(&mut self, choice: &Choice) -> ControlFlow<End> {
+    fn screened(&mut self, choice: &Choice, limit: f64) -> ControlFlow<End> {
         let is_new = !self.probes.contains_key(choice);
         if is_new {
             let probe = Probe::new(self.wish, choice);
@@ -89,13 +95,17 @@ impl<'a> Search<'a> {
             }
             self.probes.insert(choice.clone(), probe);
         }
+        let hard = if limit < f64::INFINITY { self.hard() } else { Vec::new() };
         if let Some(probe) = self.probes.get_mut(choice) {
-            probe.run(&self.scenarios);
-            if probe.excess() <= 0.0 {
+            probe.run(&self.scenarios, &hard, limit);
+            if !probe.is_left() && probe.excess() <= 0.0 {
                 probe.judge(self.wish);
             }
         }
-        if is_new { self.tell() } else { ControlFlow::Continue(()) }
+        match is_new && self.probes.get(choice).is_some_and(Probe::is_read) {
+            true => self.tell(),
+            false => ControlFlow::Continue(()),
+        }
     }
 
     /// Verifies a choice with all scenarios.
@@ -131,9 +141,23 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The worst scenarios of the best choice so far, each once.
+    fn hard(&self) -> Vec<Scenario> {
+        let mut hard: Vec<Scenario> = Vec::new();
+        for (_, scenario) in self.nearest().iter().flat_map(|probe| &probe.worst) {
+            if !hard.contains(scenario) {
+                hard.push(scenario.clone());
+            }
+        }
+        hard
+    }
+
     /// The probe with the least excess. Those that are refused say nothing where any other is known.
     fn nearest(&self) -> Option<&Probe> {
-        let rank = |probe: &Probe| (!probe.is_read(), probe.refused().is_some(), probe.merit());
+        let rank = |probe: &Probe| {
+            let is_refused = probe.refused().is_some();
+            (!probe.is_read(), is_refused, probe.is_left(), probe.merit())
+        };
         self.probes.values().reduce(|a, b| if rank(b) < rank(a) { b } else { a })
     }
 

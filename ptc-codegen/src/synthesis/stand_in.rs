@@ -50,9 +50,7 @@ fn of_model(
     let law = match (in_samples, gives(entries, &["inputs"])) {
         (true, _) => (!gives(entries, &["clock"])).then(|| entry("clock", word(SAMPLES))),
         (false, true) => Some(entry("pi0", word("extern"))),
-        (false, false) => {
-            Some(entry("pi0", syntax::Value::Negative(Box::new(node(word("xi1"))))))
-        }
+        (false, false) => Some(entry("pi0", syntax::Value::Negative(Box::new(node(word("xi1")))))),
     };
     let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).chain(law).collect();
     let orders = orders(&request::read(&all)?);
@@ -85,9 +83,9 @@ fn with_observer(entries: &[Entry], choice: Choice) -> Choice {
     let lacks = |choice: &Choice, key: Key, code: Option<&str>| {
         let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).collect();
         let found = request::read(&all).err().unwrap_or_default();
-        found.iter().any(|wrong| {
-            wrong.key == key.name() && code.is_none_or(|code| wrong.code == code)
-        })
+        found
+            .iter()
+            .any(|wrong| wrong.key == key.name() && code.is_none_or(|code| wrong.code == code))
     };
     let missing = Some("missing-key");
     if lacks(&choice, Key::DisturbanceWalk, missing) {

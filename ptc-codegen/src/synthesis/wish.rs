@@ -30,8 +30,8 @@ pub struct Wish<'a> {
     campaign: Campaign,
     /// What stands in place of what is missing.
     stand_in: Choice,
-    /// The same and the design in samples, where the clock is open and that one is legal too.
-    in_samples: Option<(Choice, Spec)>,
+    /// The same in samples, where the clock is open and that one is legal too.
+    in_samples: Option<Spec>,
 }
 
 pub(super) fn gives(entries: &[Entry], keys: &[&str]) -> bool {
@@ -91,7 +91,7 @@ impl<'a> Wish<'a> {
                 let choice = first.word(Key::Clock, SAMPLES);
                 let (spec, all) = read_spec(entries, &choice).ok()?;
                 campaign_of(&all, &spec).ok()?;
-                Some((choice, spec))
+                Some(spec)
             });
         }
         Ok(wish)
@@ -109,16 +109,13 @@ impl<'a> Wish<'a> {
 
     /// Number of poles in samples, where the clock is to be chosen and may be in samples.
     pub(super) fn order_in_samples(&self) -> Option<usize> {
-        self.in_samples.as_ref().map(|(_, spec)| spec.loop_order())
+        self.in_samples.as_ref().map(Spec::loop_order)
     }
 
     /// The numbers of the loop in samples: of the given clock, or of the one that may be chosen.
     pub(super) fn numbers(&self) -> Option<Numbers> {
-        let (stand_in, spec) = match &self.in_samples {
-            Some((stand_in, spec)) => (stand_in, spec),
-            None => (&self.stand_in, &self.spec),
-        };
-        Numbers::of(spec, stand_in, self.campaign.tau.0)
+        let spec = self.in_samples.as_ref().unwrap_or(&self.spec);
+        Numbers::of(spec, self.campaign.tau.0)
     }
 
     /// Returns true if a key is left open.
@@ -126,10 +123,14 @@ impl<'a> Wish<'a> {
         !gives(self.entries, &[key.name()])
     }
 
+    /// Returns true if the design cannot be read without a value of a key, which is to be chosen.
+    pub(super) fn lacks(&self, key: Key) -> bool {
+        self.stand_in.get(key).is_some()
+    }
+
     /// Returns true if the poles of an observer, or the drift that a stationary one assumes, are to be chosen.
     pub fn leaves_observer(&self) -> bool {
-        let chosen = [Key::ObserverPoles, Key::DisturbanceWalk];
-        chosen.into_iter().any(|key| self.stand_in.get(key).is_some())
+        self.lacks(Key::ObserverPoles) || self.lacks(Key::DisturbanceWalk)
     }
 
     /// Returns true if the end of the law is to be chosen.

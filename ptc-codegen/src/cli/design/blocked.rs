@@ -27,7 +27,9 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
         notes.extend(limits(&best.campaign));
     }
     let help = match (outcome.ended, open) {
-        (Ended::UsedUp, _) => "all tries were used up: give more with --tries, or widen what blocks",
+        (Ended::UsedUp, _) => {
+            "all tries were used up: give more with --tries, or widen what blocks"
+        }
         (Ended::Interrupted, _) => "interrupted: run it again for the other candidates",
         (Ended::Through, true) => {
             "widen what blocks, narrow what is uncertain, or give a mapping or a law of your own"
@@ -121,7 +123,9 @@ fn tight(best: &Probe) -> String {
 
 /// Describes a choice with which a failing objective is met, and its cost for the others.
 fn elsewhere(outcome: &Outcome, index: usize) -> Option<String> {
-    let meets = |probe: &&Probe| probe.excess().is_finite() && probe.worst[index].0 <= 0.0;
+    let meets = |probe: &&Probe| {
+        !probe.is_left() && probe.excess().is_finite() && probe.worst[index].0 <= 0.0
+    };
     let nearest = outcome.others.iter().filter(meets);
     let nearest = nearest.reduce(|a, b| if b.excess() < a.excess() { b } else { a })?;
     let others = nearest.campaign.objectives.iter().zip(&nearest.worst).enumerate();
