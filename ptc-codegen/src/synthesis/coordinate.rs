@@ -121,6 +121,25 @@ impl Coordinate {
     }
 }
 
+impl Coordinate {
+    /// The choices next to one of them along it, where its key is a number.
+    pub(super) fn finer(self, wish: &Wish<'_>, numbers: &Numbers, from: &Choice) -> Vec<Choice> {
+        let key = match self {
+            Self::Hold => Key::Eps,
+            Self::End => Key::EndSamples,
+            Self::ObserverHold => Key::ObserverEps,
+            Self::Round => Key::ObserverSamples,
+            Self::Lasting | Self::Stationary if wish.leaves(Key::DisturbanceWalk) => {
+                Key::DisturbanceWalk
+            }
+            _ => return Vec::new(),
+        };
+        let Some(value) = from.get(key) else { return Vec::new() };
+        let with = |value| from.clone().with(key, value);
+        numbers.beside(key, value).into_iter().map(with).collect()
+    }
+}
+
 /// The law of least energy with a weight, as a design has it.
 pub(super) fn law(weight: u32) -> String {
     LeastEnergy { weight }.to_string()

@@ -11,7 +11,7 @@ use super::search::{End, Search};
 use super::wish::{SAMPLES, Wish};
 
 /// Most times that each coordinate is taken in turn.
-const PASSES: usize = 3;
+const PASSES: usize = 4;
 
 /// A line of the search.
 enum Line<'a> {
@@ -26,7 +26,8 @@ pub(super) fn keys(search: &mut Search<'_>, candidates: &[Candidate]) -> Control
     let wish = search.wish;
     let Some(numbers) = wish.numbers() else { return ControlFlow::Continue(()) };
     let lines = |named| Coordinate::all(wish, &numbers, named).into_iter().map(Line::Values);
-    let mut best = start(wish, &numbers, candidates);
+    let start = start(wish, &numbers, candidates);
+    let mut best = start.clone();
     if wish.leaves_law() {
         best = best.word(Key::Poles, law(0));
         search.value(&best)?;
@@ -35,10 +36,17 @@ pub(super) fn keys(search: &mut Search<'_>, candidates: &[Candidate]) -> Control
             best = descend(search, &numbers, &lines(true).collect::<Vec<_>>(), best)?;
         }
     }
-    for candidate in candidates {
+    let mut with_speed = |from: Choice, candidate: &Candidate| {
         let all: Vec<_> = [Line::Speed(candidate)].into_iter().chain(lines(false)).collect();
-        let first = best.without(&LEAST_ENERGY).and(candidate.at(candidate.first));
-        best = descend(search, &numbers, &all, first)?;
+        let first = from.without(&LEAST_ENERGY).and(candidate.at(candidate.first));
+        descend(search, &numbers, &all, first)
+    };
+    for candidate in candidates {
+        best = with_speed(best, candidate)?;
+    }
+    // What the other keys are for one law may lead nowhere for another.
+    for candidate in candidates {
+        with_speed(start.clone(), candidate)?;
     }
     ControlFlow::Continue(())
 }
@@ -51,10 +59,10 @@ fn descend(
     first: Choice,
 ) -> ControlFlow<End, Choice> {
     let mut best = first;
-    for _ in 0..PASSES {
+    for pass in 0..PASSES {
         let before = best.clone();
         for line in lines {
-            best = along(search, numbers, line, best)?;
+            best = along(search, (numbers, pass > 0), line, best)?;
         }
         if best == before {
             break;
@@ -63,10 +71,10 @@ fn descend(
     ControlFlow::Continue(best)
 }
 
-/// The best choice of a line through another one.
+/// The best choice of a line through another one; where it is to be `finer`, with values next to that one.
 fn along(
     search: &mut Search<'_>,
-    numbers: &Numbers,
+    (numbers, finer): (&Numbers, bool),
     line: &Line<'_>,
     from: Choice,
 ) -> ControlFlow<End, Choice> {
@@ -84,7 +92,8 @@ fn along(
     };
     match line {
         Line::Values(coordinate) => {
-            for choice in coordinate.values(wish, numbers, &from) {
+            let beside = if finer { coordinate.finer(wish, numbers, &from) } else { Vec::new() };
+            for choice in coordinate.values(wish, numbers, &from).into_iter().chain(beside) {
                 // One that meets every objective may be proved where the best one is not.
                 take(choice, &|least| least.max(0.0))?;
             }

@@ -21,6 +21,9 @@ const CORNERS: usize = 32;
 /// The part of its bound that a sampled objective has to keep free.
 pub const ROOM: f64 = 0.02;
 
+/// Difference of excesses that count as the same.
+const CLOSE: f64 = 1e-9;
+
 /// Fewest runs of the search that follows fresh draws.
 const SEARCH: usize = 200;
 
@@ -95,6 +98,28 @@ pub(super) fn part(kind: &Kind, excess: f64) -> f64 {
     let bounds = [low, high].into_iter().flatten().filter_map(number);
     let size = bounds.map(f64::abs).fold(0.0, f64::max);
     if size > 0.0 { excess / size } else { excess }
+}
+
+/// The share of a run in which an objective is at its worst: where u is clipped it is so for long, and a loop that is
+/// clipped for less is nearer to one that is not.
+pub(super) fn share_at_worst(
+    campaign: &Campaign,
+    trial: &Trial,
+    (objective, scenario): (usize, &Scenario),
+) -> f64 {
+    let mut excess = Vec::new();
+    let setting = campaign.setting(scenario);
+    let ended = trial
+        .clone()
+        .instants(&setting, &mut |instant| excess.extend(instant.excess.get(objective).copied()));
+    let worst = excess.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if ended.is_err() || !worst.is_finite() {
+        return 1.0;
+    }
+    let at_worst = excess.iter().filter(|own| worst - **own <= CLOSE * (1.0 + worst.abs())).count();
+    #[allow(clippy::cast_precision_loss)]
+    let share = at_worst as f64 / excess.len() as f64;
+    share
 }
 
 /// Verifies a loop as `verify` does, after its worst case where one runs. It ends early where an objective fails.

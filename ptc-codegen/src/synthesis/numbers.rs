@@ -113,4 +113,27 @@ impl Numbers {
         let walk = |part: f64| Value::Number(digits(part * self.input));
         [1.0, 10.0, 0.1, 100.0].map(walk).to_vec()
     }
+
+    /// Values of a key next to one of them, below and above; none where it is no number, or too small for its gains.
+    pub(super) fn beside(&self, key: Key, value: &Value) -> Vec<Value> {
+        let Value::Number(text) = value else { return Vec::new() };
+        let Ok(number) = text.parse::<f64>() else { return Vec::new() };
+        let period = self.period.to_f64().unwrap_or(f64::NAN);
+        let count = |part: f64, least: usize| {
+            (part.round().to_u32()).filter(|count| *count as usize > least)
+        };
+        let at = |part: f64| match key {
+            Key::Eps => count(part * number / period, self.order).map(|own| self.time(own)),
+            Key::ObserverEps => {
+                count(part * number / period, self.estimates).map(|own| self.time(own))
+            }
+            Key::EndSamples | Key::ObserverSamples => {
+                let least = self.order.max(self.estimates);
+                count(part * number, least).map(|own| Value::Number(own.to_string()))
+            }
+            Key::DisturbanceWalk => Some(Value::Number(digits(part * number))),
+            _ => None,
+        };
+        [0.7, 1.4].into_iter().filter_map(at).collect()
+    }
 }

@@ -8,8 +8,8 @@ use crate::simulate::Failure;
 use crate::verify::bound::Proof;
 use crate::verify::{Campaign, Objective, Scenario, Trial};
 
-/// The part of the mean excess that decides between choices of one worst excess.
-const TIE: f64 = 1e-3;
+/// The part of what decides between choices of one worst excess, and that of what decides where this is the same too.
+const TIES: [f64; 2] = [1e-3, 1e-6];
 
 /// A choice that was tried.
 #[derive(Debug)]
@@ -30,6 +30,8 @@ pub struct Probe {
     pub keeps: Vec<bool>,
     /// Number of the scenarios to run first that have been run.
     seen: usize,
+    /// Share of the worst run in which the worst objective is at its worst; 0 in time.
+    share: f64,
     /// True if it was left as it was worse than another one in a few of them.
     is_left: bool,
     /// What the worst case says of each objective; `None` before the checks and the worst case were asked.
@@ -73,6 +75,7 @@ impl Probe {
             unfinished: None,
             keeps: Vec::new(),
             seen: 0,
+            share: 0.0,
             is_left: false,
             proofs: None,
             is_assessed: false,
@@ -131,8 +134,17 @@ impl Probe {
         }
         self.is_left = false;
         let new = &scenarios[self.seen..];
+        if new.is_empty() {
+            return;
+        }
         self.seen = scenarios.len();
         self.look(new);
+        if let (Ok(trial), Some(worst)) = (&self.trial, self.foremost())
+            && self.campaign.spec.sampled().is_some()
+        {
+            let worst = (worst, &self.worst[worst].1);
+            self.share = judge::share_at_worst(&self.campaign, trial, worst);
+        }
     }
 
     fn look(&mut self, scenarios: &[Scenario]) {
@@ -179,13 +191,21 @@ impl Probe {
         parts.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The worst excess, and a small part of the mean of all, which decides where the worst ones are equal.
+    /// The worst excess, and small parts of what decides where the worst ones are equal, as where u is clipped: the share
+    /// of the run in which it is reached, then the mean of all.
     pub(super) fn merit(&self) -> f64 {
         let all = self.campaign.objectives.iter().zip(&self.worst);
         let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
         #[allow(clippy::cast_precision_loss)]
-        let count = self.worst.len() as f64;
-        self.excess() + TIE * parts.map(|part| part.clamp(-1.0, 1.0)).sum::<f64>() / count
+        let mean = parts.map(|part| part.clamp(-1.0, 1.0)).sum::<f64>() / self.worst.len() as f64;
+        self.excess() + TIES[0] * self.share + TIES[1] * mean
+    }
+
+    /// The index of the objective with the worst excess as a part of its bound.
+    fn foremost(&self) -> Option<usize> {
+        let all = self.campaign.objectives.iter().zip(&self.worst);
+        let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
+        parts.enumerate().reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(index, _)| index)
     }
 
     /// Returns true if the two sides of Theorem 1 differ by more than they may.

@@ -100,6 +100,24 @@ fn open_observer_is_chosen() {
     is_taken(&path);
 }
 
+/// The wish of the page on `design` that bounds error, force and energy at once, with an observer that spares a minute.
+#[test]
+fn error_force_and_energy_are_bounded_at_once() {
+    let page = include_str!("../../../../docs/design.md");
+    let wish = page.split("```toml\n").nth(2).and_then(|rest| rest.split("```").next());
+    let observer = "disturbance_walk = 6\nobserver_poles = [-3, -4, -5]\nobserver_samples = 186\n\
+                    observer_eps = 0.015\nafter_observer = \"stationary\"\nn = 2\n";
+    let wish = wish.expect("a second wish").replacen("n = 2\n", observer, 1);
+    let folder = folder("precise", &wish);
+    let (_, told) = designed(&folder);
+    for number in 1..=3 {
+        let line = told.lines().find(|line| line.starts_with(&format!("objective {number}, ")));
+        assert!(line.is_some_and(|line| line.contains(": holds, by sampling, ")), "{told}");
+    }
+    let (code, told, wrong) = run(&folder, &["verify", "roll.toml", "--seed=9281"]);
+    assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
+}
+
 #[test]
 fn belt_ends_within_its_tries() {
     let folder = folder("belt", BELT);
