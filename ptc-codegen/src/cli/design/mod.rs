@@ -13,7 +13,7 @@ use crate::verify::{Trial, possible};
 
 pub(crate) use args::{EXAMPLES, Request};
 
-use super::output::{self, Interruption, Outputs};
+use super::output::{self, Interruption, Outputs, watch};
 use super::progress::{checking, tries};
 use super::report::Failure;
 use super::source::{Source, chosen};
@@ -21,6 +21,7 @@ use super::write;
 
 /// Runs `design`.
 pub(crate) fn design(request: &Request) -> Result<(), Failure> {
+    watch();
     let interruption = Interruption::new();
     let mut outputs = Outputs::default();
     outputs.reads("the design", &request.design);

@@ -17,9 +17,8 @@ pub(crate) struct Interruption(());
 
 #[cfg(feature = "lab")]
 impl Interruption {
-    /// Waits for a request from here on.
+    /// Waits for a request from here on; signals have to be [watched](super::temporary::watch).
     pub(crate) fn new() -> Self {
-        super::watch();
         IS_REQUEST.store(true, Ordering::SeqCst);
         Self(())
     }
@@ -51,8 +50,11 @@ fn is_request(_: i32) -> bool {
     false
 }
 
+/// From here on `clean` runs before a signal ends the process.
 #[cfg(unix)]
-pub(super) use unix::handle;
+pub(super) fn handle(clean: fn()) -> std::io::Result<()> {
+    unix::handle(clean)
+}
 
 /// Signals are those of Unix.
 #[cfg(not(unix))]
@@ -73,8 +75,7 @@ mod unix {
 
     use super::is_request;
 
-    /// From here on `clean` runs before a signal ends the process.
-    pub(in crate::cli::output) fn handle(clean: fn()) -> io::Result<()> {
+    pub(super) fn handle(clean: fn()) -> io::Result<()> {
         // To be interrupted by it is not to be ended by it: the write then fails.
         flag::register(SIGXFSZ, Arc::default())?;
         let ignored = ignored();
