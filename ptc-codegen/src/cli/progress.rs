@@ -69,9 +69,19 @@ fn lines(bar: &ProgressBar, what: &str, receiver: &Receiver<()>) {
         }
         let count = bar.length().map(|length| format!(", {} of {length}", bar.position()));
         let (count, seconds) = (count.unwrap_or_default(), began.elapsed().as_secs());
-        print_text(&format!("note: {what}{count}, {seconds} s so far\n"));
+        let message = Some(bar.message()).filter(|own| !own.is_empty() && own != what);
+        let message = message.map(|own| format!("; {own}")).unwrap_or_default();
+        print_text(&format!("note: {what}{count}, {seconds} s so far{message}\n"));
         wait *= 2;
     }
+}
+
+/// A bar over so many tries, with a line below it for the best of them.
+#[cfg(feature = "lab")]
+pub(crate) fn tries(what: &'static str, count: u64) -> Progress {
+    let bar =
+        styled(ProgressBar::new(count), "{prefix} {wide_bar} {pos}/{len}, {elapsed}\n{wide_msg}");
+    Progress::new(bar.with_prefix(what), what)
 }
 
 /// A bar over so many steps.

@@ -17,7 +17,8 @@ Exit codes:
   1  a check refuses the design, an objective fails, or --check finds files that differ
   2  bad input, or a place that cannot be read or written
   3  undecided: nothing fails, but a check or an objective cannot be decided
-  70 a fault of this program";
+  70 a fault of this program
+  130 interrupted";
 
 /// The end of a help text, with the exit codes.
 pub(crate) fn with_exit_codes(examples: &str) -> String {
@@ -36,6 +37,9 @@ pub(crate) enum Exit {
     Undecided = 3,
     /// A fault of this program.
     Internal = 70,
+    /// An interrupted search, which ends with what it has.
+    #[cfg(feature = "lab")]
+    Interrupted = 130,
 }
 
 /// Why the command did not succeed.
@@ -66,6 +70,12 @@ impl Failure {
     /// Nothing fails, but not everything could be decided.
     pub(crate) fn undecided(notices: Vec<Notice>) -> Self {
         Self { exit: Exit::Undecided, notices }
+    }
+
+    /// The user interrupted a search, which found nothing by then.
+    #[cfg(feature = "lab")]
+    pub(crate) fn interrupted(notices: Vec<Notice>) -> Self {
+        Self { exit: Exit::Interrupted, notices }
     }
 
     /// The generator itself is at fault.

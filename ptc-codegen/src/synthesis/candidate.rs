@@ -1,6 +1,7 @@
 //! The candidates: mappings in the order in which they are tried, poles, and how fast these may be.
 
-use super::wish::{Choice, SAMPLES, Wish, for_each};
+use super::choice::{Choice, Key, Value};
+use super::wish::{Wish, for_each};
 use crate::diagnostic::digits;
 
 /// A mapping that is tried.
@@ -73,11 +74,9 @@ pub(super) fn reason(mu: &str) -> &'static str {
 /// leave the loop to a proof; far ones act one after the other, close ones together.
 const SPACINGS: [f64; 2] = [0.25, 1.0];
 
-/// A clock, a mapping and a pattern of poles, at any speed.
+/// A mapping and a pattern of poles, at any speed.
 #[derive(Debug)]
 pub(super) struct Candidate {
-    /// The clock, where it is not the one that the wish has.
-    clock: Option<&'static str>,
     /// Number of poles of each output.
     orders: Vec<usize>,
     /// The mapping, where the wish leaves it open.
@@ -92,8 +91,17 @@ pub(super) struct Candidate {
     pub(super) first: f64,
 }
 
-/// All candidates of a wish, in their order.
-pub(super) fn candidates(wish: &Wish<'_>) -> Vec<Candidate> {
+/// A part of the search.
+#[derive(Debug)]
+pub(super) enum Part {
+    /// One number: the speed of a candidate.
+    Speed(Candidate),
+    /// The keys of a loop in samples, one after the other; poles of these candidates come last.
+    Keys(Vec<Candidate>),
+}
+
+/// All parts of the search, in their order.
+pub(super) fn parts(wish: &Wish<'_>) -> Vec<Part> {
     let plans: Vec<_> = match wish.leaves_mapping() {
         // In samples the law is that of `exp`.
         true => MAPPINGS
@@ -103,27 +111,30 @@ pub(super) fn candidates(wish: &Wish<'_>) -> Vec<Candidate> {
             .collect(),
         false => vec![None],
     };
-    let given = (None, wish.orders());
-    let mut all: Vec<_> = plans.iter().map(|plan| (*plan, given.clone())).collect();
-    // In samples where `exp` does not do in time: its loop ends at rest, whatever the period is.
-    if let Some(order) = wish.order_in_samples() {
-        all.insert(1, (plans[0], (Some(SAMPLES), vec![order])));
-    }
-    let each = |(plan, clock): (_, (_, Vec<usize>))| {
+    let spaced = |plan: Option<&'static Plan>, orders: &[usize]| -> Vec<Candidate> {
         let spacings = match wish.leaves_law() {
-            true if clock.1.iter().all(|order| *order == 1) => vec![Some(SPACINGS[0])],
+            true if orders.iter().all(|order| *order == 1) => vec![Some(SPACINGS[0])],
             true => SPACINGS.map(Some).to_vec(),
             false => vec![None],
         };
-        spacings.into_iter().map(move |spacing| Candidate::new(wish, clock.clone(), plan, spacing))
+        spacings.into_iter().map(|spacing| Candidate::new(wish, orders, plan, spacing)).collect()
     };
-    all.into_iter().flat_map(each).collect()
+    let orders = wish.orders();
+    if wish.is_in_samples() && (wish.leaves_law() || wish.leaves_observer()) {
+        return vec![Part::Keys(spaced(plans[0], &orders))];
+    }
+    let each = |plan: &Option<_>| spaced(*plan, &orders).into_iter().map(Part::Speed);
+    let mut all: Vec<_> = plans.iter().take(1).flat_map(each).collect();
+    // In samples where `exp` does not do in time: its loop ends at rest, whatever the period is.
+    all.extend(wish.order_in_samples().map(|order| Part::Keys(spaced(plans[0], &[order]))));
+    all.extend(plans.iter().skip(1).flat_map(each));
+    all
 }
 
 impl Candidate {
     fn new(
         wish: &Wish<'_>,
-        (clock, orders): (Option<&'static str>, Vec<usize>),
+        orders: &[usize],
         plan: Option<&'static Plan>,
         spacing: Option<f64>,
     ) -> Self {
@@ -143,7 +154,8 @@ impl Candidate {
         } else {
             ((poles / 16.0, 32.0 * poles), poles)
         };
-        Self { clock, orders, plan, spacing, unit, range, first }
+        let orders = orders.to_vec();
+        Self { orders, plan, spacing, unit, range, first }
     }
 
     /// Returns the choice at a speed, all numbers to four digits.
@@ -153,13 +165,15 @@ impl Candidate {
             let place = 1.0 + i as f64 * spacing;
             digits(-speed * self.unit * place)
         };
-        let poles = |spacing| for_each(&self.orders, &|i| pole(i, spacing));
         let rate = if self.spacing.is_some() { 1.0 } else { self.unit / speed };
-        Choice {
-            clock: self.clock.map(str::to_owned),
-            mu: self.plan.map(|plan| plan.mu(rate)),
-            poles: self.spacing.map(poles),
-            eps: None,
+        let mut choice = Choice::default();
+        if let Some(plan) = self.plan {
+            choice = choice.word(Key::Mu, plan.mu(rate));
         }
+        if let Some(spacing) = self.spacing {
+            let poles = for_each(&self.orders, &|i| pole(i, spacing));
+            choice = choice.with(Key::Poles, Value::Poles(poles));
+        }
+        choice
     }
 }

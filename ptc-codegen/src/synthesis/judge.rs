@@ -3,6 +3,10 @@
 
 use std::sync::Mutex;
 
+use num_traits::ToPrimitive;
+
+use crate::expression::Expression;
+use crate::expression::normal::normal;
 use crate::simulate::Failure;
 use crate::verify::bound::Proof;
 use crate::verify::{
@@ -16,6 +20,9 @@ const CORNERS: usize = 32;
 
 /// The part of its bound that a sampled objective has to keep free.
 pub const ROOM: f64 = 0.02;
+
+/// Difference of excesses that count as the same.
+const CLOSE: f64 = 1e-9;
 
 /// Fewest runs of the search that follows fresh draws.
 const SEARCH: usize = 200;
@@ -71,18 +78,52 @@ pub(super) fn run(campaign: &Campaign, trial: &Trial, scenarios: &[Scenario]) ->
     campaign.outcomes(trial, scenarios, &|| ()).into_iter().map(look).collect()
 }
 
-/// For each objective by how much the worst signals of the loop that runs exceed it, where they do.
-pub(super) fn refuted(campaign: &Campaign) -> Vec<f64> {
-    let proofs = if campaign.around.is_some() { bound::proved(campaign) } else { Vec::new() };
-    let excess = |proof: Option<&Proof>| match proof {
-        Some(Proof::Refuted { excess, .. }) => *excess,
-        _ => f64::NEG_INFINITY,
-    };
-    (0..campaign.objectives.len()).map(|objective| excess(proofs.get(objective))).collect()
+/// What the worst case of the loop that runs says of each objective; empty where no loop runs.
+pub(super) fn worst_case(campaign: &Campaign) -> Vec<Proof> {
+    if campaign.around.is_some() { bound::proved(campaign) } else { Vec::new() }
 }
 
-/// Verifies a loop as `verify` does. It ends early where an objective fails.
-pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
+/// By how much the worst signals exceed an objective, where they do.
+pub(super) fn refutation(proof: &Proof) -> f64 {
+    match proof {
+        Proof::Refuted { excess, .. } => *excess,
+        _ => f64::NEG_INFINITY,
+    }
+}
+
+/// An excess as a part of the bound: that of `within` as a part of the larger of its bounds, where they are constant.
+pub(super) fn part(kind: &Kind, excess: f64) -> f64 {
+    let Kind::Within { low, high, .. } = kind else { return excess };
+    let number = |bound: &Expression| normal(bound).number().and_then(ToPrimitive::to_f64);
+    let bounds = [low, high].into_iter().flatten().filter_map(number);
+    let size = bounds.map(f64::abs).fold(0.0, f64::max);
+    if size > 0.0 { excess / size } else { excess }
+}
+
+/// The share of a run in which an objective is at its worst: where u is clipped it is so for long, and a loop that is
+/// clipped for less is nearer to one that is not.
+pub(super) fn share_at_worst(
+    campaign: &Campaign,
+    trial: &Trial,
+    (objective, scenario): (usize, &Scenario),
+) -> f64 {
+    let mut excess = Vec::new();
+    let setting = campaign.setting(scenario);
+    let ended = trial
+        .clone()
+        .instants(&setting, &mut |instant| excess.extend(instant.excess.get(objective).copied()));
+    let worst = excess.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if ended.is_err() || !worst.is_finite() {
+        return 1.0;
+    }
+    let at_worst = excess.iter().filter(|own| worst - **own <= CLOSE * (1.0 + worst.abs())).count();
+    #[allow(clippy::cast_precision_loss)]
+    let share = at_worst as f64 / excess.len() as f64;
+    share
+}
+
+/// Verifies a loop as `verify` does, after its worst case where one runs. It ends early where an objective fails.
+pub(super) fn assess(campaign: &Campaign, trial: &Trial, proofs: Vec<Proof>) -> Assessment {
     let corners = Corners::run(campaign, trial, &|| ());
     let mut assessment = Assessment {
         worst: vec![(f64::NEG_INFINITY, campaign.scenario(0)); campaign.objectives.len()],
@@ -91,12 +132,6 @@ pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
         difference: 0.0,
         unfinished: None,
     };
-    for (worst, excess) in assessment.worst.iter_mut().zip(refuted(campaign)) {
-        worst.0 = excess;
-    }
-    if assessment.fails(campaign) {
-        return assessment;
-    }
     let none = vec![Proof::NotProved { why: String::new() }; campaign.objectives.len()];
     assessment.take(campaign, &corners.tally, &|place| {
         usize::try_from(place).ok().and_then(|place| corners.scenarios.get(place)).cloned()
@@ -106,7 +141,7 @@ pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
     {
         return assessment;
     }
-    let proofs = bound::proved(campaign);
+    let proofs = if proofs.is_empty() { bound::proved(campaign) } else { proofs };
     let seed = campaign.seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11;
     let fresh = Campaign {
         seed,

@@ -1,10 +1,15 @@
 //! One choice, and what is known of it.
 
-use super::judge::{self, Assessment};
-use super::wish::{Choice, Wish};
+use super::choice::Choice;
+use super::judge::{self, Assessment, ROOM};
+use super::wish::Wish;
 use crate::check;
 use crate::simulate::Failure;
-use crate::verify::{Campaign, Scenario, Trial};
+use crate::verify::bound::Proof;
+use crate::verify::{Campaign, Objective, Scenario, Trial};
+
+/// The part of what decides between choices of one worst excess, and that of what decides where this is the same too.
+const TIES: [f64; 2] = [1e-3, 1e-6];
 
 /// A choice that was tried.
 #[derive(Debug)]
@@ -13,7 +18,7 @@ pub struct Probe {
     pub choice: Choice,
     /// Campaign that verifies it.
     pub campaign: Campaign,
-    /// The loops; `None` if a check refuses them.
+    /// The loops, or why there are none.
     trial: Result<Trial, Refused>,
     /// For each objective its worst excess, and the scenario that has it.
     pub worst: Vec<(f64, Scenario)>,
@@ -25,6 +30,14 @@ pub struct Probe {
     pub keeps: Vec<bool>,
     /// Number of the scenarios to run first that have been run.
     seen: usize,
+    /// Share of the worst run in which the worst objective is at its worst; 0 in time.
+    share: f64,
+    /// True if it was left as it was worse than another one in a few of them.
+    is_left: bool,
+    /// What the worst case says of each objective; `None` before the checks and the worst case were asked.
+    proofs: Option<Vec<Proof>>,
+    /// True once all scenarios were run.
+    is_assessed: bool,
 }
 
 /// Why a choice is none.
@@ -32,35 +45,112 @@ pub struct Probe {
 pub enum Refused {
     /// A check refuses the design.
     Check(check::Outcome),
-    /// The wish is no longer legal with it: where the gains are held is not before the run ends.
-    Guard(String),
+    /// The wish is no longer legal with it, as where the gains are held before a run ends.
+    Reader(String),
+    /// The loop cannot be run, as where no check sets an eps that it needs.
+    Loop(String),
 }
 
 impl Probe {
-    pub(super) fn new(wish: &Wish<'_>, choice: &Choice) -> Result<Self, Failure> {
-        let (campaign, refused) = wish.with(choice);
+    pub(super) fn new(wish: &Wish<'_>, choice: &Choice) -> Self {
+        let (campaign, refused) = match wish.with(choice) {
+            Ok(campaign) => (campaign, None),
+            Err(refused) => (wish.campaign().clone(), Some(refused)),
+        };
+        // In time a loop that a check refuses may be too stiff to be run.
+        let in_time = campaign.spec.sampled().is_none();
+        let refused = refused.or_else(|| in_time.then(|| wish.refusal(choice)).flatten());
         let trial = match refused {
             Some(refused) => Err(refused),
-            None => Ok(Trial::new(&campaign)?),
+            None => Trial::new(&campaign).map_err(|failure| Refused::Loop(failure.message)),
         };
-        let middle = campaign.scenario(0);
-        let excess = match &trial {
-            Ok(_) => judge::refuted(&campaign),
-            Err(_) => vec![f64::NEG_INFINITY; campaign.objectives.len()],
+        let is_checked = in_time && trial.is_ok();
+        let (middle, objectives) = (campaign.scenario(0), campaign.objectives.len());
+        let mut probe = Self {
+            choice: choice.clone(),
+            campaign,
+            trial,
+            worst: vec![(f64::NEG_INFINITY, middle); objectives],
+            difference: 0.0,
+            unfinished: None,
+            keeps: Vec::new(),
+            seen: 0,
+            share: 0.0,
+            is_left: false,
+            proofs: None,
+            is_assessed: false,
         };
-        let worst = excess.into_iter().map(|excess| (excess, middle.clone())).collect();
-        let choice = choice.clone();
-        let (unfinished, keeps) = (None, Vec::new());
-        Ok(Self { choice, campaign, trial, worst, difference: 0.0, unfinished, keeps, seen: 0 })
+        if is_checked {
+            probe.bound();
+        }
+        probe
     }
 
-    /// Runs those of `scenarios` that it has not been run on.
-    pub(super) fn run(&mut self, scenarios: &[Scenario]) {
-        let Ok(trial) = &self.trial else { return };
+    /// Asks the worst case of the loop that runs and the checks, once.
+    pub(super) fn judge(&mut self, wish: &Wish<'_>) {
+        if self.proofs.is_some() || self.trial.is_err() {
+            return;
+        }
+        self.bound();
+        if self.excess() <= 0.0
+            && let Some(refused) = wish.refusal(&self.choice)
+        {
+            self.trial = Err(refused);
+        }
+    }
+
+    /// Returns true if each objective that is not proved may still keep its room. What is known by then is kept.
+    pub(super) fn may_keep(&mut self) -> bool {
+        let Some(proofs) = self.proofs.as_deref().filter(|proofs| !proofs.is_empty()) else {
+            return true;
+        };
+        let all = self.campaign.objectives.iter().zip(&self.worst).zip(proofs);
+        let keeps = |((objective, (excess, _)), proof): ((&Objective, &(f64, _)), &Proof)| {
+            proof.is_proved() || judge::part(&objective.kind, *excess) <= -ROOM
+        };
+        self.keeps = all.map(keeps).collect();
+        self.keeps.iter().all(|keeps| *keeps)
+    }
+
+    fn bound(&mut self) {
+        let proofs = judge::worst_case(&self.campaign);
+        for (worst, proof) in self.worst.iter_mut().zip(&proofs) {
+            worst.0 = worst.0.max(judge::refutation(proof));
+        }
+        self.proofs = Some(proofs);
+    }
+
+    /// Runs those of `scenarios` that it has not been run on. Where it is new, those that are `hard` for others come
+    /// first, and it is left where it exceeds `limit` in them.
+    pub(super) fn run(&mut self, scenarios: &[Scenario], hard: &[Scenario], limit: f64) {
+        if self.seen == 0 && !hard.is_empty() {
+            if !self.is_left {
+                self.look(hard);
+            }
+            self.is_left = self.excess() > limit;
+            if self.is_left {
+                return;
+            }
+        }
+        self.is_left = false;
         let new = &scenarios[self.seen..];
+        if new.is_empty() {
+            return;
+        }
         self.seen = scenarios.len();
+        self.look(new);
+        if let (Ok(trial), Some(worst)) = (&self.trial, self.foremost())
+            && self.campaign.spec.sampled().is_some()
+        {
+            let worst = (worst, &self.worst[worst].1);
+            self.share = judge::share_at_worst(&self.campaign, trial, worst);
+        }
+    }
+
+    fn look(&mut self, scenarios: &[Scenario]) {
+        let Ok(trial) = &self.trial else { return };
         for (scenario, (excess, difference, unfinished)) in
-            new.iter().zip(judge::run(&self.campaign, trial, new))
+            scenarios.iter().zip(judge::run(&self.campaign, trial, scenarios))
         {
             self.difference = self.difference.max(difference);
             self.unfinished = self.unfinished.take().or(unfinished);
@@ -76,7 +166,9 @@ impl Probe {
     /// `None` if it is refused.
     pub(super) fn assess(&mut self) -> Option<Assessment> {
         let trial = self.trial.as_ref().ok()?;
-        let assessment = judge::assess(&self.campaign, trial);
+        let proofs = self.proofs.clone().unwrap_or_default();
+        let assessment = judge::assess(&self.campaign, trial, proofs);
+        self.is_assessed = true;
         self.difference = self.difference.max(assessment.difference);
         self.unfinished = self.unfinished.take().or_else(|| assessment.unfinished.clone());
         self.keeps = assessment.keeps.clone();
@@ -88,18 +180,52 @@ impl Probe {
         Some(assessment)
     }
 
-    /// The worst excess of all objectives, infinite where it is refused, its sides differ, or a run of
-    /// it could not be finished.
+    /// The worst excess of all objectives as a part of their bounds, infinite where it is refused, its sides differ, or a
+    /// run of it could not be finished.
     pub fn excess(&self) -> f64 {
         if self.trial.is_err() || self.sides_differ() || self.unfinished.is_some() {
             return f64::INFINITY;
         }
-        self.worst.iter().map(|(excess, _)| *excess).fold(f64::NEG_INFINITY, f64::max)
+        let all = self.campaign.objectives.iter().zip(&self.worst);
+        let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
+        parts.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The worst excess, and small parts of what decides where the worst ones are equal, as where u is clipped: the share
+    /// of the run in which it is reached, then the mean of all.
+    pub(super) fn merit(&self) -> f64 {
+        let all = self.campaign.objectives.iter().zip(&self.worst);
+        let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
+        #[allow(clippy::cast_precision_loss)]
+        let mean = parts.map(|part| part.clamp(-1.0, 1.0)).sum::<f64>() / self.worst.len() as f64;
+        self.excess() + TIES[0] * self.share + TIES[1] * mean
+    }
+
+    /// The index of the objective with the worst excess as a part of its bound.
+    fn foremost(&self) -> Option<usize> {
+        let all = self.campaign.objectives.iter().zip(&self.worst);
+        let parts = all.map(|(objective, (excess, _))| judge::part(&objective.kind, *excess));
+        parts.enumerate().reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(index, _)| index)
     }
 
     /// Returns true if the two sides of Theorem 1 differ by more than they may.
     pub fn sides_differ(&self) -> bool {
         self.difference > self.campaign.tolerance
+    }
+
+    /// Returns true if all scenarios were run.
+    pub(super) fn is_assessed(&self) -> bool {
+        self.is_assessed
+    }
+
+    /// Returns true if it was worse than another one in a few scenarios, and was not run on the others.
+    pub fn is_left(&self) -> bool {
+        self.is_left
+    }
+
+    /// Returns false if the reader refuses it.
+    pub(super) fn is_read(&self) -> bool {
+        !matches!(self.trial, Err(Refused::Reader(_)))
     }
 
     /// Why it is none, if it is not.

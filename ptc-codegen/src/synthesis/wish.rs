@@ -3,17 +3,19 @@
 use num_traits::ToPrimitive;
 
 use super::candidate::Candidate;
+use super::choice::{Choice, Key, Value};
+use super::numbers::Numbers;
 use super::probe::Refused;
+use super::stand_in::stand_in;
 use crate::algebra::polynomial::Polynomial;
 use crate::check::examine::{Report, decay, examine};
 use crate::check::resolved::Resolved;
-use crate::diagnostic::{Diagnostic, Place};
-use crate::keys::KeyInfo;
+use crate::diagnostic::Diagnostic;
 use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant;
-use crate::request::{self, DelayLaw, Entry, Feedback, Spec};
-use crate::syntax::{Node, Value, number, parse};
+use crate::request::{Entry, Feedback, Spec};
+use crate::syntax::{self, number};
 use crate::verify::{self, Campaign};
 
 /// The clock in samples, as a design spells it.
@@ -26,64 +28,13 @@ pub struct Wish<'a> {
     /// The design, with a mapping and poles in place of what is missing.
     spec: Spec,
     campaign: Campaign,
-    /// Number of poles in samples, where the clock is open and that one is legal too.
-    order_in_samples: Option<usize>,
+    /// What stands in place of what is missing.
+    stand_in: Choice,
+    /// The same in samples, where the clock is open and that one is legal too.
+    in_samples: Option<Spec>,
 }
 
-/// Chosen values, as a design file spells them, without those given there.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Choice {
-    /// The clock, where it is not that of time.
-    pub clock: Option<String>,
-    /// The mapping with its rate.
-    pub mu: Option<String>,
-    /// The poles: one list, or one for each output of a plant whose outputs differ in order.
-    pub poles: Option<Vec<Vec<String>>>,
-    /// The guard that the sample period or the wanted error requires.
-    pub eps: Option<String>,
-}
-
-impl Choice {
-    /// The poles as the items of a list.
-    pub(super) fn poles_text(&self) -> Option<String> {
-        let each = self.poles.as_ref()?.iter().map(|own| own.join(", "));
-        Some(match each.collect::<Vec<_>>().as_slice() {
-            [one] => one.clone(),
-            several => format!("[{}]", several.join("], [")),
-        })
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let poles = self.poles_text();
-        let given =
-            [("clock", &self.clock), ("mu", &self.mu), ("poles", &poles), ("eps", &self.eps)];
-        let entry = |(key, text): (&str, &Option<String>)| {
-            let value = parse(key, text.as_ref()?, &mut |_| NOWHERE).ok()?;
-            Some(Entry { key: key.to_owned(), place: NOWHERE, value })
-        };
-        given.into_iter().filter_map(entry).collect()
-    }
-}
-
-impl std::fmt::Display for Choice {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let clock = self.clock.as_ref().map(|clock| format!("clock = \"{clock}\""));
-        let mu = self.mu.as_ref().map(|mu| format!("mu = \"{mu}\""));
-        let poles = self.poles_text().map(|poles| format!("poles = [{poles}]"));
-        let eps = self.eps.as_ref().map(|eps| format!("eps = {eps}"));
-        let all: Vec<_> = [clock, mu, poles, eps].into_iter().flatten().collect();
-        f.write_str(&if all.is_empty() { "nothing".to_owned() } else { all.join(", ") })
-    }
-}
-
-/// The place of what no file holds.
-const NOWHERE: Place = Place(usize::MAX);
-
-fn node(value: Value) -> Node {
-    Node { value, place: NOWHERE }
-}
-
-fn gives(entries: &[Entry], keys: &[&str]) -> bool {
+pub(super) fn gives(entries: &[Entry], keys: &[&str]) -> bool {
     entries.iter().any(|entry| keys.contains(&entry.key.as_str()))
 }
 
@@ -113,10 +64,10 @@ fn needs_what_it_draws(entries: &[Entry], spec: &Spec) -> Result<(), Vec<Diagnos
 }
 
 /// The keys that give the law.
-const LAW: &[&str] = &["gains", "poles", "pi0"];
+pub(super) const LAW: &[&str] = &["gains", "poles", "pi0"];
 
 /// The keys that give the mapping.
-const MAPPING: &[&str] = &["mu", "kappa"];
+pub(super) const MAPPING: &[&str] = &["mu", "kappa"];
 
 impl<'a> Wish<'a> {
     /// Reads a wish.
@@ -126,21 +77,22 @@ impl<'a> Wish<'a> {
     pub fn read(entries: &'a [Entry]) -> Result<Self, Vec<Diagnostic>> {
         let clock = entries.iter().find(|entry| entry.key == "clock");
         let in_samples = clock.is_some_and(
-            |entry| matches!(&entry.value.value, Value::Word(word) if word == SAMPLES),
+            |entry| matches!(&entry.value.value, syntax::Value::Word(word) if word == SAMPLES),
         );
         let first = stand_in(entries, in_samples)?;
         let (spec, all) = read_spec(entries, &first)?;
         needs_what_it_draws(entries, &spec)?;
-        let campaign = verify::read_with_plant(&all, &spec)?;
-        let mut wish = Self { entries, spec, campaign, order_in_samples: None };
+        let campaign = campaign_of(&all, &spec)?;
+        let mut wish = Self { entries, spec, campaign, stand_in: first, in_samples: None };
         // A clock is chosen with its law, for a loop whose samples are known.
         if clock.is_none() && wish.leaves_law() && wish.campaign.around.is_some() {
             let first = stand_in(entries, true).ok();
-            let legal = first.and_then(|first| {
-                let choice = Choice { clock: Some(SAMPLES.to_owned()), ..first };
-                read(entries, &choice).ok()
+            wish.in_samples = first.and_then(|first| {
+                let choice = first.word(Key::Clock, SAMPLES);
+                let (spec, all) = read_spec(entries, &choice).ok()?;
+                campaign_of(&all, &spec).ok()?;
+                Some(spec)
             });
-            wish.order_in_samples = legal.map(|(spec, _)| spec.loop_order());
         }
         Ok(wish)
     }
@@ -157,7 +109,38 @@ impl<'a> Wish<'a> {
 
     /// Number of poles in samples, where the clock is to be chosen and may be in samples.
     pub(super) fn order_in_samples(&self) -> Option<usize> {
-        self.order_in_samples
+        self.in_samples.as_ref().map(Spec::loop_order)
+    }
+
+    /// The numbers of the loop in samples: of the given clock, or of the one that may be chosen.
+    pub(super) fn numbers(&self) -> Option<Numbers> {
+        let spec = self.in_samples.as_ref().unwrap_or(&self.spec);
+        Numbers::of(spec, self.campaign.tau.0)
+    }
+
+    /// Returns true if a key is left open.
+    pub(super) fn leaves(&self, key: Key) -> bool {
+        !gives(self.entries, &[key.name()])
+    }
+
+    /// Returns true if the design cannot be read without a value of a key, which is to be chosen.
+    pub(super) fn lacks(&self, key: Key) -> bool {
+        self.stand_in.get(key).is_some()
+    }
+
+    /// Returns true if the poles of an observer, or the drift that a stationary one assumes, are to be chosen.
+    pub fn leaves_observer(&self) -> bool {
+        self.lacks(Key::ObserverPoles) || self.lacks(Key::DisturbanceWalk)
+    }
+
+    /// Returns true if the end of the law is to be chosen.
+    pub(super) fn leaves_end(&self) -> bool {
+        !gives(self.entries, &["poles_end", "end_samples", "deadbeat"])
+    }
+
+    /// Returns true if something is to be chosen.
+    pub fn leaves_something(&self) -> bool {
+        self.leaves_mapping() || self.leaves_law() || self.leaves_observer()
     }
 
     /// Returns true if the given clock is in samples.
@@ -208,7 +191,9 @@ impl<'a> Wish<'a> {
         if asked && self.spec.leaves_eps() {
             let resolved = self.least(&choice).map(|spec| Resolved::of(&spec).spec);
             let eps = resolved.and_then(|spec| spec.fixed.get(&Parameter::Eps).cloned());
-            choice.eps = eps.map(|eps| eps.to_string());
+            if let Some(eps) = eps {
+                choice = choice.with(Key::Eps, Value::Number(eps.to_string()));
+            }
         }
         choice
     }
@@ -249,24 +234,28 @@ impl<'a> Wish<'a> {
         Some(spec)
     }
 
-    /// The campaign of a choice, and why it is none, if it is not.
-    pub(super) fn with(&self, choice: &Choice) -> (Campaign, Option<Refused>) {
-        match read(self.entries, choice) {
-            Ok((_, campaign)) => {
-                let report = self.examined(choice);
-                let refusal = report.and_then(|report| report.refusals().next().cloned());
-                (campaign, refusal.map(Refused::Check))
-            }
-            Err(found) => {
-                let why = found.first().map(|wrong| wrong.message.clone()).unwrap_or_default();
-                (self.campaign.clone(), Some(Refused::Guard(why)))
-            }
-        }
+    /// The campaign of a choice.
+    ///
+    /// # Errors
+    /// Why the reader refuses the choice.
+    pub(super) fn with(&self, choice: &Choice) -> Result<Campaign, Refused> {
+        let read = read_spec(self.entries, choice)
+            .and_then(|(spec, all)| verify::read_with_plant(&all, &spec));
+        read.map_err(|found| {
+            let why = found.first().map(|wrong| wrong.message.clone()).unwrap_or_default();
+            Refused::Reader(why)
+        })
+    }
+
+    /// The check that refuses the design with a choice, if one does.
+    pub(super) fn refusal(&self, choice: &Choice) -> Option<Refused> {
+        let report = self.examined(choice)?;
+        report.refusals().next().cloned().map(Refused::Check)
     }
 }
 
 /// Number of poles of each output.
-fn orders(spec: &Spec) -> Vec<usize> {
+pub(super) fn orders(spec: &Spec) -> Vec<usize> {
     let several = spec.coupled.as_ref().map(|coupled| coupled.orders());
     several.unwrap_or_else(|| vec![spec.loop_order()])
 }
@@ -280,61 +269,18 @@ pub(super) fn for_each(orders: &[usize], pole: &dyn Fn(usize) -> String) -> Vec<
     }
 }
 
-/// A mapping and poles in place of what is missing.
-///
-/// # Errors
-/// A model of which no orders follow.
-fn stand_in(entries: &[Entry], in_samples: bool) -> Result<Choice, Vec<Diagnostic>> {
-    let mu = (!gives(entries, MAPPING)).then(|| "exp(a=1)".to_owned());
-    let mut choice = Choice { mu, ..Choice::default() };
-    if gives(entries, LAW) {
-        return Ok(choice);
-    }
-    let of_model =
-        |entry: &Entry| KeyInfo::find(&entry.key).and_then(KeyInfo::table) == Some("model");
-    if entries.iter().any(of_model) {
-        // A law without poles, from which the number of poles of each output follows.
-        let entry =
-            |key: &str, value| Entry { key: key.to_owned(), place: NOWHERE, value: node(value) };
-        let law = match (in_samples, gives(entries, &["inputs"])) {
-            (true, _) => (!gives(entries, &["clock"]))
-                .then(|| entry("clock", Value::Word(SAMPLES.to_owned()))),
-            (false, true) => Some(entry("pi0", Value::Word("extern".to_owned()))),
-            (false, false) => {
-                let xi = node(Value::Word("xi1".to_owned()));
-                Some(entry("pi0", Value::Negative(Box::new(xi))))
-            }
-        };
-        let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).chain(law).collect();
-        let orders = orders(&request::read(&all)?);
-        choice.poles = Some(for_each(&orders, &|i| format!("-{}", request::MAX_ORDER + 1 + i)));
-        return Ok(choice);
-    }
-    let count = |key: &str| {
-        let entry = entries.iter().find(|entry| entry.key == key)?;
-        match &entry.value.value {
-            Value::Number(value) => value.number()?.ceil().to_usize(),
-            _ => None,
-        }
-    };
-    // A law of a higher order places a pole for each input under way too.
-    let extends = entries.iter().any(|entry| {
-        entry.key == "delay_law" && entry.value.value == Value::Word(DelayLaw::EXTEND.to_owned())
-    });
-    let late = if in_samples && extends { count("delay").unwrap_or(0) } else { 0 };
-    let late = late.min(request::MAX_ORDER);
-    let order = count("n").unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
-    choice.poles = Some(for_each(&[order], &|i| format!("-{}", order + 1 + i)));
-    Ok(choice)
-}
-
 fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), Vec<Diagnostic>> {
     let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).collect();
     plant::read_design(&all).map(|(spec, _)| (spec, all))
 }
 
-fn read(entries: &[Entry], choice: &Choice) -> Result<(Spec, Campaign), Vec<Diagnostic>> {
-    let (spec, all) = read_spec(entries, choice)?;
-    let campaign = verify::read_with_plant(&all, &spec)?;
-    Ok((spec, campaign))
+/// The campaign of stand-ins. Its eps is given, as a search for one takes long and nothing depends on it.
+fn campaign_of(all: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
+    if spec.sampled().is_none() || !spec.leaves_eps() {
+        return verify::read_with_plant(all, spec);
+    }
+    let eps = Choice::default().with(Key::Eps, Value::Number("0".to_owned()));
+    let all: Vec<_> = all.iter().cloned().chain(eps.entries()).collect();
+    let (spec, _) = plant::read_design(&all)?;
+    verify::read_with_plant(&all, &spec)
 }

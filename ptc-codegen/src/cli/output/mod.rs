@@ -7,6 +7,7 @@ mod beside;
 mod content;
 mod durable;
 mod place;
+mod signals;
 #[cfg(feature = "lab")]
 mod spool;
 mod stale;
@@ -25,6 +26,8 @@ pub(crate) use durable::{nameless, sync_folder};
 #[cfg(feature = "lab")]
 pub(crate) use place::same_file;
 pub(crate) use place::{Kind, Place};
+#[cfg(feature = "lab")]
+pub(crate) use signals::Interruption;
 #[cfg(feature = "lab")]
 pub(crate) use spool::Spool;
 #[cfg(feature = "lab")]

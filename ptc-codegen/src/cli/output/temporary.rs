@@ -11,6 +11,7 @@ use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use tempfile::{Builder, NamedTempFile, TempDir};
 
 use super::durable::{sync_folder, sync_tree};
+use super::signals;
 use super::stale::{self, PREFIX, RANDOM, SUFFIX, claim};
 
 /// Files and folders under way. Code that makes or removes some of them holds the lock, and a signal keeps it, so that
@@ -264,62 +265,19 @@ fn builder(mode: u32) -> Builder<'static, 'static> {
 pub(crate) fn watch() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
-        #[cfg(unix)]
         // Without a handler the process ends as it would anyway.
-        let _ = signals::handle();
+        let _ = signals::handle(remove_all);
     });
 }
 
-#[cfg(unix)]
-mod signals {
-    use std::fs;
-    use std::io;
-    use std::sync::Arc;
-    use std::thread;
-
-    use signal_hook::consts::{SIGALRM, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
-    use signal_hook::iterator::Signals;
-    use signal_hook::{flag, low_level};
-
-    use super::under_way;
-
-    pub(super) fn handle() -> io::Result<()> {
-        // To be interrupted by it is not to be ended by it: the write then fails.
-        flag::register(SIGXFSZ, Arc::default())?;
-        let ignored = ignored();
-        let all = [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGXCPU];
-        let heard = all.into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
-        let heard: Vec<_> = heard.collect();
-        let mut signals = Signals::new(&heard)?;
-        let listen = move || {
-            if let Some(signal) = signals.forever().next() {
-                let mut all = under_way();
-                for path in &all.temporary {
-                    let removed = fs::remove_file(path).or_else(|_| fs::remove_dir_all(path));
-                    // The process ends in any case.
-                    drop(removed);
-                }
-                all.remove_empty();
-                let _ = low_level::emulate_default_handler(signal);
-                low_level::exit(128 + signal);
-            }
-        };
-        if let Err(error) = thread::Builder::new().name("signals".to_owned()).spawn(listen) {
-            // Without a thread that listens a signal ends the process at once, as it would anyway.
-            for signal in heard {
-                flag::register_conditional_default(signal, Arc::new(true.into()))?;
-            }
-            return Err(error);
-        }
-        Ok(())
+/// Removes what is under way, and keeps the lock.
+fn remove_all() {
+    let mut all = under_way();
+    for path in &all.temporary {
+        let removed = fs::remove_file(path).or_else(|_| fs::remove_dir_all(path));
+        // The process ends in any case.
+        drop(removed);
     }
-
-    /// The signals that whoever started the process wants ignored, as `nohup` does, one bit each.
-    /// Where the system does not say so, that is taken of SIGHUP.
-    fn ignored() -> u64 {
-        let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-        let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-        let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
-        mask.unwrap_or(1 << (SIGHUP - 1))
-    }
+    all.remove_empty();
+    std::mem::forget(all);
 }

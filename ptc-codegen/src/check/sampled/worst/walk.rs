@@ -40,6 +40,12 @@ pub(in crate::check::sampled) fn earlier(matrix: &Matrix, row: &mut Vec<f64>, ro
         4 => product::<4>(row, entries, room),
         5 => product::<5>(row, entries, room),
         6 => product::<6>(row, entries, room),
+        7 => product::<7>(row, entries, room),
+        8 => product::<8>(row, entries, room),
+        9 => product::<9>(row, entries, room),
+        10 => product::<10>(row, entries, room),
+        11 => product::<11>(row, entries, room),
+        12 => product::<12>(row, entries, room),
         size => {
             room.fill(0.0);
             for (factor, own) in row.iter().zip(entries.chunks_exact(*size)) {
