@@ -73,7 +73,11 @@ fn of_chain(entries: &[Entry], in_samples: bool) -> Vec<Vec<String>> {
     });
     let late = if in_samples && extends { count("delay").unwrap_or(0) } else { 0 };
     let late = late.min(request::MAX_ORDER);
-    let order = count("n").unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
+    let rows = entries.iter().find(|entry| entry.key == "A").and_then(|a| match &a.value.value {
+        syntax::Value::List(rows) => Some(rows.len()),
+        _ => None,
+    });
+    let order = count("n").or(rows).unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
     for_each(&[order], &|i| format!("-{}", order + 1 + i))
 }
 

@@ -131,6 +131,23 @@ fn belt_ends_within_its_tries() {
 
 /// A first SIGINT ends the search with the best choice so far.
 #[cfg(target_os = "linux")]
+/// A joint of two masses by A and B, with neither n nor poles: the gains of least energy are the first try.
+#[test]
+fn linear_plant_gets_gains_of_least_energy() {
+    let wish = "name = \"joint\"\nclock = \"samples\"\nsample_time = 1e-3\ndelay = 1\n[params]\n\
+        tau = 0.3\nu_max = 20\n[plant]\n\
+        A = [[0,1,0,0],[-900,-0.6,900,0.6],[0,0,0,1],[400,0.3,-400,-0.3]]\nB = [0,0,0,1]\n[verify]\n\
+        x1 = [-0.001, 0.001]\nx2 = 0\nx3 = [-0.001, 0.001]\nx4 = 0\nscenarios = 20\nsearch = 10\n\
+        [[objective]]\nbound = \"attractive\"\nerror = [1e-3, 0.1, 1e-3, 0.1]\n\
+        [[objective]]\nbound = \"input\"\nupsilon = 10\n";
+    let path = folder("joint", wish);
+    let (design, told) = designed(&path);
+    let poles = value(&design, "poles").expect("poles");
+    assert!(poles.starts_with("\"least-energy"), "{design}\n{told}");
+    assert!(tries(&told) <= 5, "{told}");
+    is_taken(&path);
+}
+
 #[test]
 fn interrupt_reports_the_best_choice() {
     use std::process::{Command, Stdio};
