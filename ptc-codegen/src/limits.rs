@@ -140,6 +140,9 @@ table! {
     /// Samples of a run of `simulate`.
     SAMPLES = 10_000_000 "samples", "what is more is a period that was mistyped; the rows go to the file as they are made, and a run takes less than 500 MB",
         "give a longer --sample-time";
+    /// Samples until the deadline for which gains of least energy are computed.
+    GAINS = 131_072 "samples", "the Gramian of a linear plant is summed over them in long arithmetic",
+        "give a shorter tau, a longer sample_time, or the poles as numbers";
     /// Samples until the deadline of a design that is compared with others.
     COMPARED = 100_000 "samples", "the gains of a finite horizon are kept for each",
         "give a shorter tau, or a longer sample_time";

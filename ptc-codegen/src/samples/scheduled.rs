@@ -6,10 +6,11 @@ use num_traits::ToPrimitive;
 
 use super::controller::Builder;
 use super::ends::{Ending, held_samples};
+use super::predicted::weighted;
 use crate::algebra::BigRational;
 use crate::code::{Expr, Place, Shape, Statement, Table, Test};
 use crate::internal::fault;
-use crate::linear::{Piece, Schedule};
+use crate::linear::{Matrix, Piece, Schedule};
 use crate::parameter::Parameter;
 
 /// The table of gains.
@@ -34,20 +35,10 @@ impl Builder<'_> {
         let states = self.states_of_loop(planned.powers.len());
         let mut body = self.count_to_gains(schedule, &ending, samples);
         body.extend(located(&schedule.pieces));
-        let mut reached = states.clone();
-        if self.sampled.predicts() {
-            body.push(Statement::Note("The state from which this input acts.".to_owned()));
-            for (row, i) in planned.reach.rows().iter().zip(0..) {
-                let terms = row.iter().zip(&states);
-                let sum = Expr::sum(
-                    terms.map(|(weight, state)| Expr::Number(weight.clone()).mul(state.clone())),
-                );
-                let name = format!("p{}", i + 1);
-                body.push(Statement::Let(name.clone(), Shape::Real, sum));
-                reached.truncate(planned.reach.len());
-                reached[i] = Expr::local(name);
-            }
-        }
+        let reached = match self.sampled.predicts() {
+            true => predicted(&planned.reach, &states, &mut body),
+            false => states,
+        };
         body.push(Statement::Note("The law of least energy.".to_owned()));
         let between = schedule.pieces.len() > 1;
         if between {
@@ -85,6 +76,19 @@ impl Builder<'_> {
         body.push(Statement::If(goes_on, set(planned), set(least)));
         body
     }
+}
+
+/// The state from which the input of now acts, with the statements that set it.
+fn predicted(reach: &Matrix, states: &[Expr], body: &mut Vec<Statement>) -> Vec<Expr> {
+    body.push(Statement::Note("The state from which this input acts.".to_owned()));
+    let mut all = Vec::with_capacity(reach.len());
+    for (row, i) in reach.rows().iter().zip(1..) {
+        let name = format!("p{i}");
+        let sum = weighted(row, &|j| states[j].clone());
+        body.push(Statement::Let(name.clone(), Shape::Real, sum));
+        all.push(Expr::local(name));
+    }
+    all
 }
 
 /// Statements that find the nodes around the samples to go.

@@ -165,6 +165,6 @@ fn what_a_table_cannot_be_is_refused() {
     refused(&format!("{plant}tau = 1\ndeadbeat = 9\n{matrices}"), "the last of these gains");
     refused(&format!("{plant}tau = 1\ngain_bytes = 40\n{matrices}"), "the coarsest one takes");
     refused(&format!("{plant}tau = 1\ngain_bytes = 0\n{matrices}"), "an integer from 1");
-    refused(&format!("{plant}tau = 2000\n{matrices}"), "at most 131072");
+    refused(&format!("{plant}tau = 2000\n{matrices}"), "has 200000 samples; the limit is 131072");
     refused(&format!("{plant}tau = 1\ngain_bytes = 999\nn = 2\n"), "without a table of gains");
 }

@@ -4,8 +4,8 @@ use num_traits::ToPrimitive;
 
 use super::super::least_energy::is_least_energy;
 use super::super::{Reader, shown, whole};
-use crate::diagnostic::counted;
 use crate::expression::constant::real;
+use crate::limits::GAINS;
 use crate::linear::{Unscheduled, Weights};
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::request::{LeastEnergy, Sampled, Spec};
@@ -13,9 +13,6 @@ use crate::syntax::Node;
 
 /// The bytes that the table may take.
 const BYTES: &str = "gain_bytes";
-
-/// Most samples to the deadline for which gains are computed.
-const MOST_SAMPLES: u32 = 1 << 17;
 
 /// Greatest weight beside A and B; with a greater one u is 0 for most of the time.
 const MOST_WEIGHT: u32 = 100;
@@ -40,13 +37,10 @@ impl Reader<'_> {
         self.decides_all(spec);
         let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
         let samples = number(Parameter::Samples).and_then(ToPrimitive::to_u32);
-        if let Some(samples) = samples.filter(|samples| *samples > MOST_SAMPLES) {
+        if let Some(samples) = samples.filter(|samples| !GAINS.admits(*samples as usize)) {
             let message =
-                format!("least energy beside A and B over {}", counted(&samples, "sample"));
-            let help = format!(
-                "take at most {MOST_SAMPLES} of them, by a longer sample_time or a shorter tau, or give the poles as numbers"
-            );
-            return self.wrong("poles", Some(node.place), message, help);
+                GAINS.exceeded("the law of least energy beside A and B", samples as usize);
+            return self.wrong("poles", Some(node.place), message, GAINS.fix.to_owned());
         }
         let weights = Weights { law: law.weight, end };
         match sampled.gains(spec, weights, bytes) {
