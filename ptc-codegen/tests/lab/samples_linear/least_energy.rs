@@ -165,6 +165,11 @@ fn what_a_table_cannot_be_is_refused() {
     refused(&format!("{plant}tau = 1\ndeadbeat = 9\n{matrices}"), "the last of these gains");
     refused(&format!("{plant}tau = 1\ngain_bytes = 40\n{matrices}"), "the coarsest one takes");
     refused(&format!("{plant}tau = 1\ngain_bytes = 0\n{matrices}"), "an integer from 1");
+    refused(&format!("{plant}tau = 1.005\n{matrices}"), "sample periods");
+    let ends = "tau = 1\ndeadbeat = 9\npoles_end = \"least-energy\"\nend_samples = 9\n";
+    refused(&format!("{plant}{ends}{matrices}"), "two ends");
+    let negative = plant.replace("least-energy", "least-energy(weight=-1)");
+    refused(&format!("{negative}tau = 1\n{matrices}"), "not the weight");
     refused(&format!("{plant}tau = 2000\n{matrices}"), "has 200000 samples; the limit is 131072");
     refused(&format!("{plant}tau = 1\ngain_bytes = 999\nn = 2\n"), "without a table of gains");
 }

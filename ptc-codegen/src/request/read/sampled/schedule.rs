@@ -24,6 +24,10 @@ impl Reader<'_> {
         let (Some(node), Some(_)) = (node, &sampled.linear) else {
             return self.no_table();
         };
+        // Poles that could not be read have been refused.
+        if spec.poles.is_empty() {
+            return;
+        }
         let (Some(law), Some(bytes)) = (self.named_law("poles", node), self.gain_bytes()) else {
             return;
         };
@@ -46,8 +50,8 @@ impl Reader<'_> {
         match sampled.gains(spec, weights, bytes) {
             Some(Ok(schedule)) => spec.follow(schedule),
             Some(Err(reason)) => self.has_no_table(reason, node, spec.precision),
-            // A period that is not known is refused with the plant.
-            None if number(Parameter::SampleTime).is_some() => {
+            // A period or a tau that is wrong has been refused by itself.
+            None if self.found.is_empty() => {
                 let message = "least energy beside A and B without a number for tau".to_owned();
                 let help = "fix tau: the gains are computed when the code is generated".to_owned();
                 self.wrong("tau", Some(node.place), message, help);
@@ -91,7 +95,9 @@ impl Reader<'_> {
 
     /// Refuses what leaves a part of the table to run time, or ends it otherwise.
     fn decides_all(&mut self, spec: &Spec) {
-        if let Some(node) = self.keys.get("deadbeat").copied() {
+        // Two ends of the law are refused by themselves.
+        let deadbeat = self.keys.get("deadbeat").copied();
+        if let Some(node) = deadbeat.filter(|_| !self.keys.contains_key("poles_end")) {
             let message = "`deadbeat` beside the gains of least energy".to_owned();
             let help = "leave it out: the last of these gains are deadbeat".to_owned();
             self.wrong("deadbeat", Some(node.place), message, help);
