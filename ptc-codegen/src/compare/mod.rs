@@ -1,7 +1,7 @@
 //! The controllers that engineers use in place of a design, in the loop of its campaign.
 //!
-//! [`Nominal`] is the plant as the design knows it. A [`regulator`] has the bandwidth that the rule in [`tuning`] gives;
-//! a [`Rival`] follows a [`profile`] or a finite horizon with it. [`Comparison`] runs them and the emitted controller in
+//! [`Nominal`] is the plant as the design knows it. A regulator has the bandwidth that the rule in `tuning` gives;
+//! a [`Rival`] follows a profile or a finite horizon with it. [`Comparison`] runs them and the emitted controller in
 //! the same scenarios of `verify`, and keeps the worst of each figure.
 
 mod column;
